@@ -1,0 +1,61 @@
+"""Piecewise-linear oscillators with impacts and dry friction.
+
+The public names, each imported when it is first used. Systems are declared with
+`nonsmooth.derive`; see ``nonsmooth --help`` for the command line.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.batch import Orbits, solve_many
+    from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
+    from nonsmooth.runtime.orbit import Orbit
+    from nonsmooth.runtime.refine import refine
+    from nonsmooth.runtime.solve import solve
+
+    __version__: str
+
+__all__ = [
+    "InputError",
+    "MissingExtra",
+    "NoConvergence",
+    "NonsmoothError",
+    "Orbit",
+    "Orbits",
+    "__version__",
+    "refine",
+    "solve",
+    "solve_many",
+]
+
+_HOMES = {
+    "InputError": "errors",
+    "MissingExtra": "errors",
+    "NoConvergence": "errors",
+    "NonsmoothError": "errors",
+    "Orbit": "orbit",
+    "Orbits": "batch",
+    "refine": "refine",
+    "solve": "solve",
+    "solve_many": "batch",
+}
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name when it is first asked for (PEP 562)."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        value: object = version("nonsmooth")
+    elif name in _HOMES:
+        value = getattr(import_module(f"nonsmooth.runtime.{_HOMES[name]}"), name)
+    else:
+        raise AttributeError(f"module 'nonsmooth' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """List the public names, imported or not."""
+    return sorted(__all__)
