@@ -1,0 +1,103 @@
+"""Parameters with domains, and the decisions that hold on a whole domain."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from nonsmooth.derive.errors import DeclarationError
+
+__all__ = ["Parameter", "is_positive"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A real parameter of a system and the interval it lives in.
+
+    Parameters
+    ----------
+    name : str
+        Name under which users give its value; also the name of its symbol.
+    description : str
+        Meaning, with units or "nondimensional".
+    lower, upper : sympy expression or number
+        Ends of the domain; infinite where unbounded.
+    closed : bool
+        Whether `lower` itself belongs to the domain. `upper` never does.
+    """
+
+    name: str
+    description: str
+    lower: sp.Expr | int = 0
+    upper: sp.Expr | int = sp.oo
+    closed: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "lower", sp.sympify(self.lower))
+        object.__setattr__(self, "upper", sp.sympify(self.upper))
+        if not self.name.isidentifier():
+            raise DeclarationError(f"parameter name {self.name!r} is not an identifier")
+        if not sp.sympify(self.lower) < sp.sympify(self.upper):
+            raise DeclarationError(f"parameter {self.name}: the domain is empty")
+
+    @property
+    def symbol(self) -> sp.Symbol:
+        """Symbol that carries as much of the domain as SymPy's assumptions can."""
+        if self.lower >= 0:
+            zero_allowed = self.closed and self.lower == 0
+            return (
+                sp.Symbol(self.name, nonnegative=True)
+                if zero_allowed
+                else sp.Symbol(self.name, positive=True)
+            )
+        return sp.Symbol(self.name, real=True)
+
+    def unconstrained(self) -> sp.Expr:
+        """Value of the parameter as a map of a positive (or nonnegative) free symbol."""
+        free = sp.Symbol(f"free_{self.name}", nonnegative=True, zero=None if self.closed else False)
+        lower, upper = self.lower, self.upper
+        if lower.is_finite and upper.is_finite:
+            return (lower + upper * free) / (1 + free)
+        if lower.is_finite:
+            return lower + free
+        if upper.is_finite:
+            return upper - free
+        return self.symbol
+
+
+def is_positive(expression: sp.Expr, parameters: Iterable[Parameter]) -> bool:
+    """Decide whether an expression is positive on the whole domain of the parameters.
+
+    True is a proof; False means "not shown". Each parameter is replaced by a map of a
+    positive symbol onto its domain; then either SymPy's assumptions decide, or all
+    coefficients of numerator and denominator have one sign.
+    """
+    expression = sp.sympify(expression)
+    if expression.is_positive:
+        return True
+    mapped = expression.subs({p.symbol: p.unconstrained() for p in parameters}, simultaneous=True)
+    if mapped.is_positive:
+        return True
+    numerator, denominator = sp.fraction(sp.cancel(sp.together(mapped)))
+    if numerator.is_positive and denominator.is_positive:
+        return True
+    return _one_sign(numerator) * _one_sign(denominator) > 0
+
+
+def _one_sign(expression: sp.Expr) -> int:
+    """Sign of a polynomial in positive symbols whose coefficients all share it, else 0."""
+    if not expression.free_symbols:
+        return int(sp.sign(expression)) if expression.is_number else 0
+    if not expression.is_polynomial():
+        return 0
+    polynomial = sp.Poly(expression, *sorted(expression.free_symbols, key=str))
+    if any(s.is_positive is not True for s in polynomial.gens):
+        # a symbol that may vanish leaves only the constant term for strictness
+        if polynomial.coeff_monomial(1) == 0:
+            return 0
+        if any(s.is_nonnegative is not True for s in polynomial.gens):
+            return 0
+    signs = {sp.sign(c) for c in polynomial.coeffs()}
+    return int(signs.pop()) if len(signs) == 1 else 0

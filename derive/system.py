@@ -1,0 +1,388 @@
+"""Declarations: boundaries, configurations, transitions and the system they make up.
+
+A declaration says what the oscillator *is*; nothing is derived here. Every record is
+frozen and checked when it is made, so that a wrong shape or name is reported at the line
+that wrote it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.parameter import Parameter
+
+__all__ = [
+    "Boundary",
+    "Condition",
+    "Configuration",
+    "FirstOrder",
+    "SecondOrder",
+    "System",
+    "Transition",
+]
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """A switching surface at which a configuration is left.
+
+    Parameters
+    ----------
+    name : str
+        Name by which itineraries refer to it.
+    function : sympy expression
+        Affine function g of the state, negative inside the configuration. The boundary is
+        crossed when g rises through zero.
+    acts_when : {"reached", "exceeded"}
+        A velocity boundary acts when reached, tangentially too; a force limit only when
+        exceeded.
+    """
+
+    name: str
+    function: sp.Expr
+    acts_when: str = "exceeded"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "function", sp.sympify(self.function))
+        if self.acts_when not in ("reached", "exceeded"):
+            raise DeclarationError(
+                f"boundary {self.name!r}: acts_when is {self.acts_when!r},"
+                " not 'reached' or 'exceeded'"
+            )
+
+
+@dataclass(frozen=True)
+class SecondOrder:
+    """Linear motion ``mass x'' + damping x' + stiffness x = load``, some coordinates held.
+
+    Parameters
+    ----------
+    mass, stiffness, damping : n x n matrices
+        `damping` is zero when omitted. Units are the user's own, consistent.
+    load : n values
+        Constant forces; zero when omitted.
+    held : mapping of position symbol to velocity
+        Coordinates that keep a constant velocity (stick); their rows of the equation give
+        the reaction and are not integrated.
+    """
+
+    mass: sp.Matrix
+    stiffness: sp.Matrix
+    load: Sequence[sp.Expr] = ()
+    damping: sp.Matrix | None = None
+    held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        mass = _square(self.mass, "mass")
+        size = mass.rows
+        stiffness = _square(self.stiffness, "stiffness", size)
+        damping = (
+            sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
+        )
+        load = sp.Matrix(list(self.load)) if len(self.load) else sp.zeros(size, 1)
+        if load.shape != (size, 1):
+            raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
+        if mass.det() == 0:
+            raise DeclarationError("mass is singular")
+        for attribute, value in (
+            ("mass", mass),
+            ("stiffness", stiffness),
+            ("damping", damping),
+            ("load", load),
+        ):
+            object.__setattr__(self, attribute, sp.ImmutableMatrix(value))
+        object.__setattr__(self, "held", sp.Dict(dict(self.held)))
+
+    def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
+        """Indices of the held coordinates and their velocities."""
+        return {list(states).index(symbol): velocity for symbol, velocity in self.held.items()}
+
+    def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
+        """Matrix A and offset b of the first-order form ``y' = A y + b``.
+
+        Held coordinates keep the velocity that the state carries: x' = v, v' = 0.
+        """
+        size = self.mass.rows
+        held = self.held_at(states)
+        free = [i for i in range(size) if i not in held]
+        matrix, offset = sp.zeros(2 * size, 2 * size), sp.zeros(2 * size, 1)
+        for i in range(size):
+            matrix[i, size + i] = 1
+        if free:
+            inverse = self.mass.extract(free, free).inv()
+            rows = [size + i for i in free]
+            columns = list(range(size))
+            stiffness = inverse * self.stiffness.extract(free, columns)
+            damping = inverse * self.damping.extract(free, columns)
+            load = inverse * self.load.extract(free, [0])
+            for k, row in enumerate(rows):
+                matrix[row, :size] = -stiffness[k, :]
+                matrix[row, size:] = -damping[k, :]
+                offset[row, 0] = load[k]
+        return sp.ImmutableMatrix(matrix), sp.ImmutableMatrix(offset)
+
+    def shifted(self, origin: sp.Matrix) -> SecondOrder:
+        """The same motion in coordinates ``z = x - origin``."""
+        load = (self.load - self.stiffness * origin).applyfunc(sp.cancel)
+        return SecondOrder(self.mass, self.stiffness, tuple(load), self.damping, self.held)
+
+    def substituted(self, values: Mapping[sp.Symbol, sp.Expr]) -> SecondOrder:
+        """The same motion with symbols replaced."""
+        return SecondOrder(
+            self.mass.subs(values),
+            self.stiffness.subs(values),
+            tuple(self.load.subs(values)),
+            self.damping.subs(values),
+            {s.subs(values): v.subs(values) for s, v in self.held.items()},
+        )
+
+    def free_symbols(self) -> set[sp.Symbol]:
+        """Symbols of the matrices, the load and the held velocities."""
+        symbols = (
+            self.mass.free_symbols
+            | self.stiffness.free_symbols
+            | self.damping.free_symbols
+            | self.load.free_symbols
+        )
+        return symbols.union(*(v.free_symbols for v in self.held.values()))
+
+
+@dataclass(frozen=True)
+class FirstOrder:
+    """Affine motion ``y' = matrix y + offset``, matrix N x N, offset N values."""
+
+    matrix: sp.Matrix
+    offset: Sequence[sp.Expr] = ()
+
+    def __post_init__(self) -> None:
+        matrix = _square(self.matrix, "matrix")
+        offset = sp.Matrix(list(self.offset)) if len(self.offset) else sp.zeros(matrix.rows, 1)
+        if offset.shape != (matrix.rows, 1):
+            raise DeclarationError(
+                f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
+            )
+        object.__setattr__(self, "matrix", sp.ImmutableMatrix(matrix))
+        object.__setattr__(self, "offset", sp.ImmutableMatrix(offset))
+
+    def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
+        """Matrix A and offset b of ``y' = A y + b``."""
+        return self.matrix, self.offset
+
+    def free_symbols(self) -> set[sp.Symbol]:
+        """Symbols of the matrix and the offset."""
+        return self.matrix.free_symbols | self.offset.free_symbols
+
+
+Dynamics = SecondOrder | FirstOrder
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """One linear regime of a system and the boundaries at which it is left."""
+
+    name: str
+    dynamics: Dynamics
+    boundaries: tuple[Boundary, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "boundaries", tuple(self.boundaries))
+        _unique([b.name for b in self.boundaries], f"boundary of configuration {self.name!r}")
+
+    def boundary(self, name: str) -> Boundary:
+        """The boundary of that name; DeclarationError if this configuration has none."""
+        for boundary in self.boundaries:
+            if boundary.name == name:
+                return boundary
+        known = ", ".join(b.name for b in self.boundaries)
+        raise DeclarationError(
+            f"configuration {self.name!r} has no boundary {name!r} (it has: {known})"
+        )
+
+
+@dataclass(frozen=True)
+class Condition:
+    """The first nonzero among g, g', g'', ... is positive, along one configuration's flow.
+
+    `function` is g, affine in the state; `along` names the configuration whose flow gives
+    the derivatives that decide where g vanishes. `holds=False` is the negation.
+    """
+
+    function: sp.Expr
+    along: str
+    holds: bool = True
+
+
+@dataclass(frozen=True)
+class Transition:
+    """What happens when `source` is left through a set of boundaries at one instant.
+
+    Parameters
+    ----------
+    source, target : str
+        Configurations before and after.
+    boundaries : set of str
+        Boundaries of `source` reached together; one alone in the ordinary case.
+    conditions : tuple of Condition
+        All must hold. Of several transitions for one set the first that applies is taken.
+    reset : mapping of state symbol to expression
+        Affine reset of the state; states that are not named stay.
+    """
+
+    source: str
+    boundaries: frozenset[str]
+    target: str
+    conditions: tuple[Condition, ...] = ()
+    reset: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "boundaries", frozenset(self.boundaries))
+        object.__setattr__(self, "conditions", tuple(self.conditions))
+        object.__setattr__(self, "reset", sp.Dict(dict(self.reset)))
+
+    def reset_of(self, state: sp.Matrix, states: Sequence[sp.Symbol]) -> sp.Matrix:
+        """State after the transition, for a column of expressions before it."""
+        before = dict(zip(states, state, strict=True))
+        rules = dict(self.reset.items())
+        return sp.Matrix([rules.get(s, s).subs(before, simultaneous=True) for s in states])
+
+
+@dataclass(frozen=True)
+class System:
+    """Configurations, transitions and parameters of a piecewise-linear oscillator.
+
+    Parameters
+    ----------
+    name : str
+        Name used on the command line and for the generated files.
+    description : str
+        One line for lists.
+    states : tuple of symbols
+        For second-order motions the n positions, then the n velocities.
+    parameters : tuple of Parameter
+    configurations : tuple of Configuration
+    transitions : tuple of Transition
+        Ordered: the first whose set of boundaries matches and whose conditions hold.
+    constraints : tuple of expressions
+        Relations between parameters, each nonnegative.
+
+    Raises
+    ------
+    DeclarationError
+        For a repeated or unknown name, a matrix of the wrong size, a function that is not
+        affine in the state, or a symbol that is neither a state nor a parameter.
+    """
+
+    name: str
+    description: str
+    states: tuple[sp.Symbol, ...]
+    parameters: tuple[Parameter, ...]
+    configurations: tuple[Configuration, ...]
+    transitions: tuple[Transition, ...] = ()
+    constraints: tuple[sp.Expr, ...] = ()
+
+    def __post_init__(self) -> None:
+        for attribute in ("states", "parameters", "configurations", "transitions", "constraints"):
+            object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
+        _unique([str(s) for s in self.states], "state")
+        _unique([p.name for p in self.parameters], "parameter")
+        _unique([c.name for c in self.configurations], "configuration")
+        for configuration in self.configurations:
+            self._check_configuration(configuration)
+        for transition in self.transitions:
+            self._check_transition(transition)
+
+    def configuration(self, name: str) -> Configuration:
+        """The configuration of that name; DeclarationError if there is none."""
+        for configuration in self.configurations:
+            if configuration.name == name:
+                return configuration
+        known = ", ".join(c.name for c in self.configurations)
+        raise DeclarationError(f"system {self.name!r} has no configuration {name!r} (it has: {known})")
+
+    def transition(self, source: str, boundary: str, target: str) -> Transition:
+        """The transition from `source` through `boundary` to `target`."""
+        for transition in self.transitions:
+            if (transition.source, transition.target) == (source, target) and (
+                transition.boundaries == {boundary}
+            ):
+                return transition
+        raise DeclarationError(f"no transition leads from {source!r} by {boundary!r} to {target!r}")
+
+    def gradient(self, function: sp.Expr) -> tuple[sp.Matrix, sp.Expr]:
+        """Row n and constant c of an affine function ``n y + c`` of the state."""
+        row = sp.Matrix([[sp.diff(function, s) for s in self.states]])
+        return row, sp.expand(function - (row * sp.Matrix(self.states))[0])
+
+    def _check_configuration(self, configuration: Configuration) -> None:
+        where = f"configuration {configuration.name!r}"
+        dynamics, size = configuration.dynamics, len(self.states)
+        if isinstance(dynamics, SecondOrder):
+            if 2 * dynamics.mass.rows != size:
+                raise DeclarationError(
+                    f"{where}: mass is {dynamics.mass.rows} x {dynamics.mass.rows},"
+                    f" but the system has {size} states ({size // 2} positions)"
+                )
+            for symbol in dynamics.held:
+                if symbol not in self.states[: size // 2]:
+                    raise DeclarationError(f"{where}: held coordinate {symbol} is not a position")
+        elif dynamics.matrix.rows != size:
+            raise DeclarationError(
+                f"{where}: matrix is {dynamics.matrix.rows} x {dynamics.matrix.rows},"
+                f" but the system has {size} states"
+            )
+        self._check_symbols(dynamics.free_symbols(), where, states_allowed=False)
+        for boundary in configuration.boundaries:
+            self._check_affine(boundary.function, f"{where}, boundary {boundary.name!r}")
+
+    def _check_transition(self, transition: Transition) -> None:
+        where = f"transition {transition.source!r} -> {transition.target!r}"
+        source = self.configuration(transition.source)
+        self.configuration(transition.target)
+        if not transition.boundaries:
+            raise DeclarationError(f"{where}: no boundary is named")
+        for name in sorted(transition.boundaries):
+            source.boundary(name)
+        for condition in transition.conditions:
+            self.configuration(condition.along)
+            self._check_affine(condition.function, where)
+        for symbol, expression in transition.reset.items():
+            if symbol not in self.states:
+                raise DeclarationError(f"{where}: reset of {symbol}, which is not a state")
+            self._check_affine(expression, f"{where}, reset of {symbol}")
+
+    def _check_affine(self, function: sp.Expr, where: str) -> None:
+        self._check_symbols(function.free_symbols, where)
+        gradient, _ = self.gradient(function)
+        if gradient.free_symbols & set(self.states):
+            raise DeclarationError(f"{where}: {function} is not affine in the state")
+
+    def _check_symbols(
+        self, symbols: Iterable[Any], where: str, *, states_allowed: bool = True
+    ) -> None:
+        known = {p.symbol for p in self.parameters} | (set(self.states) if states_allowed else set())
+        unknown = sorted(str(s) for s in set(symbols) - known)
+        if unknown:
+            raise DeclarationError(
+                f"{where}: symbol {unknown[0]} is neither a state nor a parameter"
+                if states_allowed
+                else f"{where}: symbol {unknown[0]} is not a parameter"
+            )
+
+
+def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
+    matrix = sp.Matrix(matrix)
+    if matrix.rows != matrix.cols or (size is not None and matrix.rows != size):
+        expected = "square" if size is None else f"{size} x {size}"
+        raise DeclarationError(f"{what} is {matrix.rows} x {matrix.cols}, not {expected}")
+    return matrix
+
+
+def _unique(names: Sequence[str], what: str) -> None:
+    for name in names:
+        if names.count(name) > 1:
+            raise DeclarationError(f"{what} {name!r} is declared twice")

@@ -1,0 +1,19 @@
+"""The systems of the source paper, each declared as the paper writes it."""
+
+from importlib import import_module
+from types import ModuleType
+
+__all__ = ["SYSTEMS", "declaration"]
+
+SYSTEMS = {"dry-friction": "dry_friction"}
+
+
+def declaration(name: str) -> ModuleType:
+    """Module that declares a system: it has `system` and `orbits`.
+
+    Raises
+    ------
+    KeyError
+        If no system of that name is declared here.
+    """
+    return import_module(f"nonsmooth.derive.systems.{SYSTEMS[name]}")

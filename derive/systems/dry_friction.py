@@ -1,0 +1,287 @@
+"""Coupled oscillators excited by dry friction (the paper's Sec. 3, Fig. 6).
+
+Two masses on a belt of velocity V, coupled by linear springs. Nondimensional, with time
+in units of 1/omega_3, omega_3 = sqrt((k1 + k2)/m1), and forces divided by k1 + k2:
+
+    x1'' + x1 - chi x2 = u1,          chi = k2/(k1 + k2),
+    x2'' + chi eta (x2 - x1) = eta u2,  eta = m1/m2.
+
+Each mass slips (x' < V, u = us), sticks (x' = V, |u| < ur) or overshoots (x' > V,
+u = -us), which makes nine configurations. f1 and f2 are the forces that friction has to
+balance on a mass that sticks.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+import sympy as sp
+
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.itinerary import Itinerary, Presentation, Reference
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.system import (
+    Boundary,
+    Condition,
+    Configuration,
+    SecondOrder,
+    System,
+    Transition,
+)
+
+__all__ = ["PhysicalData", "from_physical", "global_stick", "orbits", "system"]
+
+_PARAMETERS = (
+    Parameter("chi", "stiffness ratio k2/(k1 + k2), nondimensional", upper=1),
+    Parameter("eta", "mass ratio m1/m2, nondimensional"),
+    Parameter("V", "velocity of the belt, nondimensional"),
+    Parameter("us1", "slipping friction force on the first mass, nondimensional"),
+    Parameter("ur1", "static friction force on the first mass, nondimensional"),
+    Parameter("us2", "slipping friction force on the second mass, nondimensional"),
+    Parameter("ur2", "static friction force on the second mass, nondimensional"),
+)
+chi, eta, V, us1, ur1, us2, ur2 = (p.symbol for p in _PARAMETERS)
+x1, x2, v1, v2 = states = sp.symbols("x1 x2 v1 v2", real=True)
+
+POSITIONS, VELOCITIES = (x1, x2), (v1, v2)
+FORCES = (x1 - chi * x2, chi * (x2 - x1))
+SLIPPING, STATIC = (us1, us2), (ur1, ur2)
+MASSES = ("first", "second")
+REGIMES = ("slip", "stick", "overshoot")
+
+
+def _boundaries(mass: int, regime: str) -> tuple[Boundary, ...]:
+    """Where one mass leaves its regime."""
+    name, relative, force = MASSES[mass], VELOCITIES[mass] - V, FORCES[mass]
+    if regime == "stick":
+        return (
+            Boundary(f"{name}-breaks-forward", force - STATIC[mass]),
+            Boundary(f"{name}-breaks-backward", -force - STATIC[mass]),
+        )
+    sign = 1 if regime == "slip" else -1
+    return (Boundary(f"{name}-reaches-belt", sign * relative, acts_when="reached"),)
+
+
+def _configuration(regimes: tuple[str, str]) -> Configuration:
+    """Equations (6) to (9), and their like with either slip force reversed."""
+    friction = {"slip": 1, "stick": 0, "overshoot": -1}
+    u1, u2 = (friction[r] * u for r, u in zip(regimes, SLIPPING, strict=True))
+    return Configuration(
+        "-".join(regimes),
+        SecondOrder(
+            mass=sp.eye(2),
+            stiffness=sp.Matrix([[1, -chi], [-chi * eta, chi * eta]]),
+            load=(u1, eta * u2),
+            held={x: V for x, r in zip(POSITIONS, regimes, strict=True) if r == "stick"},
+        ),
+        tuple(b for mass, r in enumerate(regimes) for b in _boundaries(mass, r)),
+    )
+
+
+def _choices(mass: int, along: str) -> tuple[tuple[str, tuple[Condition, ...]], ...]:
+    """Regimes a mass may take at x' = V, in the order in which they are tried.
+
+    It slides when |f| exceeds ur, or equals it and the first nonzero derivative along the
+    sticking motion leads beyond; else it sticks.
+    """
+    forward = FORCES[mass] - STATIC[mass]
+    backward = -FORCES[mass] - STATIC[mass]
+    return (
+        ("slip", (Condition(forward, along),)),
+        ("overshoot", (Condition(backward, along),)),
+        ("stick", ()),
+    )
+
+
+def _transitions(regimes: tuple[str, str]) -> tuple[Transition, ...]:
+    """Every set of boundaries that one configuration can reach at one instant."""
+    source = "-".join(regimes)
+    events = [
+        [None, *(b.name for b in _boundaries(mass, regime))] for mass, regime in enumerate(regimes)
+    ]
+    found = []
+    for names in product(*events):
+        moved = [mass for mass in (0, 1) if names[mass] is not None]
+        if not moved:
+            continue
+        # the second mass, if it is at the belt's velocity, is stuck while the first decides
+        at_belt = ["stick" if m in moved else r for m, r in enumerate(regimes)]
+        first = (
+            _choices(0, f"stick-{at_belt[1]}") if 0 in moved else ((regimes[0], ()),)
+        )
+        for regime, conditions in first:
+            second = _choices(1, f"{regime}-stick") if 1 in moved else ((regimes[1], ()),)
+            for other, more in second:
+                target = (regime, other)
+                reset = {VELOCITIES[m]: V for m in moved if target[m] == "stick"}
+                found.append(
+                    Transition(
+                        source,
+                        frozenset(n for n in names if n is not None),
+                        "-".join(target),
+                        conditions + more,
+                        reset,
+                    )
+                )
+    return tuple(found)
+
+
+def _declare() -> System:
+    pairs = tuple(product(REGIMES, REGIMES))
+    return System(
+        name="dry-friction",
+        description="two coupled oscillators on a driving belt with dry friction (Sec. 3)",
+        states=states,
+        parameters=_PARAMETERS,
+        configurations=tuple(_configuration(pair) for pair in pairs),
+        transitions=tuple(t for pair in pairs for t in _transitions(pair)),
+        constraints=(ur1 - us1, ur2 - us2),
+    )
+
+
+system = _declare()
+
+# z = x - d, d the centre of the slip-slip configuration (6), and e = ur - us
+_E1 = Parameter("e1", "excess ur1 - us1 of static over slipping friction", closed=True)
+_E2 = Parameter("e2", "excess ur2 - us2 of static over slipping friction", closed=True)
+shifted = Presentation(
+    states=(*sp.symbols("z1 z2", real=True), v1, v2),
+    origin=(
+        (us1 + us2) / (1 - chi),
+        (chi * us1 + us2) / (chi * (1 - chi)),
+        0,
+        0,
+    ),
+    parameters=(_E1, _E2),
+    substitution={ur1: us1 + _E1.symbol, ur2: us2 + _E2.symbol},
+)
+
+global_stick = Itinerary(
+    name="global-stick",
+    system=system,
+    phases=(
+        ("stick-stick", "first-breaks-forward", "ta"),
+        ("slip-stick", "second-breaks-forward", "tau"),
+        ("slip-slip", "first-reaches-belt", "tau1"),
+        ("stick-slip", "second-reaches-belt", "tau2"),
+    ),
+    presentation=shifted,
+    reference=Reference(
+        parameters={"chi": "0.5", "eta": "1", "V": "1", "e1": "3.0195", "e2": "0.4831"},
+        guess={
+            "z10": "1.1838",
+            "z20": "-2.6715",
+            "ta": "1",
+            "tau": "2",
+            "tau1": "1.568",
+            "tau2": "3.28",
+        },
+    ),
+)
+
+orbits = (global_stick,)
+
+
+@dataclass(frozen=True)
+class PhysicalData:
+    """Scales and parameters of a dimensional oscillator.
+
+    Attributes
+    ----------
+    parameters : dict of str to float
+        Nondimensional chi, eta, V, us1, ur1, us2, ur2.
+    length, time, force : float
+        Dimensional value of one nondimensional unit, in the units of the input.
+    """
+
+    parameters: dict[str, float]
+    length: float
+    time: float
+    force: float
+
+    def dimensional(self, value: float, quantity: str) -> float:
+        """A nondimensional value in the units of the input.
+
+        `quantity` is "length", "time", "velocity" or "force".
+        """
+        scales = {
+            "length": self.length,
+            "time": self.time,
+            "velocity": self.length / self.time,
+            "force": self.force,
+        }
+        if quantity not in scales:
+            raise ValueError(f"unknown quantity {quantity!r} (known: {', '.join(scales)})")
+        return value * scales[quantity]
+
+
+def from_physical(
+    *,
+    m1: float,
+    m2: float,
+    k1: float,
+    k2: float,
+    belt_velocity: float,
+    normal_loads: tuple[float, float],
+    slipping_coefficients: tuple[float, float],
+    static_coefficients: tuple[float, float],
+    length: float = 1.0,
+) -> PhysicalData:
+    """Nondimensional parameters of a dimensional oscillator, and the way back.
+
+    Parameters
+    ----------
+    m1, m2 : float
+        Masses, in any consistent units, say kg.
+    k1, k2 : float
+        Stiffnesses, say N/m; k1 ties the first mass to the ground.
+    belt_velocity : float
+        Velocity of the belt, say m/s.
+    normal_loads : pair of float
+        Normal forces on the two masses, say N.
+    slipping_coefficients, static_coefficients : pairs of float
+        Coefficients of friction, nondimensional.
+    length : float
+        Unit of length, say m: it scales V and the forces together.
+
+    Raises
+    ------
+    DeclarationError
+        For a value that is not positive and finite, or a static coefficient below the
+        slipping one.
+    """
+    values = {"m1": m1, "m2": m2, "k1": k1, "k2": k2, "belt_velocity": belt_velocity}
+    values |= {"length": length}
+    for name, pair in (
+        ("normal_loads", normal_loads),
+        ("slipping_coefficients", slipping_coefficients),
+        ("static_coefficients", static_coefficients),
+    ):
+        if len(pair) != 2:
+            raise DeclarationError(f"{name} has {len(pair)} values, not 2")
+        values |= {f"{name}[{i}]": value for i, value in enumerate(pair)}
+    for name, value in values.items():
+        if not 0 < value < float("inf"):
+            raise DeclarationError(f"{name} is {value}, not positive and finite")
+    for i in (0, 1):
+        if static_coefficients[i] < slipping_coefficients[i]:
+            raise DeclarationError(f"static_coefficients[{i}] is below slipping_coefficients[{i}]")
+    time = ((m1 / (k1 + k2))) ** 0.5
+    force = (k1 + k2) * length
+    slipping = [c * n / force for c, n in zip(slipping_coefficients, normal_loads, strict=True)]
+    static = [c * n / force for c, n in zip(static_coefficients, normal_loads, strict=True)]
+    return PhysicalData(
+        {
+            "chi": k2 / (k1 + k2),
+            "eta": m1 / m2,
+            "V": belt_velocity * time / length,
+            "us1": slipping[0],
+            "ur1": static[0],
+            "us2": slipping[1],
+            "ur2": static[1],
+        },
+        length,
+        time,
+        force,
+    )
