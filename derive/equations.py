@@ -1,0 +1,253 @@
+"""The frozen record of an orbit's equations, handed to every emitter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from nonsmooth.derive.chain import Chain, follow, poincare_jacobian, section_of, sensitivities
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.modal import TIME, Flow, Spectrum, derive_flows
+from nonsmooth.derive.program import Stage, derivative_of, differentiate, prune
+from nonsmooth.derive.reduction import Reduction, reduce_itinerary
+from nonsmooth.derive.system import System
+
+__all__ = ["BoundaryFunction", "EquationSystem", "derive_equations"]
+
+
+@dataclass(frozen=True)
+class BoundaryFunction:
+    """One boundary along one phase: a sum of functions of the time since its start.
+
+    Attributes
+    ----------
+    phase : int
+    boundary : str
+    coefficients : tuple of expressions
+        Constant, slope, cosine and sine amplitudes, for the frequencies of the phase.
+    open_parameter : symbol or None
+        A parameter that the equations leave open, entering as ``open_coefficient * it``.
+    open_coefficient : number
+    """
+
+    phase: int
+    boundary: str
+    coefficients: tuple[sp.Expr, ...]
+    open_parameter: sp.Symbol | None
+    open_coefficient: sp.Expr
+
+
+@dataclass(frozen=True)
+class EquationSystem:
+    """Switching and periodicity equations of an itinerary, and all that is derived from them.
+
+    Attributes
+    ----------
+    itinerary : Itinerary
+    system : System
+        In the coordinates and parameters of the presentation.
+    spectrum : Spectrum
+    flows : mapping of configuration to Flow
+    chain : Chain
+        States from the section through all phases.
+    unknowns : tuple of symbols
+        Section coordinates, then dwell times.
+    equations : tuple of (meaning, expression)
+        As many as unknowns; each vanishes at the orbit.
+    parameters : tuple of symbols
+        Those that the equations contain.
+    open_parameters : tuple of symbols
+        Those that only admissibility depends on.
+    reduction : Reduction
+    """
+
+    itinerary: Itinerary
+    system: System
+    spectrum: Spectrum
+    flows: Mapping[str, Flow]
+    chain: Chain
+    unknowns: tuple[sp.Symbol, ...]
+    equations: tuple[tuple[str, sp.Expr], ...]
+    parameters: tuple[sp.Symbol, ...]
+    open_parameters: tuple[sp.Symbol, ...]
+    reduction: Reduction
+
+    @property
+    def residual(self) -> list[sp.Expr]:
+        """Left-hand sides of the equations."""
+        return [expression for _, expression in self.equations]
+
+    @cached_property
+    def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+        """Stages and entries of the derivatives of the equations by the unknowns."""
+        stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
+        section = self.chain.section
+        rows = [
+            link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)
+        ]
+        for column, place in enumerate(section.places):
+            closure = sp.Matrix(ends[-1][place, :])
+            closure[column] -= 1
+            rows.append(closure)
+        return stages, sp.Matrix.vstack(*rows)
+
+    @cached_property
+    def parameter_jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+        """Stages and entries of the total derivatives of the equations by the parameters."""
+        stages, moving = differentiate(self.chain.stages, self.parameter_seeds)
+        return stages, sp.Matrix(
+            [[derivative_of(e, moving[str(p)]) for p in self.parameters] for e in self.residual]
+        )
+
+    @property
+    def parameter_seeds(self) -> dict[str, dict[sp.Symbol, sp.Expr]]:
+        """What moves with each parameter: itself, and the spectrum by its own derivatives."""
+        return {
+            str(p): {p: sp.Integer(1)}
+            | (
+                {s: spectral_derivative(s, p) for s in self.spectrum.symbols}
+                if p in self.spectrum.parameters
+                else {}
+            )
+            for p in self.parameters
+        }
+
+    @cached_property
+    def poincare_jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+        """Stages and entries of the Poincare map's Jacobian on the section."""
+        return poincare_jacobian(self.chain, self.system.states)
+
+    @cached_property
+    def trace(self) -> tuple[tuple[Stage, ...], sp.Expr]:
+        """Stages (all that are needed) and expression of the trace.
+
+        The slope of the map in one variable where the reduction has one, otherwise the sum
+        of the diagonal of the Poincare map's Jacobian.
+        """
+        if self.reduction.start is not None:
+            stages, slope = self.reduction.slope()
+            return prune((*self.reduction.stages, *stages), [slope]), slope
+        stages, matrix = self.poincare_jacobian
+        return prune((*self.chain.stages, *stages), [matrix.trace()]), matrix.trace()
+
+    @cached_property
+    def trace_gradient(self) -> tuple[tuple[Stage, ...], list[sp.Expr]]:
+        """Derivatives of the trace by the unknowns and, in total, by the parameters."""
+        stages, trace = self.trace
+        seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns} | self.parameter_seeds
+        more, moving = differentiate(stages, seeds)
+        return (*stages, *more), [derivative_of(trace, m) for m in moving.values()]
+
+    @property
+    def frequencies(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """Frequencies of each phase, in order."""
+        return tuple(_frequencies(link.flow) for link in self.chain.links)
+
+    @cached_property
+    def boundary_functions(self) -> tuple[BoundaryFunction, ...]:
+        """Every boundary of every phase's configuration, along that phase."""
+        found = []
+        for index, link in enumerate(self.chain.links):
+            configuration = self.system.configuration(link.flow.configuration)
+            oscillations = [g(w * TIME) for g in (sp.cos, sp.sin) for w in self.frequencies[index]]
+            for boundary in configuration.boundaries:
+                row, constant = self.system.gradient(boundary.function)
+                opened = sorted(constant.free_symbols - set(self.parameters), key=str)
+                if len(opened) > 1:
+                    raise DerivationError(
+                        f"boundary {boundary.name!r}: {opened[0]} and {opened[1]} are both open"
+                    )
+                parameter = opened[0] if opened else None
+                slope = sp.diff(constant, parameter) if parameter else sp.Integer(0)
+                closed = sp.expand(constant - slope * parameter) if parameter else constant
+                values = dict(
+                    zip(link.flow.basis, link.flow.along(row, closed, link.before), strict=True)
+                )
+                found.append(
+                    BoundaryFunction(
+                        index,
+                        boundary.name,
+                        tuple(values.get(f, sp.Integer(0)) for f in (sp.Integer(1), TIME, *oscillations)),
+                        parameter,
+                        slope,
+                    )
+                )
+        return tuple(found)
+
+
+def _frequencies(flow: Flow) -> tuple[sp.Expr, ...]:
+    found: list[sp.Expr] = []
+    for function in flow.basis:
+        if isinstance(function, sp.cos):
+            found.append(function.args[0] / TIME)
+        elif not isinstance(function, sp.sin) and function not in (sp.Integer(1), TIME):
+            raise DerivationError(
+                f"configuration {flow.configuration!r}: {function} is no trigonometric sum"
+            )
+    return tuple(found)
+
+
+def spectral_derivative(entry: sp.Symbol, parameter: sp.Symbol) -> sp.Symbol:
+    """Symbol of the derivative of a spectral entry by a parameter."""
+    return sp.Symbol(f"{entry}_by_{parameter}", real=True)
+
+
+def derive_equations(itinerary: Itinerary) -> EquationSystem:
+    """Derive everything about one orbit; the pipeline of this package, stage by stage.
+
+    * the **presented system**: the declaration in the itinerary's coordinates;
+    * its **flows**: closed form inside each configuration, over one common spectrum;
+    * the **section** of the start, with coordinates of its own;
+    * the **chain** of states: section, phases, transitions;
+    * the **equations**: one exit condition a phase, and the closure of the section;
+    * the **reduction**: whatever is linear or explicit, eliminated.
+
+    Jacobians, Poincare map, trace and boundary functions are derived from these when an
+    emitter asks for them.
+
+    Raises
+    ------
+    DerivationError
+        If a configuration has no closed form, or the start satisfies no state.
+    """
+    system = itinerary.presented_system
+    spectrum, flows = derive_flows(system)
+    section = section_of(itinerary, system)
+    chain = follow(itinerary, system, flows, section)
+    equations = [
+        (f"{phase.boundary} ends {phase.configuration}", sp.expand(link.exit))
+        for phase, link in zip(itinerary.phases, chain.links, strict=True)
+    ]
+    for coordinate, place in zip(section.coordinates, section.places, strict=True):
+        equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
+    reduction = reduce_itinerary(itinerary, system, flows, spectrum)
+    used = set().union(
+        *(e.free_symbols for _, e in equations),
+        *(e.free_symbols for stage in chain.stages for _, e in stage.assignments),
+        spectrum.parameters,
+    )
+    contained = {p.symbol for p in system.parameters if p.symbol in used}
+    admissibility = set().union(
+        *(
+            boundary.function.free_symbols
+            for phase in itinerary.phases
+            for boundary in system.configuration(phase.configuration).boundaries
+        )
+    )
+    ordered = [p.symbol for p in system.parameters]
+    return EquationSystem(
+        itinerary,
+        system,
+        spectrum,
+        flows,
+        chain,
+        section.coordinates + tuple(link.dwell for link in chain.links),
+        tuple(equations),
+        tuple(s for s in ordered if s in contained),
+        tuple(s for s in ordered if s in admissibility - contained),
+        reduction,
+    )

@@ -1,0 +1,229 @@
+"""The kernels of a system and of its orbits: what is computed, over which arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from nonsmooth.derive.equations import EquationSystem, spectral_derivative
+from nonsmooth.derive.modal import TIME, Flow, Spectrum
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate, merged, prune
+from nonsmooth.derive.system import System
+
+__all__ = ["flow_kernels", "orbit_kernels", "reduced_equations", "spectrum_kernel"]
+
+
+def spectrum_kernel(spectrum: Spectrum) -> Kernel:
+    """Spectrum of a system and its derivatives by the parameters it depends on."""
+    parameters = spectrum.parameters
+    stage = Stage("spectrum", spectrum.entries)
+    stages, moving = differentiate([stage], {str(p): {p: sp.Integer(1)} for p in parameters})
+    derivatives = tuple(
+        sp.sympify(moving[str(p)].get(s, 0)) for s in spectrum.symbols for p in parameters
+    )
+    return Kernel(
+        "spectrum",
+        "Frequencies and projector coefficients, with their derivatives by the parameters.",
+        (_vector("parameters", parameters),),
+        (
+            Output("spectrum", (len(spectrum.symbols),), spectrum.symbols),
+            Output("derivatives", (len(spectrum.symbols), len(parameters)), derivatives),
+        ),
+        (stage, *stages),
+    )
+
+
+def flow_kernels(system: System, spectrum: Spectrum, flows: dict[str, Flow]) -> tuple[Kernel, ...]:
+    """Flow of each configuration, in physical coordinates."""
+    parameters = _vector("parameters", tuple(p.symbol for p in system.parameters))
+    kernels = []
+    for name, flow in flows.items():
+        end = flow.matrix() * sp.Matrix(system.states) + flow.offset()
+        kernels.append(
+            Kernel(
+                f"flow_{name}",
+                f"State after a time in {name}, in physical coordinates.",
+                (
+                    parameters,
+                    _vector("spectrum", spectrum.symbols),
+                    Argument("time", (), (TIME,)),
+                    _vector("state", system.states),
+                ),
+                (Output("state_after", (len(system.states),), tuple(end)),),
+                (),
+            )
+        )
+    return tuple(kernels)
+
+
+def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
+    """All kernels of one orbit."""
+    parameters = _vector("parameters", orbit.parameters)
+    spectrum = _vector("spectrum", orbit.spectrum.symbols)
+    derivatives = Argument(
+        "spectrum_derivatives",
+        (len(orbit.spectrum.symbols), len(orbit.spectrum.parameters)),
+        tuple(
+            spectral_derivative(s, p)
+            for s in orbit.spectrum.symbols
+            for p in orbit.spectrum.parameters
+        ),
+    )
+    unknowns = _vector("unknowns", orbit.unknowns)
+    point = (parameters, spectrum, unknowns)
+    moved = (parameters, spectrum, derivatives, unknowns)
+    chain = orbit.chain.stages
+
+    jacobian_stages, jacobian = orbit.jacobian
+    moved_stages, parameter_jacobian = orbit.parameter_jacobian
+    poincare_stages, poincare = orbit.poincare_jacobian
+    trace_stages, trace = orbit.trace
+    gradient_stages, gradient = orbit.trace_gradient
+    residual = _flat("residual", orbit.residual)
+    states = [orbit.chain.links[0].before, *(link.following for link in orbit.chain.links)]
+
+    def kernel(
+        name: str,
+        title: str,
+        arguments: Sequence[Argument],
+        outputs: Sequence[Output],
+        stages: Sequence[Stage],
+    ) -> Kernel:
+        wanted = [e for output in outputs for e in output.expressions]
+        return Kernel(name, title, tuple(arguments), tuple(outputs), prune(stages, wanted))
+
+    kernels = [
+        kernel("residual", "Switching and periodicity equations.", point, [residual], chain),
+        kernel(
+            "jacobian",
+            "Derivatives of the equations by the unknowns.",
+            point,
+            [_table("jacobian", jacobian)],
+            (*chain, *jacobian_stages),
+        ),
+        kernel(
+            "residual_and_jacobian",
+            "Equations and their derivatives by the unknowns, sharing all intermediate terms.",
+            point,
+            [residual, _table("jacobian", jacobian)],
+            (*chain, *jacobian_stages),
+        ),
+        kernel(
+            "parameter_jacobian",
+            "Total derivatives of the equations by the parameters, through the spectrum too.",
+            moved,
+            [_table("parameter_jacobian", parameter_jacobian)],
+            (*chain, *moved_stages),
+        ),
+        kernel(
+            "poincare_jacobian",
+            "Jacobian of the Poincare map in the section's coordinates.",
+            point,
+            [_table("poincare_jacobian", poincare)],
+            (*chain, *poincare_stages),
+        ),
+        kernel("trace", "Trace of the Poincare map's Jacobian.", point, [_scalar("trace", trace)], trace_stages),
+        kernel(
+            "trace_gradient",
+            "Derivatives of the trace by the unknowns, then in total by the parameters.",
+            moved,
+            [_flat("trace_gradient", gradient)],
+            gradient_stages,
+        ),
+        kernel(
+            "states",
+            "State at the start and behind each transition, row by row.",
+            point,
+            [_table("states", sp.Matrix([list(s) for s in states]))],
+            chain,
+        ),
+        kernel(
+            "boundary_functions",
+            "Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row"
+            " after the other; and the frequencies of each phase.",
+            point,
+            [
+                _flat("coefficients", [c for b in orbit.boundary_functions for c in b.coefficients]),
+                _flat("frequencies", [w for phase in orbit.frequencies for w in phase]),
+            ],
+            chain,
+        ),
+    ]
+    return (*kernels, *_reduced_kernels(orbit, parameters, spectrum))
+
+
+def _reduced_kernels(
+    orbit: EquationSystem, parameters: Argument, spectrum: Argument
+) -> tuple[Kernel, ...]:
+    reduction = orbit.reduction
+    point = (parameters, spectrum, _vector("reduced", reduction.unknowns))
+    equations = [e for _, e in reduction.equations]
+    stages, jacobian = reduction.jacobian()
+    values = [reduction.values[u] for u in orbit.unknowns]
+    return (
+        Kernel(
+            "reduced",
+            "Reduced equations and their derivatives by the reduced unknowns.",
+            point,
+            (_flat("residual", equations), _table("jacobian", jacobian)),
+            prune((*reduction.stages, *stages), [*equations, *jacobian]),
+        ),
+        Kernel(
+            "expand",
+            "All unknowns from the reduced ones.",
+            point,
+            (_flat("unknowns", values),),
+            prune(reduction.stages, values),
+        ),
+    )
+
+
+def reduced_equations(orbit: EquationSystem) -> Kernel:
+    """All that a solver on the reduced unknowns computes, in one kernel.
+
+    Outputs are the reduced residual and its Jacobian (for the steps), then all unknowns and
+    the trace (for the result).
+
+    Raises
+    ------
+    DerivationError
+        If the trace is no function of the reduced unknowns.
+    """
+    reduction = orbit.reduction
+    if reduction.start is None:
+        raise DerivationError(f"orbit {orbit.itinerary.name!r}: the reduction gives no trace")
+    stages, jacobian = reduction.jacobian()
+    trace_stages, trace = orbit.trace
+    equations = [e for _, e in reduction.equations]
+    values = [reduction.values[u] for u in orbit.unknowns]
+    everything = merged(merged(reduction.stages, stages), trace_stages)
+    return Kernel(
+        "solve",
+        "Newton's method on the reduced equations.",
+        (),
+        (
+            _flat("residual", equations),
+            _table("jacobian", jacobian),
+            _flat("unknowns", values),
+            _scalar("trace", trace),
+        ),
+        prune(everything, [*equations, *jacobian, *values, trace]),
+    )
+
+
+def _vector(name: str, symbols: Sequence[sp.Symbol]) -> Argument:
+    return Argument(name, (len(symbols),), tuple(symbols))
+
+
+def _flat(name: str, expressions: Sequence[sp.Expr]) -> Output:
+    return Output(name, (len(expressions),), tuple(expressions))
+
+
+def _scalar(name: str, expression: sp.Expr) -> Output:
+    return Output(name, (), (expression,))
+
+
+def _table(name: str, matrix: sp.Matrix) -> Output:
+    return Output(name, matrix.shape, tuple(matrix))

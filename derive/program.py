@@ -1,0 +1,165 @@
+"""Straight-line programs: named stages of assignments, and their derivatives.
+
+Equations are never expanded. They are a list of stages, each assigning expressions of
+earlier symbols to new ones; derivatives follow by the chain rule, stage by stage.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+__all__ = ["Argument", "Kernel", "Output", "Stage", "assign", "differentiate", "evaluate", "merged", "prune"]
+
+
+@dataclass(frozen=True)
+class Stage:
+    """Assignments made together, and what they mean."""
+
+    title: str
+    assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An array that a kernel takes: its name, its shape and the symbols of its entries."""
+
+    name: str
+    shape: tuple[int, ...]
+    symbols: tuple[sp.Symbol, ...]
+
+
+@dataclass(frozen=True)
+class Output:
+    """An array that a kernel gives: its name, its shape and its entries, row by row."""
+
+    name: str
+    shape: tuple[int, ...]
+    expressions: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """One function to emit: arrays in, arrays out, and the stages between them."""
+
+    name: str
+    title: str
+    arguments: tuple[Argument, ...]
+    outputs: tuple[Output, ...]
+    stages: tuple[Stage, ...]
+
+
+def assign(
+    title: str, names: Iterable[str], expressions: Iterable[sp.Expr]
+) -> tuple[Stage, list[sp.Expr]]:
+    """A stage that names expressions, and the values to go on with.
+
+    A number or a symbol needs no name and is passed on as it is.
+    """
+    assignments, values = [], []
+    for name, expression in zip(names, expressions, strict=True):
+        expression = sp.sympify(expression)
+        if expression.is_Atom:
+            values.append(expression)
+        else:
+            symbol = sp.Symbol(name, real=True)
+            assignments.append((symbol, expression))
+            values.append(symbol)
+    return Stage(title, tuple(assignments)), values
+
+
+def differentiate(
+    stages: Sequence[Stage],
+    seeds: Mapping[str, Mapping[sp.Symbol, sp.Expr]],
+    rates: Mapping[tuple[sp.Symbol, str], sp.Expr] | None = None,
+) -> tuple[tuple[Stage, ...], dict[str, dict[sp.Symbol, sp.Expr]]]:
+    """Total derivatives of every assigned symbol.
+
+    Parameters
+    ----------
+    stages : sequence of Stage
+    seeds : mapping
+        For each direction the derivatives of the inputs that move with it.
+    rates : mapping of (symbol, direction) to expression, optional
+        Derivatives known in a shorter form, such as a vector field.
+
+    Returns
+    -------
+    stages : tuple of Stage
+        Assignments of the derivatives; to be placed after the stages themselves.
+    derivatives : dict of dict
+        For each direction the derivative (a number or a symbol) of each symbol that moves.
+    """
+    derivatives = {direction: dict(moving) for direction, moving in seeds.items()}
+    assigned = {str(symbol): symbol for stage in stages for symbol, _ in stage.assignments}
+    result = []
+    for stage in stages:
+        for direction, moving in derivatives.items():
+            assignments = []
+            for symbol, expression in stage.assignments:
+                name = f"{symbol}_by_{direction}"
+                if name in assigned:  # the stages already hold this first derivative
+                    moving[symbol] = assigned[name]
+                    continue
+                if rates and (symbol, direction) in rates:
+                    derivative = rates[symbol, direction]
+                elif expression.is_Pow and expression.exp == sp.Rational(1, 2):
+                    derivative = derivative_of(expression.base, moving) / (2 * symbol)
+                else:
+                    derivative = derivative_of(expression, moving)
+                if derivative == 0:
+                    continue
+                step, (value,) = assign("", [name], [derivative])
+                assignments += step.assignments
+                moving[symbol] = value
+            if assignments:
+                result.append(Stage(f"d/d{direction} of: {stage.title}", tuple(assignments)))
+    return tuple(result), derivatives
+
+
+def derivative_of(expression: sp.Expr, moving: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Chain rule: the derivative of an expression whose symbols move as given."""
+    return sp.Add(
+        *(
+            sp.diff(expression, symbol) * moving[symbol]
+            for symbol in sorted(expression.free_symbols, key=str)
+            if symbol in moving
+        )
+    )
+
+
+def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ...]:
+    """The stages without the assignments that the wanted expressions do not need."""
+    needed: set[sp.Symbol] = set().union(*(sp.sympify(e).free_symbols for e in wanted))
+    kept = []
+    for stage in reversed(stages):
+        assignments = []
+        for symbol, expression in reversed(stage.assignments):
+            if symbol in needed:
+                needed |= expression.free_symbols
+                assignments.append((symbol, expression))
+        if assignments:
+            kept.append(Stage(stage.title, tuple(reversed(assignments))))
+    return tuple(reversed(kept))
+
+
+def merged(first: Sequence[Stage], second: Sequence[Stage]) -> tuple[Stage, ...]:
+    """Both lists of stages, without assigning a symbol twice."""
+    known = {symbol for stage in first for symbol, _ in stage.assignments}
+    rest = [
+        Stage(s.title, tuple((x, e) for x, e in s.assignments if x not in known)) for s in second
+    ]
+    return (*first, *(s for s in rest if s.assignments))
+
+
+def evaluate(
+    stages: Sequence[Stage], expressions: Iterable[sp.Expr], values: Mapping[sp.Symbol, sp.Expr]
+) -> list[sp.Expr]:
+    """Expressions with every stage written out; for reading and for tests, not for speed."""
+    known = dict(values)
+    for stage in stages:
+        for symbol, expression in stage.assignments:
+            known[symbol] = expression.xreplace(known)
+    return [sp.sympify(e).xreplace(known) for e in expressions]
