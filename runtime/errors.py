@@ -1,0 +1,79 @@
+"""The exceptions of the package, under one root.
+
+Bad input is a `ValueError` too and a missing optional package an `ImportError` too, so
+callers may catch either the usual exception or `NonsmoothError`. Every message is one line.
+"""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+
+class NonsmoothError(Exception):
+    """Root of every exception that this package raises on purpose."""
+
+
+class InputError(NonsmoothError, ValueError):
+    """The input is wrong; the message names what and why."""
+
+
+class NoConvergence(NonsmoothError):
+    """An iteration ended without an answer; the message says what was tried."""
+
+
+class MissingExtra(NonsmoothError, ImportError):
+    """An optional package is needed; the message gives the command that installs it."""
+
+
+def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
+    """Say that a name is unknown, suggest the nearest one and list those that exist.
+
+    Parameters
+    ----------
+    kind : str
+        What is named: ``"parameter"``, ``"orbit"``.
+    name : str
+        The name that was given.
+    known : iterable of str
+        The names that exist, in the order in which they are listed.
+
+    Returns
+    -------
+    InputError
+        To be raised by the caller.
+
+    Examples
+    --------
+    >>> unknown_name("parameter", "etta", ["chi", "eta", "V"])
+    InputError("unknown parameter 'etta'; did you mean 'eta'? known: chi, eta, V")
+    """
+    names = list(known)
+    lowered = {other.lower(): other for other in reversed(names)}
+    nearest = get_close_matches(name.lower(), lowered, n=1)
+    hint = f" did you mean {lowered[nearest[0]]!r}?" if nearest else ""
+    listing = f" known: {', '.join(names)}" if names else ""
+    separator = ";" if hint or listing else ""
+    return InputError(f"unknown {kind} {name!r}{separator}{hint}{listing}")
+
+
+def missing_extra(extra: str, package: str) -> MissingExtra:
+    """Say that an optional package is not installed and how to install it.
+
+    Parameters
+    ----------
+    extra : str
+        The extra of this distribution that brings the package: ``"plot"``.
+    package : str
+        The package that could not be imported: ``"matplotlib"``.
+
+    Returns
+    -------
+    MissingExtra
+        To be raised by the caller.
+
+    Examples
+    --------
+    >>> print(missing_extra("plot", "matplotlib"))
+    matplotlib is not installed: pip install "nonsmooth[plot]"
+    """
+    message = f'{package} is not installed: pip install "nonsmooth[{extra}]"'
+    return MissingExtra(message, name=package)
