@@ -1,0 +1,222 @@
+"""Admissibility: whether a solution of the equations is a motion of the real system.
+
+Along every phase each boundary of its configuration has to stay uncrossed until the phase
+ends. A boundary function is a trigonometric sum there; its maximum is found with a
+guarantee, so that no violation is too short to be seen. Since a phase begins where the
+transition before it has ended, this also checks the transitions' conditions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.crossing import TrigonometricSum, maximum
+from nonsmooth.runtime.kernels import Boundary, OrbitKernels
+from nonsmooth.runtime.orbit import Orbit
+
+__all__ = [
+    "Admissibility",
+    "Requirement",
+    "Violation",
+    "admissible_points",
+    "assess_admissibility",
+    "boundary_sums",
+    "sums_of",
+]
+
+
+@dataclass(frozen=True)
+class Violation:
+    """A boundary that is crossed inside a phase.
+
+    Attributes
+    ----------
+    phase : int
+        Counted from 0.
+    configuration, boundary : str
+    time : float
+        Of the largest excess, since the start of the orbit; nondimensional.
+    excess : float
+        By which the boundary is crossed there; nondimensional.
+    """
+
+    phase: int
+    configuration: str
+    boundary: str
+    time: float
+    excess: float
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """An open parameter has to be greater than a bound."""
+
+    parameter: str
+    greater_than: float
+
+
+@dataclass(frozen=True)
+class Admissibility:
+    """Verdict on a solution.
+
+    Attributes
+    ----------
+    verdict : True, False or "conditional"
+        Conditional: it depends on open parameters, as `requires` says.
+    violations : tuple of Violation
+    requires : tuple of Requirement
+        Also for the parameters that combine with an open one (ur1 = us1 + e1).
+    """
+
+    verdict: bool | str
+    violations: tuple[Violation, ...]
+    requires: tuple[Requirement, ...]
+
+
+def assess_admissibility(orbit: Orbit) -> Admissibility:
+    """Check all boundaries along all phases of an orbit, in double precision."""
+    kernels = orbit.kernels
+    phases = kernels.table["phases"]
+    dwell = [float(orbit.values[name]) for name in kernels.dwell_times]
+    starts = np.concatenate([[0.0], np.cumsum(dwell)])
+    violations: list[Violation] = []
+    for phase, duration in enumerate(dwell):
+        if not duration > 0:
+            configuration, boundary, name = phases[phase]
+            violations.append(
+                Violation(phase, configuration, boundary, float(starts[phase]), -duration)
+            )
+    if violations:
+        return Admissibility(False, tuple(violations), ())
+    least = {p.name: 0.0 for p in kernels.open_parameters if p.name not in orbit.opened}
+    for boundary, function in boundary_sums(kernels, orbit):
+        duration = dwell[boundary.phase]
+        opened = boundary.open_parameter
+        if opened in least:
+            floor = -boundary.open_coefficient * least[opened]
+            found = maximum(function, duration, floor)
+            least[opened] = max(least[opened], found.value / -boundary.open_coefficient)
+            continue
+        if opened is not None:
+            shift = boundary.open_coefficient * float(orbit.opened[opened])
+            function = replace(function, constant=function.constant + shift)
+        floor = function.rounding(duration)
+        found = maximum(function, duration, floor)
+        if found.value > floor:
+            violations.append(
+                Violation(
+                    boundary.phase,
+                    phases[boundary.phase][0],
+                    boundary.name,
+                    float(starts[boundary.phase]) + found.time,
+                    found.value,
+                )
+            )
+    if violations:
+        return Admissibility(False, tuple(violations), ())
+    requires = [Requirement(name, bound) for name, bound in least.items()]
+    for name, terms in kernels.combined.items():
+        for opened, bound in least.items():
+            for other in terms.keys() - {opened} if opened in terms else ():
+                rest = float(orbit.values[name]) - terms[opened] * bound
+                requires.append(Requirement(other, rest / terms[other]))
+    return Admissibility("conditional" if least else True, (), tuple(requires))
+
+
+def boundary_sums(
+    kernels: OrbitKernels, orbit: Orbit
+) -> Iterator[tuple[Boundary, TrigonometricSum]]:
+    """Each boundary of each phase with its function of the time since the phase's start.
+
+    An open parameter's contribution is left out of the function.
+    """
+    parameters = [float(orbit.values[name]) for name in kernels.parameter_names]
+    unknowns = [float(orbit.values[name]) for name in kernels.unknowns]
+    spectrum, _ = kernels.spectrum(parameters)
+    coefficients, frequencies = kernels.evaluate(
+        "boundary_functions", parameters, spectrum, unknowns
+    )
+    yield from sums_of(kernels, coefficients, frequencies)
+
+
+def sums_of(
+    kernels: OrbitKernels, coefficients: Any, frequencies: Any
+) -> Iterator[tuple[Boundary, TrigonometricSum]]:
+    """Rows of the `boundary_functions` kernel of one point as functions of time."""
+    terms = kernels.table["terms"]
+    first_frequency = np.concatenate([[0], np.cumsum(terms)])
+    place = 0
+    for boundary in kernels.boundaries:
+        count = terms[boundary.phase]
+        begin = first_frequency[boundary.phase]
+        row = [float(c) for c in coefficients[place : place + 2 + 2 * count]]
+        place += 2 + 2 * count
+        yield (
+            boundary,
+            TrigonometricSum(
+                row[0],
+                row[1],
+                tuple(row[2 : 2 + count]),
+                tuple(row[2 + count :]),
+                tuple(float(w) for w in frequencies[begin : begin + count]),
+            ),
+        )
+
+
+def admissible_points(
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Check many orbits: for large enough open parameters, and how large that is.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    points : array (count, p)
+        Parameters of the equations.
+    unknowns : array (count, n)
+
+    Returns
+    -------
+    allowed : array (count,) of bool
+    bounds : array (count, open parameters)
+        What each open parameter has to exceed.
+    """
+    if kernels.admissible is not None:
+        with np.errstate(all="ignore"):  # points without an orbit are NaN
+            bounds, boundary, _, _ = kernels.admissible(points, unknowns)
+        return np.asarray(boundary == -1), np.asarray(bounds)
+    return _admissible_numpy(kernels, points, unknowns)
+
+
+def _admissible_numpy(
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """The compiled test's algorithm, point by point."""
+    allowed = np.zeros(len(points), dtype=bool)
+    opened = [p.name for p in kernels.open_parameters]
+    bounds = np.zeros((len(points), len(opened)))
+    dwell = [kernels.unknowns.index(name) for name in kernels.dwell_times]
+    sound = np.flatnonzero(
+        np.isfinite(unknowns).all(axis=-1) & (unknowns[:, dwell] > 0).all(axis=-1)
+    )
+    spectrum, _ = kernels.spectrum(points[sound])
+    coefficients, frequencies = kernels.evaluate(
+        "boundary_functions", points[sound], spectrum, unknowns[sound]
+    )
+    for row, point in enumerate(sound):
+        allowed[point] = True
+        for boundary, function in sums_of(kernels, coefficients[row], frequencies[row]):
+            duration = unknowns[point, dwell[boundary.phase]]
+            if boundary.open_parameter is None:
+                floor = function.rounding(duration)
+                allowed[point] &= maximum(function, duration, floor).value <= floor
+            else:
+                place = opened.index(boundary.open_parameter)
+                unit = -boundary.open_coefficient
+                found = maximum(function, duration, unit * bounds[point, place])
+                bounds[point, place] = found.value / unit
+    return allowed, bounds

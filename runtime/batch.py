@@ -1,0 +1,268 @@
+"""Many parameter points at once: compiled, vectorised, in threads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.admissible import admissible_points
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
+from nonsmooth.runtime.newton import CONVERGED, NEGATIVE, Solved, solve_reduced
+from nonsmooth.runtime.orbit import STATUS
+from nonsmooth.runtime.parameters import check_arrays
+
+__all__ = ["Orbits", "solve_many"]
+
+CHUNK = 1 << 15  # points that one thread takes at a time
+
+
+@dataclass(frozen=True)
+class Orbits:
+    """Orbits at many parameter points; every array has the broadcast shape.
+
+    Attributes
+    ----------
+    name : str
+        ``system/orbit``.
+    parameters : dict of str to array
+        As given, not broadcast.
+    unknowns : dict of str to array
+        NaN where no orbit was found. Nondimensional.
+    trace, period, residual : array of float
+    iterations, status : array of int
+        `status` is a key of `nonsmooth.runtime.orbit.STATUS`: 0 converged.
+    admissible : array of bool, or None
+        Whether the orbit is a motion of the real system for large enough open parameters;
+        None when switched off.
+    bounds : dict of str to array, or None
+        What each open parameter has to exceed.
+    """
+
+    name: str
+    parameters: dict[str, np.ndarray]
+    unknowns: dict[str, np.ndarray]
+    trace: np.ndarray
+    period: np.ndarray
+    residual: np.ndarray
+    iterations: np.ndarray
+    status: np.ndarray
+    admissible: np.ndarray | None
+    bounds: dict[str, np.ndarray] | None
+
+    @property
+    def converged(self) -> np.ndarray:
+        """Where an orbit was found."""
+        return np.asarray(self.status == CONVERGED)
+
+    def message(self, status: int) -> str:
+        """What a status means and suggests."""
+        return STATUS[status]
+
+
+def solve_many(
+    orbit: str,
+    *,
+    admissibility: bool = True,
+    threads: int | None = None,
+    chunk: int = CHUNK,
+    **parameters: Any,
+) -> Orbits:
+    """Find the orbit of an itinerary at many parameter points.
+
+    Each point starts from a first-order prediction from the reference orbit; where that
+    fails, from the reference orbit itself and from a few other starts. What is found at a
+    point depends on nothing but its own parameters: not on `threads`, `chunk` or on other
+    points.
+
+    Parameters
+    ----------
+    orbit : str
+        ``system/orbit``.
+    admissibility : bool
+        Also decide whether each orbit is a motion of the real system.
+    threads : int, optional
+        As many as processors when omitted.
+    chunk : int
+        Points that one thread takes at a time.
+    **parameters : array_like
+        Parameters of the equations, broadcast against each other; absent ones take the
+        reference point's values.
+
+    Returns
+    -------
+    Orbits
+
+    Raises
+    ------
+    InputError
+        For an unknown parameter, arrays that do not broadcast, or no positive number of
+        threads or points.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> found = solve_many("dry-friction/global-stick", eta=np.linspace(0.95, 1.05, 5))
+    >>> found.converged.all(), found.trace.shape
+    (np.True_, (5,))
+    """
+    if threads is not None and threads < 1:
+        raise InputError(f"threads = {threads} is not positive")
+    if chunk < 1:
+        raise InputError(f"chunk = {chunk} is not positive")
+    kernels = load_orbit(orbit)
+    arrays = check_arrays(kernels, parameters)
+    try:
+        shape = np.broadcast_shapes(*(a.shape for a in arrays.values()))
+    except ValueError as error:
+        raise InputError(f"the parameter arrays do not broadcast: {error}") from None
+    count = int(np.prod(shape, dtype=np.int64))
+    results = _Results.empty(kernels, count, admissibility)
+    broadcast = [np.broadcast_to(arrays[name], shape) for name in kernels.parameter_names]
+
+    def work(part: slice) -> None:
+        _fill(kernels, np.stack([b.flat[part] for b in broadcast], axis=-1), results, part)
+
+    if count > chunk and threads != 1:
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(work, _parts(count, chunk)))
+    else:
+        for part in _parts(count, chunk):
+            work(part)
+    return results.shaped(orbit, kernels, arrays, shape)
+
+
+@dataclass(frozen=True)
+class _Results:
+    """Flat arrays that the threads fill."""
+
+    unknowns: np.ndarray
+    trace: np.ndarray
+    residual: np.ndarray
+    iterations: np.ndarray
+    status: np.ndarray
+    admissible: np.ndarray | None
+    bounds: np.ndarray | None
+
+    @classmethod
+    def empty(cls, kernels: OrbitKernels, count: int, admissibility: bool) -> _Results:
+        return cls(
+            np.empty((count, len(kernels.unknowns))),
+            np.empty(count),
+            np.empty(count),
+            np.empty(count, dtype=np.int32),
+            np.empty(count, dtype=np.int32),
+            np.empty(count, dtype=bool) if admissibility else None,
+            np.empty((count, len(kernels.open_parameters))) if admissibility else None,
+        )
+
+    def shaped(
+        self,
+        name: str,
+        kernels: OrbitKernels,
+        parameters: dict[str, np.ndarray],
+        shape: tuple[int, ...],
+    ) -> Orbits:
+        unknowns = _columns(self.unknowns, kernels.unknowns, shape)
+        opened, bounds = [p.name for p in kernels.open_parameters], self.bounds
+        return Orbits(
+            name,
+            parameters,
+            unknowns,
+            self.trace.reshape(shape),
+            np.asarray(sum(unknowns[n] for n in kernels.dwell_times)),
+            self.residual.reshape(shape),
+            self.iterations.reshape(shape),
+            self.status.reshape(shape),
+            None if self.admissible is None else self.admissible.reshape(shape),
+            None if bounds is None else _columns(bounds, opened, shape),
+        )
+
+
+def _columns(
+    table: np.ndarray, names: Iterable[str], shape: tuple[int, ...]
+) -> dict[str, np.ndarray]:
+    return {name: table[:, i].reshape(shape) for i, name in enumerate(names)}
+
+
+def _parts(count: int, chunk: int) -> Iterator[slice]:
+    return (slice(begin, min(begin + chunk, count)) for begin in range(0, count, chunk))
+
+
+def _fill(kernels: OrbitKernels, points: np.ndarray, results: _Results, part: slice) -> None:
+    solved = _solve_points(kernels, points)
+    lost = solved.status != CONVERGED
+    for array, found in zip(
+        (results.unknowns, results.trace, results.residual), solved[:3], strict=True
+    ):
+        array[part] = found
+        array[part][lost] = np.nan
+    results.iterations[part], results.status[part] = solved.iterations, solved.status
+    if results.admissible is not None and results.bounds is not None:
+        allowed, bounds = admissible_points(kernels, points, results.unknowns[part])
+        results.admissible[part] = allowed & ~lost
+        results.bounds[part] = bounds
+
+
+def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
+    """Solve from the prediction, and what is lost from each further start in turn."""
+    predictor = _predictor(kernels)
+    guess = predictor.reduced + (points - predictor.parameters) @ predictor.slopes
+    guess = np.clip(guess, 0.25 * predictor.reduced, 4.0 * predictor.reduced)
+    valid = _inside(kernels, points)
+    solved = solve_reduced(kernels, np.where(valid[:, None], points, np.nan), guess)
+    for start in predictor.starts:
+        lost = np.flatnonzero(valid & (solved.status != CONVERGED))
+        if not len(lost):
+            break
+        again = solve_reduced(kernels, points[lost], start)
+        # a root with a negative dwell time says more than none at all
+        better = (again.status == CONVERGED) | (
+            (again.status == NEGATIVE) & (solved.status[lost] != NEGATIVE)
+        )
+        for array, found in zip(solved, again, strict=True):
+            array[lost[better]] = found[better]
+    return solved
+
+
+def _inside(kernels: OrbitKernels, points: np.ndarray) -> np.ndarray:
+    """Which points lie in the domains of all parameters."""
+    inside = np.isfinite(points).all(axis=-1)
+    for column, table in zip(points.T, kernels.parameters, strict=True):
+        if table.lower is not None:
+            lower = float(table.lower)
+            inside &= (column > lower) | (table.closed & (column == lower))
+        if table.upper is not None:
+            inside &= column < float(table.upper)
+    return np.asarray(inside)
+
+
+@dataclass(frozen=True)
+class _Predictor:
+    """Reference orbit, its first-order dependence on the parameters, and further starts."""
+
+    parameters: np.ndarray
+    reduced: np.ndarray
+    slopes: np.ndarray
+    starts: tuple[np.ndarray, ...]
+
+
+@cache
+def _predictor(kernels: OrbitKernels) -> _Predictor:
+    from nonsmooth.runtime.solve import solve
+
+    reference = solve(kernels.name)
+    sensitivities = [reference.sensitivity(name).unknowns for name in kernels.parameter_names]
+    reduced = np.array([reference.unknowns[name] for name in kernels.reduced])
+    slopes = np.array([[s[name] for name in kernels.reduced] for s in sensitivities])
+    factors = np.array([1.0, 0.6, 1.5, 0.3, 2.2])
+    grids = np.meshgrid(*[factors] * len(reduced), indexing="ij")
+    starts = np.stack([g.ravel() for g in grids], axis=-1) * reduced
+    nearest = np.argsort(np.abs(np.log(starts / reduced)).sum(axis=-1), kind="stable")
+    parameters = np.array([reference.values[name] for name in kernels.parameter_names])
+    return _Predictor(parameters, reduced, slopes, tuple(starts[i] for i in nearest))

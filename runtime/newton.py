@@ -1,0 +1,203 @@
+"""Newton's method on an orbit's equations: reduced and batched, or full and exchanged."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import OrbitKernels
+
+__all__ = ["CONVERGED", "INVALID", "NEGATIVE", "STALLED", "Solved", "solve_full", "solve_reduced"]
+
+# the compiled solver's numbers
+CONVERGED, STALLED, INVALID, NEGATIVE = 0, 1, 2, 3
+TOLERANCE = 1e-9  # of the last step, which Newton's method squares
+MOST_ITERATIONS = 32
+SINGULAR = 1e12  # condition number beyond which a choice of unknowns is refused
+
+
+class Solved(NamedTuple):
+    """Result of a solver: unknowns (..., n), then arrays (...)."""
+
+    unknowns: Any
+    trace: Any
+    residual: Any
+    iterations: Any
+    status: Any
+
+
+def solve_reduced(kernels: OrbitKernels, parameters: Any, guess: Any) -> Solved:
+    """Newton's method on the reduced equations, elementwise over leading axes.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    parameters : array (..., p)
+    guess : array (..., m)
+        Start of the reduced unknowns.
+
+    Returns
+    -------
+    Solved
+        With the compiled solver's meaning of `status`.
+    """
+    if kernels.solver is not None:
+        with np.errstate(all="ignore"):
+            return Solved(*kernels.solver(parameters, guess))
+    parameters, guess = np.asarray(parameters, float), np.asarray(guess, float)
+    lead = np.broadcast_shapes(parameters.shape[:-1], guess.shape[:-1])
+    flat = np.broadcast_to(parameters, (*lead, parameters.shape[-1])).reshape(
+        -1, parameters.shape[-1]
+    )
+    x = np.broadcast_to(guess, (*lead, guess.shape[-1])).reshape(-1, guess.shape[-1]).copy()
+    with np.errstate(all="ignore"):
+        solved = _solve_flat(kernels, flat, x)
+    return Solved(
+        solved.unknowns.reshape(*lead, -1), *(array.reshape(lead)[()] for array in solved[1:])
+    )
+
+
+def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) -> Solved:
+    """The compiled solver's algorithm on NumPy; converged points are left alone."""
+    spectrum, _ = kernels.spectrum(parameters)
+    timed = np.array([name in kernels.dwell_times for name in kernels.reduced])
+    taken = np.zeros(len(x), dtype=np.int32)
+    running = np.arange(len(x))
+    for _ in range(MOST_ITERATIONS):
+        if not len(running):
+            break
+        here = x[running]
+        residual, jacobian = kernels.evaluate(
+            "reduced", parameters[running], spectrum[running], here
+        )
+        step = _steps(jacobian, residual)
+        wanted = here - step
+        limited = np.where(wanted < 0.25 * here, 0.25 * here, wanted)
+        limited = np.where(limited > 4.0 * here, 4.0 * here, limited)
+        following = np.where(timed, limited, wanted)
+        x[running] = following
+        taken[running] += 1
+        size = np.maximum(np.abs(following), 1.0)
+        running = running[~(np.abs(wanted - here) <= TOLERANCE * size).all(axis=-1)]
+    residual, _ = kernels.evaluate("reduced", parameters, spectrum, x)
+    unknowns = kernels.evaluate("expand", parameters, spectrum, x)
+    trace = kernels.evaluate("trace", parameters, spectrum, unknowns)
+    status = np.full(len(x), CONVERGED, dtype=np.int32)
+    dwell = [kernels.unknowns.index(name) for name in kernels.dwell_times]
+    status[(unknowns[:, dwell] <= 0).any(axis=-1)] = NEGATIVE
+    status[running] = STALLED
+    status[~(np.isfinite(unknowns).all(axis=-1) & np.isfinite(trace))] = INVALID
+    return Solved(unknowns, trace, np.abs(residual).max(axis=-1), taken, status)
+
+
+def _steps(jacobian: np.ndarray, residual: np.ndarray) -> np.ndarray:
+    """Newton steps; NaN where a Jacobian is singular, so that its point alone is lost."""
+    sound = np.isfinite(jacobian).all(axis=(-2, -1)) & (np.linalg.det(jacobian) != 0)
+    steps = np.full_like(residual, np.nan)
+    if sound.any():
+        steps[sound] = np.linalg.solve(jacobian[sound], residual[sound][..., None])[..., 0]
+    return steps
+
+
+class Full(NamedTuple):
+    """Values of all parameters and unknowns, and how the full equations were solved."""
+
+    values: dict[str, float]
+    residual: float
+    iterations: int
+    status: int
+    error: float
+
+
+def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequence[str]) -> Full:
+    """Damped Newton's method on the full equations, for any choice of what is unknown.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    values : dict of str to float
+        All parameters and unknowns: those in `solved_for` are a guess, the rest stay.
+    solved_for : sequence of str
+        As many names as there are equations.
+
+    Raises
+    ------
+    InputError
+        If the equations do not determine these names: the Jacobian's condition number is
+        beyond 1e12.
+    """
+    names = (*kernels.unknowns, *kernels.parameter_names)
+    places = [names.index(name) for name in solved_for]
+    timed = np.array([name in kernels.dwell_times for name in solved_for])
+    count = len(kernels.unknowns)
+    x = np.array([values[name] for name in names], dtype=float)
+    status, iterations, residual = STALLED, 0, np.full(count, np.nan)
+    jacobian = np.full((count, count), np.nan)
+    with np.errstate(all="ignore"):
+        while iterations < MOST_ITERATIONS:
+            iterations += 1
+            residual, jacobian = equations_at(kernels, x)
+            jacobian = jacobian[:, places]
+            if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
+                status = INVALID
+                break
+            if np.linalg.det(jacobian) == 0:
+                break
+            step = np.linalg.solve(jacobian, residual)
+            here = x[places]
+            fraction = _fraction(here, step, timed)
+            x[places] = here - fraction * step
+            if fraction == 1 and (abs(step) <= TOLERANCE * np.maximum(abs(here), 1)).all():
+                status = CONVERGED
+                break
+    condition = condition_number(jacobian)
+    if status != INVALID and condition > SINGULAR:
+        raise InputError(
+            f"the equations do not determine {', '.join(solved_for)} here:"
+            f" condition number {condition:.1e}"
+        )
+    error = np.inf
+    if status == CONVERGED:
+        residual, jacobian = equations_at(kernels, x)
+        scale = np.abs(jacobian[:, places]) @ np.maximum(np.abs(x[places]), 1)
+        correction = np.abs(np.linalg.inv(jacobian[:, places])) @ (
+            np.abs(residual) + 4 * np.finfo(float).eps * scale
+        )
+        error = float(np.max(correction / np.maximum(np.abs(x[places]), 1)))
+        if any(x[names.index(name)] <= 0 for name in kernels.dwell_times):
+            status = NEGATIVE
+    found = {name: float(value) for name, value in zip(names, x, strict=True)}
+    return Full(found, float(np.abs(residual).max()), iterations, status, error)
+
+
+def equations_at(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Residual (n) and Jacobian (n, n + p) by unknowns, then parameters."""
+    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
+    spectrum, derivatives = kernels.spectrum(parameters)
+    residual, by_unknowns = kernels.evaluate(
+        "residual_and_jacobian", parameters, spectrum, unknowns
+    )
+    by_parameters = kernels.evaluate(
+        "parameter_jacobian", parameters, spectrum, derivatives, unknowns
+    )
+    return residual, np.concatenate([by_unknowns, by_parameters], axis=1)
+
+
+def condition_number(jacobian: np.ndarray) -> float:
+    """Condition number after scaling the rows, and then the columns, to unit size."""
+    rows = np.abs(jacobian).max(axis=1, keepdims=True)
+    scaled = jacobian / np.where(rows > 0, rows, 1)
+    columns = np.abs(scaled).max(axis=0, keepdims=True)
+    scaled = scaled / np.where(columns > 0, columns, 1)
+    if not np.isfinite(scaled).all():
+        return np.inf
+    return float(np.linalg.cond(scaled))
+
+
+def _fraction(here: np.ndarray, step: np.ndarray, timed: np.ndarray) -> float:
+    """Largest part of a step after which no dwell time has lost three quarters of itself."""
+    falling = timed & (here > 0) & (step > 0.75 * here)
+    return float(np.min(0.75 * here[falling] / step[falling], initial=1.0))

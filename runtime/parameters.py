@@ -1,0 +1,183 @@
+"""From what a user gives to a parameter point of an orbit: names, domains, conflicts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable
+from nonsmooth.runtime.values import Value, as_value, parse
+
+__all__ = ["Point", "check_arrays", "default_parameters", "resolve"]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Exact parameters of one problem.
+
+    Attributes
+    ----------
+    values : dict of str to Value
+        Those of the equations that are given, in the kernels' order.
+    opened : dict of str to Value
+        Those that only admissibility depends on, as far as they are given.
+    """
+
+    values: dict[str, Value]
+    opened: dict[str, Value]
+
+
+def default_parameters(kernels: OrbitKernels) -> dict[str, str]:
+    """Parameters of the orbit's reference point, as decimal text."""
+    reference = kernels.table["reference"]
+    return dict(reference["parameters"]) if reference else {}
+
+
+def resolve(
+    kernels: OrbitKernels, given: Mapping[str, object], without: Iterable[str] = ()
+) -> Point:
+    """Check the given parameters and complete them.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    given : mapping of str to str, number or Value
+        Parameters of the equations, or the physical ones in their place (us1, ur1 in place
+        of e1 = ur1 - us1). What is absent takes the reference point's value.
+    without : iterable of str
+        Parameters that are to be solved for and take no value.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, a value outside its domain or not a number, or values that
+        contradict each other.
+    """
+    without = set(without)
+    values = {name: _value(name, value) for name, value in given.items()}
+    known = [*kernels.parameter_names, *_extra_names(kernels)]
+    for name in values:
+        if name not in known:
+            raise unknown_name("parameter", name, known)
+        if name in without:
+            raise InputError(f"parameter {name} is both given and to be solved for")
+    for name, terms in kernels.combined.items():
+        _combine(kernels, name, terms, values, without)
+    defaults = default_parameters(kernels)
+    point, missing = {}, []
+    for name in kernels.parameter_names:
+        if name in without:
+            continue
+        if name in values:
+            point[name] = values[name]
+        elif name in defaults:
+            point[name] = parse(defaults[name])
+        else:
+            missing.append(name)
+    if missing:
+        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+    opened = {p.name: values[p.name] for p in kernels.open_parameters if p.name in values}
+    tables = {p.name: p for p in (*kernels.system.parameters, *kernels.open_parameters)}
+    tables |= {p.name: p for p in kernels.parameters}
+    for name, value in {**values, **point}.items():
+        _check_domain(tables[name], value)
+    return Point(point, opened)
+
+
+def check_arrays(kernels: OrbitKernels, arrays: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Arrays of parameters for a batch: names known, the rest from the reference point.
+
+    Values outside a domain stay: their points get a status of their own.
+    """
+    defaults = default_parameters(kernels)
+    known = [*kernels.parameter_names, *(p.name for p in kernels.open_parameters)]
+    for name in arrays:
+        if name not in known:
+            raise unknown_name("parameter", name, known)
+    found = {}
+    for name in kernels.parameter_names:
+        value = arrays.get(name, defaults.get(name))
+        if value is None:
+            raise InputError(f"{kernels.name} needs a value for: {name}")
+        try:
+            if isinstance(value, str | Value):
+                value = float(as_value(value))
+            found[name] = np.asarray(value, dtype=float)
+        except (TypeError, ValueError) as error:
+            raise InputError(f"parameter {name}: {error}") from None
+    return found
+
+
+def _extra_names(kernels: OrbitKernels) -> list[str]:
+    """Physical parameters that stand for combined or open ones."""
+    names = [p.name for p in kernels.open_parameters]
+    for terms in kernels.combined.values():
+        names += [name for name in terms if name not in names]
+    return names
+
+
+def _value(name: str, value: object) -> Value:
+    try:
+        return as_value(value)
+    except InputError as error:
+        raise InputError(f"parameter {name}: {error}") from None
+
+
+def _combine(
+    kernels: OrbitKernels,
+    name: str,
+    terms: Mapping[str, int],
+    values: dict[str, Value],
+    without: set[str],
+) -> None:
+    """Complete ``name = sum of terms``: derive the one that is missing, or check all."""
+    absent = [term for term in terms if term not in values]
+    if not absent:
+        total = parse(" + ".join(f"({factor})*({values[t].text})" for t, factor in terms.items()))
+        if name in without:
+            raise InputError(f"parameter {name} is to be solved for, but {', '.join(terms)} fix it")
+        if name in values and not _same(values[name], total):
+            raise InputError(
+                f"{name} = {values[name]} contradicts {_sum_text(terms)} = {float(total):.17g}"
+            )
+        values[name] = values.get(name, total)
+    elif len(absent) == 1 and len(terms) > 1 and name not in without:
+        # of e, us and ur two are known (e perhaps by default): the third follows
+        default = default_parameters(kernels).get(name)
+        combined = values.get(name) or (parse(default) if default else None)
+        if combined is not None:
+            rest = [(t, f) for t, f in terms.items() if t != absent[0]]
+            text = f"({combined.text})" + "".join(f" - ({f})*({values[t].text})" for t, f in rest)
+            values[absent[0]] = parse(f"({text})/({terms[absent[0]]})")
+
+
+def _same(first: Value, second: Value) -> bool:
+    if first.exact is not None and second.exact is not None:
+        return first.exact == second.exact
+    return bool(first.ball(256).overlaps(second.ball(256)))
+
+
+def _sum_text(terms: Mapping[str, int]) -> str:
+    text = ""
+    for name, factor in terms.items():
+        sign = "-" if factor < 0 else "+" if text else ""
+        size = "" if abs(factor) == 1 else f"{abs(factor)} "
+        text += f"{' ' if text else ''}{sign}{' ' if text else ''}{size}{name}"
+    return text
+
+
+def _check_domain(table: ParameterTable, value: Value) -> None:
+    number = float(value)
+    lower = float("-inf") if table.lower is None else float(parse(table.lower))
+    upper = float("inf") if table.upper is None else float(parse(table.upper))
+    if number < lower or (number == lower and not table.closed) or number >= upper:
+        raise InputError(f"{table.name} = {value} is outside its domain {_domain(table)}")
+
+
+def _domain(table: ParameterTable) -> str:
+    opening = "[" if table.closed else "("
+    return f"{opening}{table.lower or '-oo'}, {table.upper or 'oo'})"

@@ -1,0 +1,84 @@
+"""Stability of an orbit: Poincare map, multipliers and the trace criterion (Secs. 4, 5)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.orbit import Orbit
+
+__all__ = ["Multiplier", "Stability", "assess_stability"]
+
+
+@dataclass(frozen=True)
+class Multiplier:
+    """Eigenvalue of the Poincare map's Jacobian.
+
+    `trivial` marks a 1 that a first integral enforces.
+    """
+
+    real: Any
+    imaginary: Any
+    trivial: bool = False
+
+
+@dataclass(frozen=True)
+class Stability:
+    """Multipliers and verdict.
+
+    Attributes
+    ----------
+    multipliers : tuple of Multiplier
+        Of the map on the section; by decreasing absolute value.
+    trace : number
+        Of the same Jacobian.
+    rank_one : bool
+        Whether all multipliers but one are exactly zero, because the map passes through a
+        section of dimension one: then |trace| < 1 decides.
+    margin : number
+        1 - the largest nontrivial |multiplier|; 1 - |trace| for rank one.
+    verdict : {"stable", "unstable", "undecided"}
+        "stable" is the paper's "conditionally stable": with respect to perturbations that
+        keep the sequence of switches. Undecided if the margin is within its own error.
+    """
+
+    multipliers: tuple[Multiplier, ...]
+    trace: Any
+    rank_one: bool
+    margin: Any
+    verdict: str
+
+
+def assess_stability(orbit: Orbit) -> Stability:
+    """Multipliers of an orbit and what they mean, to the orbit's own digits."""
+    zero = orbit.arithmetic.mp.zero if orbit.precise else 0.0
+    trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
+    if orbit.kernels.table["rank_one"]:
+        others = len(orbit.kernels.table["section"]) - 1
+        found = [Multiplier(trace, zero)] + [Multiplier(zero, zero)] * others
+        largest = abs(trace)
+    else:
+        found = _eigenvalues(orbit)
+        largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
+    margin = 1 - largest
+    uncertain = abs(margin) <= 10.0 ** -(orbit.digits - 2)
+    verdict = "undecided" if uncertain else "stable" if margin > 0 else "unstable"
+    return Stability(tuple(found), trace, orbit.kernels.table["rank_one"], margin, verdict)
+
+
+def _eigenvalues(orbit: Orbit) -> list[Multiplier]:
+    matrix = orbit.evaluate("poincare_jacobian")
+    if orbit.precise:
+        mp = orbit.arithmetic.mp
+        values = mp.eig(mp.matrix(matrix), left=False, right=False)
+        found = [Multiplier(mp.re(v), mp.im(v)) for v in values]
+    else:
+        found = [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
+    return sorted(found, key=lambda m: -float(_modulus(m, orbit)))
+
+
+def _modulus(multiplier: Multiplier, orbit: Orbit) -> Any:
+    square = multiplier.real**2 + multiplier.imaginary**2
+    return orbit.arithmetic.mp.sqrt(square) if orbit.precise else float(np.sqrt(square))

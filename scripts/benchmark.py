@@ -1,0 +1,338 @@
+"""Measure the package against its peers: ratios within one run, medians and spread.
+
+Peers that are not installed are left out; scipy and SymPy's lambdify always take part.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+NAME = "dry-friction/global-stick"
+POINT = {"chi": 0.5, "eta": 1.0, "V": 1.0, "e1": 3.0195, "e2": 0.4831}
+GUESS = [1.18, -2.67, 1.0, 2.0, 1.57, 3.28]
+FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-std=c99"]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One measured thing: seconds per unit of work, of several runs.
+
+    `must` is the limit it has to meet; a peer names in `against` the row it is compared with.
+    """
+
+    what: str
+    seconds: list[float]
+    must: float | None = None
+    against: str | None = None
+
+    @property
+    def median(self) -> float:
+        """Median of the runs."""
+        return statistics.median(self.seconds)
+
+
+def timed(work: Callable[[], object], units: float = 1, runs: int = 7) -> list[float]:
+    """Seconds per unit of several runs, after one that does not count."""
+    work()
+    found = []
+    for _ in range(runs):
+        begin = time.perf_counter()
+        work()
+        found.append((time.perf_counter() - begin) / units)
+    return found
+
+
+def batch(quick: bool) -> Iterator[Row]:
+    """Solves over many parameter points, per solve and core."""
+    import nonsmooth as ns
+
+    for count in (10_000, 100_000 if quick else 1_000_000):
+        eta = np.linspace(0.95, 1.05, count)
+        for admissibility, must in ((False, 0.45e-6), (True, 1.5e-6)):
+
+            def work(eta: np.ndarray = eta, admissibility: bool = admissibility) -> object:
+                return ns.solve_many(NAME, eta=eta, threads=1, admissibility=admissibility)
+
+            label = f"{count:,} points, {'with' if admissibility else 'without'} admissibility"
+            yield Row(label, timed(work, count), must)
+    eta = np.linspace(0.95, 1.05, 10_000)
+    ours = "10,000 points, without admissibility"
+    yield Row("lambdify(cse), NumPy Newton", timed(lambdified(eta), len(eta), 3), against=ours)
+    few = eta[:: 2500 if quick else 1000]
+    yield Row("scipy.optimize.root, expm", timed(expm_root(few), len(few), 3), against=ours)
+    if (peer := casadi_newton(eta)) is not None:
+        yield Row("CasADi fast_newton", timed(peer, len(eta), 3), against=ours)
+
+
+def expanded() -> tuple[list, list, list, list]:
+    """Parameters with spectrum entries, unknowns, residual and Jacobian without stages."""
+    import sympy as sp
+
+    from nonsmooth.derive import derive_equations, dry_friction
+    from nonsmooth.derive.program import evaluate
+
+    orbit = derive_equations(dry_friction.global_stick)
+    residual = evaluate(orbit.chain.stages, orbit.residual, {})
+    jacobian = sp.Matrix(residual).jacobian(list(orbit.unknowns))
+    inputs = [*orbit.parameters, *orbit.spectrum.symbols]
+    return inputs, list(orbit.unknowns), residual, list(jacobian)
+
+
+def lambdified(eta: np.ndarray) -> Callable[[], object]:
+    """Vectorised Newton on SymPy's own NumPy code of the six equations."""
+    import sympy as sp
+
+    from nonsmooth.runtime.kernels import load_orbit
+
+    inputs, unknowns, residual, jacobian = expanded()
+    # a flat list: nested ones silently lose the common subexpressions
+    function = sp.lambdify([*inputs, *unknowns], [*residual, *jacobian], "numpy", cse=True)
+    kernels = load_orbit(NAME)
+
+    def work() -> np.ndarray:
+        points = np.array([np.broadcast_to(POINT[n], eta.shape) for n in kernels.parameter_names])
+        points[1] = eta
+        spectrum, _ = kernels.spectrum(points.T)
+        x = np.repeat(np.array(GUESS)[:, None], len(eta), axis=1)
+        for _ in range(10):
+            values = function(*points, *spectrum.T, *x)
+            flat = np.array([np.broadcast_to(v, eta.shape) for v in values])
+            matrices = flat[6:].reshape(6, 6, -1).transpose(2, 0, 1)
+            step = np.linalg.solve(matrices, flat[:6].T[..., None])
+            x = x - step[..., 0].T
+            if np.abs(step).max() < 1e-9:
+                break
+        return x
+
+    return work
+
+
+def expm_root(points: np.ndarray) -> Callable[[], object]:
+    """One scipy.optimize.root after the other, flows by scipy.linalg.expm."""
+    from scipy.linalg import expm
+    from scipy.optimize import root
+
+    chi, v, e1, e2 = POINT["chi"], POINT["V"], POINT["e1"], POINT["e2"]
+
+    def field(stiffness: list[list[float]]) -> np.ndarray:
+        return np.block([[np.zeros((2, 2)), np.eye(2)], [-np.array(stiffness), np.zeros((2, 2))]])
+
+    def equations(x: np.ndarray, eta: float) -> list[float]:
+        stick = field([[0, 0], [0, 0]])
+        slip_stick = field([[1, -chi], [0, 0]])
+        slip = field([[1, -chi], [-chi * eta, chi * eta]])
+        stick_slip = field([[0, 0], [-chi * eta, chi * eta]])
+        a = expm(stick * x[2]) @ np.array([x[0], x[1], v, v])
+        c = expm(slip_stick * x[3]) @ a
+        d = expm(slip * x[4]) @ c
+        e = expm(stick_slip * x[5]) @ d
+        return [
+            a[0] - chi * a[1] - e1,
+            chi * (c[1] - c[0]) - e2,
+            d[2] - v,
+            e[3] - v,
+            e[0] - x[0],
+            e[1] - x[1],
+        ]
+
+    return lambda: [root(equations, GUESS, args=(eta,), tol=1e-10) for eta in points]
+
+
+def casadi_newton(eta: np.ndarray) -> Callable[[], object] | None:
+    """CasADi's fast_newton on the same staged equations."""
+    try:
+        import casadi
+    except ImportError:
+        return None
+    from nonsmooth.runtime.kernels import load_orbit
+
+    kernels = load_orbit(NAME)
+    unknowns, inputs = casadi.SX.sym("x", 6), casadi.SX.sym("p", 12)
+    residual = kernels.source("residual")(
+        [inputs[i] for i in range(5)],
+        [inputs[i] for i in range(5, 12)],
+        [unknowns[i] for i in range(6)],
+        lib=casadi,
+    )
+    problem = {"x": unknowns, "p": inputs, "g": casadi.vertcat(*residual)}
+    solver = casadi.rootfinder("solve", "fast_newton", problem)
+    points = np.array([np.broadcast_to(POINT[n], eta.shape) for n in kernels.parameter_names])
+    points[1] = eta
+    spectrum, _ = kernels.spectrum(points.T)
+    data = np.vstack([points, spectrum.T])
+    mapped = solver.map(len(eta))
+    guess = np.repeat(np.array(GUESS)[:, None], len(eta), axis=1)
+    return lambda: mapped(guess, data)
+
+
+def kernel(quick: bool) -> Iterator[Row]:
+    """Residual and Jacobian in C: ours against SymPy's cse of the expanded equations."""
+    import sympy as sp
+
+    from nonsmooth.derive.codegen.c import print_c
+    from nonsmooth.runtime.kernels import load_orbit
+
+    inputs, unknowns, residual, jacobian = expanded()
+    common, reduced = sp.cse([*residual, *jacobian])
+    arrays = (("p", inputs[:5]), ("s", inputs[5:]), ("x", unknowns))
+    lines = [f"const double {s} = {a}[{i}];" for a, group in arrays for i, s in enumerate(group)]
+    lines += [f"const double {symbol} = {print_c(e)};" for symbol, e in common]
+    targets = [f"r[{i}]" for i in range(6)] + [f"j[{i}]" for i in range(36)]
+    lines += [f"{target} = {print_c(e)};" for target, e in zip(targets, reduced, strict=True)]
+    signature = "const double *p, const double *s, {}double *x, double *r, double *j"
+    source = [
+        "#include <math.h>",
+        '#include "dry_friction.h"',
+        f"static void plain({signature.format('const ')})",
+        "{",
+        *lines,
+        "}",
+    ]
+    calls = {"ours": "dry_friction_global_stick_residual_and_jacobian", "plain": "plain"}
+    source += [
+        f"void loop_{label}(long n, {signature.format('')})"
+        f" {{ for (long i = 0; i < n; ++i) {{ {call}(p, s, x, r, j); x[3] += 1e-18*r[0]; }} }}"
+        for label, call in calls.items()
+    ]
+    kernels = load_orbit(NAME)
+    parameters = np.array([POINT[n] for n in kernels.parameter_names])
+    spectrum, _ = kernels.spectrum(parameters)
+    generated = Path(kernels.system.module.__file__ or "").resolve().parent
+    count = 20_000 if quick else 200_000
+    with tempfile.TemporaryDirectory() as folder:
+        file, library = Path(folder) / "plain.c", Path(folder) / "plain.so"
+        file.write_text("\n".join(source) + "\n")
+        built = [str(file), str(generated / "dry_friction.c"), "-o", str(library), "-lm"]
+        flags = [*FLAGS, "-fopenmp-simd", "-shared", "-fPIC", f"-I{generated}"]
+        subprocess.run(["cc", *flags, *built], check=True)
+        loaded = ctypes.CDLL(str(library))
+        buffers = [parameters, spectrum, np.array(GUESS), np.zeros(6), np.zeros(36)]
+        pointers = [ctypes.c_void_p(b.ctypes.data) for b in buffers]
+
+        def measure(label: str) -> list[float]:
+            return timed(lambda: loaded[f"loop_{label}"](ctypes.c_long(count), *pointers), count)
+
+        yield Row("residual and Jacobian", measure("ours"))
+        yield Row("plain SymPy cse", measure("plain"), against="residual and Jacobian")
+
+
+def single(quick: bool) -> Iterator[Row]:
+    """One orbit from Python."""
+    import nonsmooth as ns
+    from nonsmooth.runtime.kernels import load_orbit
+    from nonsmooth.runtime.newton import solve_reduced
+
+    kernels = load_orbit(NAME)
+    parameters, guess = list(POINT.values()), [2.0, 1.568]
+    repeat = range(20 if quick else 200)
+
+    def numeric() -> None:
+        for _ in repeat:
+            solve_reduced(kernels, parameters, guess)
+
+    def whole() -> None:
+        for _ in repeat:
+            ns.solve(NAME)
+
+    yield Row("solve, numeric part", timed(numeric, len(repeat)), 100e-6)
+    yield Row("solve, whole call", timed(whole, len(repeat)))
+
+
+def refine(quick: bool) -> Iterator[Row]:
+    """One orbit to many digits."""
+    import nonsmooth as ns
+    from nonsmooth.runtime.arithmetic import Mpmath
+    from nonsmooth.runtime.kernels import load_orbit
+
+    orbit, kernels = ns.solve(NAME), load_orbit(NAME)
+    runs = 3 if quick else 7
+    for digits, must in ((50, 10e-3), (1000, 50e-3)):
+        ours = f"{digits} digits"
+        yield Row(ours, timed(lambda d=digits: ns.refine(orbit, d), 1, runs), must)
+        check = timed(lambda d=digits: ns.refine(orbit, d, arithmetic="mpmath"), 1, runs)
+        yield Row(f"{digits} digits by mpmath", check)
+        lib = Mpmath(digits)
+
+        def peer(lib: Mpmath = lib) -> object:
+            parameters = [lib.number(v) for v in orbit.given.values()]
+            spectrum, _ = kernels.spectrum(parameters, lib)
+            residual = kernels.source("residual")
+            return lib.mp.findroot(lambda *x: residual(parameters, spectrum, x, lib=lib), GUESS)
+
+        yield Row(f"mpmath findroot, {digits} digits", timed(peer, 1, runs), against=ours)
+
+
+def derive(quick: bool) -> Iterator[Row]:
+    """Derivation and emission in fresh processes, imports included."""
+    module = "nonsmooth.derive.codegen.regenerate"
+    code = f"from {module} import emit_systems; emit_systems(['dry-friction'])"
+    yield Row(
+        "derive and emit dry friction", timed(lambda: run([sys.executable, "-c", code]), 1, 3), 5.0
+    )
+    script = [sys.executable, str(Path(__file__).with_name("regenerate.py")), "--check"]
+    yield Row("regenerate everything", timed(lambda: run(script), 1, 3), 20.0)
+
+
+def process(quick: bool) -> Iterator[Row]:
+    """Whole processes of the command line."""
+    command = str(Path(sys.executable).with_name("nonsmooth"))
+    runs = 3 if quick else 9
+    yield Row("nonsmooth --help", timed(lambda: run([command, "--help"]), 1, runs), 0.3)
+    verify = [command, "verify", NAME, "--digits", "50"]
+    yield Row("nonsmooth verify --digits 50", timed(lambda: run(verify), 1, runs), 1.0)
+
+
+def run(command: list[str]) -> None:
+    """Run a command and throw its output away."""
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+SECTIONS = {f.__name__: f for f in (batch, kernel, single, refine, derive, process)}
+
+
+def main() -> None:
+    """Run the sections asked for and print their tables."""
+    layout = argparse.RawTextHelpFormatter
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=layout)
+    parser.add_argument("sections", nargs="*", metavar="SECTION", help=", ".join(SECTIONS))
+    parser.add_argument("--quick", action="store_true", help="fewer points and runs")
+    chosen = parser.parse_args()
+    for name in chosen.sections:
+        if name not in SECTIONS:
+            parser.error(f"no section {name!r} (known: {', '.join(SECTIONS)})")
+    console = Console(width=110)
+    for name in chosen.sections or SECTIONS:
+        title = f"{name}: {SECTIONS[name].__doc__}"
+        table = Table("what", "median", "min .. max", "must reach", "peer / ours", title=title)
+        rows = {row.what: row for row in SECTIONS[name](chosen.quick)}
+        for row in rows.values():
+            spread = f"{pretty(min(row.seconds))} .. {pretty(max(row.seconds))}"
+            must = "" if row.must is None else pretty(row.must)
+            ratio = f"{row.median / rows[row.against].median:,.2f}" if row.against else ""
+            table.add_row(row.what, pretty(row.median), spread, must, ratio)
+        console.print(table)
+
+
+def pretty(seconds: float) -> str:
+    """A duration with a fitting unit."""
+    for factor, unit in ((1, "s"), (1e3, "ms"), (1e6, "us"), (1e9, "ns")):
+        if seconds * factor >= 1:
+            return f"{seconds * factor:.3g} {unit}"
+    return f"{seconds * 1e9:.3g} ns"
+
+
+if __name__ == "__main__":
+    main()
