@@ -124,8 +124,9 @@ def _image(
     """Equations of the image of ``rows y + constants = 0`` under ``y -> jump y + shift``."""
     size = jump.rows
     solved = [sp.Symbol(f"before{i}") for i in range(size)]
-    solution = sp.linsolve((rows, -constants), *solved)
-    (point,) = solution
+    (point,) = sp.linsolve((rows, -constants), *solved) or [None]
+    if point is None:
+        return [(sp.zeros(1, size), sp.Integer(1))]  # no state before, none behind
     free = sorted(set().union(*(e.free_symbols for e in point)) & set(solved), key=str)
     particular = sp.Matrix(point).subs(dict.fromkeys(free, 0))
     directions = sp.Matrix(point).jacobian(free) if free else sp.zeros(size, 0)

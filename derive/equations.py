@@ -86,9 +86,7 @@ class EquationSystem:
         """Stages and entries of the derivatives of the equations by the unknowns."""
         stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
         section = self.chain.section
-        rows = [
-            link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)
-        ]
+        rows = [link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)]
         for column, place in enumerate(section.places):
             closure = sp.Matrix(ends[-1][place, :])
             closure[column] -= 1
@@ -132,7 +130,8 @@ class EquationSystem:
             stages, slope = self.reduction.slope()
             return prune((*self.reduction.stages, *stages), [slope]), slope
         stages, matrix = self.poincare_jacobian
-        return prune((*self.chain.stages, *stages), [matrix.trace()]), matrix.trace()
+        trace = sp.sympify(matrix.trace())
+        return prune((*self.chain.stages, *stages), [trace]), trace
 
     @cached_property
     def trace_gradient(self) -> tuple[tuple[Stage, ...], list[sp.Expr]]:
@@ -154,6 +153,7 @@ class EquationSystem:
         for index, link in enumerate(self.chain.links):
             configuration = self.system.configuration(link.flow.configuration)
             oscillations = [g(w * TIME) for g in (sp.cos, sp.sin) for w in self.frequencies[index]]
+            basis = (sp.Integer(1), TIME, *oscillations)
             for boundary in configuration.boundaries:
                 row, constant = self.system.gradient(boundary.function)
                 opened = sorted(constant.free_symbols - set(self.parameters), key=str)
@@ -171,7 +171,7 @@ class EquationSystem:
                     BoundaryFunction(
                         index,
                         boundary.name,
-                        tuple(values.get(f, sp.Integer(0)) for f in (sp.Integer(1), TIME, *oscillations)),
+                        tuple(values.get(f, sp.Integer(0)) for f in basis),
                         parameter,
                         slope,
                     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
+from keyword import iskeyword
 
 import sympy as sp
 
@@ -81,6 +82,10 @@ class Presentation:
 
         def dynamics(old: SecondOrder | FirstOrder) -> SecondOrder | FirstOrder:
             if isinstance(old, SecondOrder):
+                if any(origin[old.mass.rows :, :]):
+                    raise DeclarationError(
+                        "presentation shifts a velocity, which a second-order motion cannot carry"
+                    )
                 return old.substituted(values | names).shifted(origin[: old.mass.rows, :])
             matrix, offset = old.matrix.subs(values), old.offset.subs(values)
             return FirstOrder(matrix, (offset + matrix * origin).applyfunc(sp.cancel))
@@ -108,8 +113,7 @@ class Presentation:
                     {
                         names[s]: affine(e) - o
                         for (s, e), o in (
-                            (item, origin[system.states.index(item[0])])
-                            for item in t.reset.items()
+                            (item, origin[system.states.index(item[0])]) for item in t.reset.items()
                         )
                     },
                 )
@@ -171,6 +175,17 @@ class Itinerary:
                 raise DeclarationError(
                     f"itinerary {self.name!r}: dwell time {dwell_time!r} is named twice"
                 )
+        presented = self.presented_system
+        taken = {
+            *map(str, (*self.system.states, *presented.states)),
+            *(p.name for p in (*self.system.parameters, *presented.parameters)),
+        }
+        for dwell_time in dwell_times:
+            where = f"itinerary {self.name!r}: dwell time {dwell_time!r}"
+            if not dwell_time.isidentifier() or iskeyword(dwell_time):
+                raise DeclarationError(f"{where} is not an identifier")
+            if dwell_time in taken:
+                raise DeclarationError(f"{where} has the name of a state or parameter")
         for phase, following in zip(phases, phases[1:] + phases[:1], strict=True):
             self.system.configuration(phase.configuration).boundary(phase.boundary)
             self.system.configuration(following.configuration)

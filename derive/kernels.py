@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.equations import EquationSystem, spectral_derivative
-from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate, merged, prune
 from nonsmooth.derive.system import System
 
@@ -82,6 +82,7 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     trace_stages, trace = orbit.trace
     gradient_stages, gradient = orbit.trace_gradient
     residual = _flat("residual", orbit.residual)
+    coefficients = [c for b in orbit.boundary_functions for c in b.coefficients]
     states = [orbit.chain.links[0].before, *(link.following for link in orbit.chain.links)]
 
     def kernel(
@@ -124,7 +125,13 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
             [_table("poincare_jacobian", poincare)],
             (*chain, *poincare_stages),
         ),
-        kernel("trace", "Trace of the Poincare map's Jacobian.", point, [_scalar("trace", trace)], trace_stages),
+        kernel(
+            "trace",
+            "Trace of the Poincare map's Jacobian.",
+            point,
+            [_scalar("trace", trace)],
+            trace_stages,
+        ),
         kernel(
             "trace_gradient",
             "Derivatives of the trace by the unknowns, then in total by the parameters.",
@@ -145,7 +152,7 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
             " after the other; and the frequencies of each phase.",
             point,
             [
-                _flat("coefficients", [c for b in orbit.boundary_functions for c in b.coefficients]),
+                _flat("coefficients", coefficients),
                 _flat("frequencies", [w for phase in orbit.frequencies for w in phase]),
             ],
             chain,

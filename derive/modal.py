@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from itertools import count
 
 import sympy as sp
 
@@ -121,7 +122,8 @@ class Flow:
 class _Names:
     """Spectral symbols in use, so that equal expressions of two configurations share one."""
 
-    def __init__(self) -> None:
+    def __init__(self, taken: Iterable[str]) -> None:
+        self.taken = set(taken)  # names of the states and parameters
         self.entries: dict[sp.Expr, sp.Symbol] = {}
         self.eigenvalues: list[tuple[tuple[sp.Symbol, ...], sp.Matrix]] = []
 
@@ -131,9 +133,8 @@ class _Names:
         if expression.is_number or expression.is_Symbol:
             return expression
         if expression not in self.entries:
-            count = sum(str(s).rstrip("0123456789") == stem for s in self.entries.values()) + 1
             assumptions = {"positive": True} if expression.is_positive else {"real": True}
-            self.entries[expression] = sp.Symbol(f"{stem}{count}", **assumptions)
+            self.entries[expression] = sp.Symbol(self._fresh(stem), **assumptions)
         return self.entries[expression]
 
     def numeric(self, matrix: sp.Matrix) -> tuple[sp.Symbol, ...]:
@@ -141,10 +142,15 @@ class _Names:
         for group, known in self.eigenvalues:
             if known == matrix:
                 return group
-        count = sum(len(group) for group, _ in self.eigenvalues)
-        group = tuple(sp.Symbol(f"lambda{count + i + 1}") for i in range(matrix.rows))
+        group = tuple(sp.Symbol(self._fresh("lambda")) for _ in range(matrix.rows))
         self.eigenvalues.append((group, matrix))
         return group
+
+    def _fresh(self, stem: str) -> str:
+        """A name that nothing bears yet: the stem and a number."""
+        name = next(n for n in (f"{stem}{i}" for i in count(1)) if n not in self.taken)
+        self.taken.add(name)
+        return name
 
 
 def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
@@ -156,7 +162,7 @@ def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
         For a configuration whose closed form is not available here: damping, or a general
         first-order form.
     """
-    names = _Names()
+    names = _Names([*map(str, system.states), *(p.name for p in system.parameters)])
     flows = {c.name: _flow(c, system, names) for c in system.configurations}
     entries = tuple((symbol, expression) for expression, symbol in names.entries.items())
     return Spectrum(entries, tuple(names.eigenvalues)), flows

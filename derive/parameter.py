@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from keyword import iskeyword
+from typing import Any
 
 import sympy as sp
 
@@ -30,16 +32,21 @@ class Parameter:
 
     name: str
     description: str
-    lower: sp.Expr | int = 0
-    upper: sp.Expr | int = sp.oo
+    lower: Any = 0
+    upper: Any = sp.oo
     closed: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "lower", sp.sympify(self.lower))
         object.__setattr__(self, "upper", sp.sympify(self.upper))
-        if not self.name.isidentifier():
+        if not self.name.isidentifier() or iskeyword(self.name):
             raise DeclarationError(f"parameter name {self.name!r} is not an identifier")
-        if not sp.sympify(self.lower) < sp.sympify(self.upper):
+        for end in (self.lower, self.upper):
+            if not (end.is_number and end.is_extended_real):
+                raise DeclarationError(
+                    f"parameter {self.name}: the end {end} of its domain is not a real number"
+                )
+        if not self.lower < self.upper:
             raise DeclarationError(f"parameter {self.name}: the domain is empty")
 
     @property

@@ -11,7 +11,17 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-__all__ = ["Argument", "Kernel", "Output", "Stage", "assign", "differentiate", "evaluate", "merged", "prune"]
+__all__ = [
+    "Argument",
+    "Kernel",
+    "Output",
+    "Stage",
+    "assign",
+    "differentiate",
+    "evaluate",
+    "merged",
+    "prune",
+]
 
 
 @dataclass(frozen=True)
@@ -97,7 +107,7 @@ def differentiate(
     result = []
     for stage in stages:
         for direction, moving in derivatives.items():
-            assignments = []
+            assignments: list[tuple[sp.Symbol, sp.Expr]] = []
             for symbol, expression in stage.assignments:
                 name = f"{symbol}_by_{direction}"
                 if name in assigned:  # the stages already hold this first derivative

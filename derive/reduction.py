@@ -288,7 +288,7 @@ def _first_return(
         at = ((b * s - a * c) / square, -(b * c + a * s) / square)
     naming, values = assign(title, [f"cos_{dwell}_return", f"sin_{dwell}_return"], at)
     if identities:
-        identities = (identities[0] | dict(zip(values, at, strict=True)), identities[1])
+        identities = ({**identities[0], **dict(zip(values, at, strict=True))}, identities[1])
     stages = tuple(s for s in (parts, scale, naming) if s.assignments)
     time = Angle(values[1], values[0]) / (argument / TIME)
     return _Explicit(RETURN, stages, {cosine: values[0], sine: values[1]}, time, identities)

@@ -73,9 +73,9 @@ class SecondOrder:
 
     mass: sp.Matrix
     stiffness: sp.Matrix
-    load: Sequence[sp.Expr] = ()
-    damping: sp.Matrix | None = None
-    held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    load: Any = ()
+    damping: Any = None
+    held: Any = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         mass = _square(self.mass, "mass")
@@ -143,13 +143,8 @@ class SecondOrder:
 
     def free_symbols(self) -> set[sp.Symbol]:
         """Symbols of the matrices, the load and the held velocities."""
-        symbols = (
-            self.mass.free_symbols
-            | self.stiffness.free_symbols
-            | self.damping.free_symbols
-            | self.load.free_symbols
-        )
-        return symbols.union(*(v.free_symbols for v in self.held.values()))
+        matrices = (self.mass, self.stiffness, self.damping, self.load)
+        return set().union(*(m.free_symbols for m in (*matrices, *self.held.values())))
 
 
 @dataclass(frozen=True)
@@ -157,7 +152,7 @@ class FirstOrder:
     """Affine motion ``y' = matrix y + offset``, matrix N x N, offset N values."""
 
     matrix: sp.Matrix
-    offset: Sequence[sp.Expr] = ()
+    offset: Any = ()
 
     def __post_init__(self) -> None:
         matrix = _square(self.matrix, "matrix")
@@ -175,7 +170,7 @@ class FirstOrder:
 
     def free_symbols(self) -> set[sp.Symbol]:
         """Symbols of the matrix and the offset."""
-        return self.matrix.free_symbols | self.offset.free_symbols
+        return set(self.matrix.free_symbols | self.offset.free_symbols)
 
 
 Dynamics = SecondOrder | FirstOrder
@@ -215,6 +210,9 @@ class Condition:
     function: sp.Expr
     along: str
     holds: bool = True
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "function", sp.sympify(self.function))
 
 
 @dataclass(frozen=True)
@@ -288,9 +286,14 @@ class System:
     def __post_init__(self) -> None:
         for attribute in ("states", "parameters", "configurations", "transitions", "constraints"):
             object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
+        object.__setattr__(self, "constraints", tuple(map(sp.sympify, self.constraints)))
         _unique([str(s) for s in self.states], "state")
         _unique([p.name for p in self.parameters], "parameter")
+        _unique([*map(str, self.states), *(p.name for p in self.parameters)], "name")
         _unique([c.name for c in self.configurations], "configuration")
+        for constraint in self.constraints:
+            where = f"constraint {constraint} >= 0"
+            self._check_symbols(constraint.free_symbols, where, states_allowed=False)
         for configuration in self.configurations:
             self._check_configuration(configuration)
         for transition in self.transitions:
@@ -302,7 +305,9 @@ class System:
             if configuration.name == name:
                 return configuration
         known = ", ".join(c.name for c in self.configurations)
-        raise DeclarationError(f"system {self.name!r} has no configuration {name!r} (it has: {known})")
+        raise DeclarationError(
+            f"system {self.name!r} has no configuration {name!r} (it has: {known})"
+        )
 
     def transition(self, source: str, boundary: str, target: str) -> Transition:
         """The transition from `source` through `boundary` to `target`."""
@@ -330,6 +335,10 @@ class System:
             for symbol in dynamics.held:
                 if symbol not in self.states[: size // 2]:
                     raise DeclarationError(f"{where}: held coordinate {symbol} is not a position")
+            held = dynamics.held_at(self.states)
+            free = [i for i in range(dynamics.mass.rows) if i not in held]
+            if free and dynamics.mass.extract(free, free).det() == 0:
+                raise DeclarationError(f"{where}: mass of the free coordinates is singular")
         elif dynamics.matrix.rows != size:
             raise DeclarationError(
                 f"{where}: matrix is {dynamics.matrix.rows} x {dynamics.matrix.rows},"
@@ -364,7 +373,9 @@ class System:
     def _check_symbols(
         self, symbols: Iterable[Any], where: str, *, states_allowed: bool = True
     ) -> None:
-        known = {p.symbol for p in self.parameters} | (set(self.states) if states_allowed else set())
+        known = {p.symbol for p in self.parameters} | (
+            set(self.states) if states_allowed else set()
+        )
         unknown = sorted(str(s) for s in set(symbols) - known)
         if unknown:
             raise DeclarationError(

@@ -19,7 +19,7 @@ from itertools import product
 import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.itinerary import Itinerary, Presentation, Reference
+from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.system import (
     Boundary,
@@ -107,9 +107,7 @@ def _transitions(regimes: tuple[str, str]) -> tuple[Transition, ...]:
             continue
         # the second mass, if it is at the belt's velocity, is stuck while the first decides
         at_belt = ["stick" if m in moved else r for m, r in enumerate(regimes)]
-        first = (
-            _choices(0, f"stick-{at_belt[1]}") if 0 in moved else ((regimes[0], ()),)
-        )
+        first = _choices(0, f"stick-{at_belt[1]}") if 0 in moved else ((regimes[0], ()),)
         for regime, conditions in first:
             second = _choices(1, f"{regime}-stick") if 1 in moved else ((regimes[1], ()),)
             for other, more in second:
@@ -161,10 +159,10 @@ global_stick = Itinerary(
     name="global-stick",
     system=system,
     phases=(
-        ("stick-stick", "first-breaks-forward", "ta"),
-        ("slip-stick", "second-breaks-forward", "tau"),
-        ("slip-slip", "first-reaches-belt", "tau1"),
-        ("stick-slip", "second-reaches-belt", "tau2"),
+        Phase("stick-stick", "first-breaks-forward", "ta"),
+        Phase("slip-stick", "second-breaks-forward", "tau"),
+        Phase("slip-slip", "first-reaches-belt", "tau1"),
+        Phase("stick-slip", "second-reaches-belt", "tau2"),
     ),
     presentation=shifted,
     reference=Reference(
@@ -267,7 +265,7 @@ def from_physical(
     for i in (0, 1):
         if static_coefficients[i] < slipping_coefficients[i]:
             raise DeclarationError(f"static_coefficients[{i}] is below slipping_coefficients[{i}]")
-    time = ((m1 / (k1 + k2))) ** 0.5
+    time = (m1 / (k1 + k2)) ** 0.5
     force = (k1 + k2) * length
     slipping = [c * n / force for c, n in zip(slipping_coefficients, normal_loads, strict=True)]
     static = [c * n / force for c, n in zip(static_coefficients, normal_loads, strict=True)]
