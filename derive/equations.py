@@ -123,9 +123,12 @@ class EquationSystem:
     def trace(self) -> tuple[tuple[Stage, ...], sp.Expr]:
         """Stages (all that are needed) and expression of the trace.
 
-        The slope of the map in one variable where the reduction has one, otherwise the sum
-        of the diagonal of the Poincare map's Jacobian.
+        Zero where the orbit passes through a section that is a point, the slope of the map
+        in one variable where it passes through a line, otherwise the sum of the diagonal of
+        the Poincare map's Jacobian.
         """
+        if self.reduction.rank == 0:
+            return (), sp.Integer(0)
         if self.reduction.start is not None:
             stages, slope = self.reduction.slope()
             return prune((*self.reduction.stages, *stages), [slope]), slope

@@ -10,7 +10,7 @@ from keyword import iskeyword
 import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.parameter import Parameter, exact
 from nonsmooth.derive.system import (
     Boundary,
     Condition,
@@ -56,8 +56,9 @@ class Presentation:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "states", tuple(self.states))
-        object.__setattr__(self, "origin", tuple(sp.sympify(o) for o in self.origin))
-        object.__setattr__(self, "substitution", sp.Dict(dict(self.substitution)))
+        object.__setattr__(self, "origin", tuple(map(exact, self.origin)))
+        substitution = {s: exact(e) for s, e in self.substitution.items()}
+        object.__setattr__(self, "substitution", sp.Dict(substitution))
         if len(self.origin) != len(self.states):
             raise DeclarationError(
                 f"presentation has {len(self.states)} states but {len(self.origin)} origins"
@@ -175,11 +176,10 @@ class Itinerary:
                 raise DeclarationError(
                     f"itinerary {self.name!r}: dwell time {dwell_time!r} is named twice"
                 )
-        presented = self.presented_system
-        taken = {
-            *map(str, (*self.system.states, *presented.states)),
-            *(p.name for p in (*self.system.parameters, *presented.parameters)),
-        }
+        taken = {*map(str, self.system.states), *(p.name for p in self.system.parameters)}
+        if self.presentation is not None:
+            taken |= {*map(str, self.presentation.states)}
+            taken |= {p.name for p in self.presentation.parameters}
         for dwell_time in dwell_times:
             where = f"itinerary {self.name!r}: dwell time {dwell_time!r}"
             if not dwell_time.isidentifier() or iskeyword(dwell_time):

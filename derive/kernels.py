@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.equations import EquationSystem, spectral_derivative
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate, merged, prune
 from nonsmooth.derive.system import System
@@ -192,20 +191,17 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
 
     Outputs are the reduced residual and its Jacobian (for the steps), then all unknowns and
     the trace (for the result).
-
-    Raises
-    ------
-    DerivationError
-        If the trace is no function of the reduced unknowns.
     """
     reduction = orbit.reduction
-    if reduction.start is None:
-        raise DerivationError(f"orbit {orbit.itinerary.name!r}: the reduction gives no trace")
     stages, jacobian = reduction.jacobian()
     trace_stages, trace = orbit.trace
     equations = [e for _, e in reduction.equations]
     values = [reduction.values[u] for u in orbit.unknowns]
-    everything = merged(merged(reduction.stages, stages), trace_stages)
+    # states behind the phases have one name in the chain and in the reduction
+    given = [(u, v) for u, v in reduction.values.items() if u != v]
+    back = Stage("all unknowns", tuple(given))
+    known = merged(merged(reduction.stages, stages), [back])
+    everything = merged(known, trace_stages, reduction.unknowns)
     return Kernel(
         "solve",
         "Newton's method on the reduced equations.",

@@ -25,11 +25,9 @@ import sympy as sp
 from nonsmooth.derive.entire import EntireDifference, EntirePair
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.parameter import Parameter, is_positive
-from nonsmooth.derive.system import Configuration, SecondOrder, System
+from nonsmooth.derive.system import TIME, Configuration, SecondOrder, System
 
-__all__ = ["Flow", "Spectrum", "derive_flows"]
-
-TIME = sp.Symbol("t", real=True)
+__all__ = ["TIME", "Flow", "Spectrum", "derive_flows"]
 
 # function of time, row block, column block (or "1" for the offset), matrix
 _Term = tuple[sp.Expr, str, str, sp.Matrix]

@@ -11,7 +11,14 @@ import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Parameter", "is_positive"]
+__all__ = ["Parameter", "exact", "is_positive"]
+
+
+def exact(expression: Any) -> Any:
+    """A SymPy expression in which each float is the shortest decimal that it prints as."""
+    expression = sp.sympify(expression)
+    floats = expression.atoms(sp.Float)
+    return expression.xreplace({f: sp.Rational(repr(float(f))) for f in floats})
 
 
 @dataclass(frozen=True)
@@ -37,8 +44,8 @@ class Parameter:
     closed: bool = False
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "lower", sp.sympify(self.lower))
-        object.__setattr__(self, "upper", sp.sympify(self.upper))
+        object.__setattr__(self, "lower", exact(self.lower))
+        object.__setattr__(self, "upper", exact(self.upper))
         if not self.name.isidentifier() or iskeyword(self.name):
             raise DeclarationError(f"parameter name {self.name!r} is not an identifier")
         for end in (self.lower, self.upper):

@@ -155,9 +155,11 @@ def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ..
     return tuple(reversed(kept))
 
 
-def merged(first: Sequence[Stage], second: Sequence[Stage]) -> tuple[Stage, ...]:
-    """Both lists of stages, without assigning a symbol twice."""
-    known = {symbol for stage in first for symbol, _ in stage.assignments}
+def merged(
+    first: Sequence[Stage], second: Sequence[Stage], inputs: Iterable[sp.Symbol] = ()
+) -> tuple[Stage, ...]:
+    """Both lists of stages, without assigning a symbol twice, nor one of the inputs."""
+    known = {symbol for stage in first for symbol, _ in stage.assignments} | set(inputs)
     rest = [
         Stage(s.title, tuple((x, e) for x, e in s.assignments if x not in known)) for s in second
     ]

@@ -59,6 +59,8 @@ class Reduction:
     ----------
     rotation : int
         The reduction starts at this phase.
+    rank : int
+        Dimension of the section there, the smallest: no more multipliers differ from zero.
     unknowns : tuple of symbols
         What Newton's method works on.
     equations : tuple of (meaning, expression)
@@ -76,6 +78,7 @@ class Reduction:
     """
 
     rotation: int
+    rank: int
     unknowns: tuple[sp.Symbol, ...]
     equations: tuple[tuple[str, sp.Expr], ...]
     stages: tuple[Stage, ...]
@@ -100,8 +103,9 @@ class Reduction:
     def slope(self) -> tuple[tuple[Stage, ...], sp.Expr]:
         """Slope of the map in one variable, by the implicit function theorem.
 
-        The first unknown x stands for the coordinate q(x); the others follow from all
-        equations but the last, which is the closure q(image) = q(start).
+        The unknowns x follow the coordinate q(x) at the start along all equations but the
+        last, which is the closure q(image) = q(start); in general q depends on the first
+        unknown alone.
         """
         if self.start is None or self.image is None:
             raise ValueError("the reduction has no map in one variable")
@@ -110,9 +114,20 @@ class Reduction:
         seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
         more, moving = differentiate(base, seeds, self.rates)
         by = [derivative_of(self.image, moving[str(u)]) for u in self.unknowns]
-        start_rate = derivative_of(self.start, moving[str(self.unknowns[0])])
-        numerator = by[0]
+        rates = [derivative_of(self.start, moving[str(u)]) for u in self.unknowns]
+        start_rate, numerator = rates[0], by[0]
         followers = len(self.unknowns) - 1
+        if any(rates[1:]):
+            # the coordinate moves with several unknowns: the tangent t of the equations
+            # with (dq/dx) t = 1 carries it
+            rows = sp.Matrix.vstack(jacobian[:followers, :], sp.Matrix([rates]))
+            names = [f"equation{i}_by_{u}" for i in range(followers) for u in self.unknowns]
+            names += [f"start_by_{u}" for u in self.unknowns]
+            step, values = assign("derivatives of the equations and of the start", names, rows)
+            right = sp.Matrix([0] * followers + [1])
+            tangent = sp.Matrix(*rows.shape, values).LUsolve(right)
+            slope = sum((b * e for b, e in zip(by, tangent, strict=True)), sp.Integer(0))
+            return (*merged(stages, more), step), slope
         if followers:
             names = [f"equation{i}_by_{u}" for i in range(followers) for u in self.unknowns]
             step, values = assign("derivatives of the equations", names, jacobian[:followers, :])
@@ -148,6 +163,7 @@ def reduce_itinerary(
     values: dict[sp.Symbol, sp.Expr] = {}
     explicit_times: dict[sp.Symbol, sp.Expr] = {}
     rates: dict[tuple[sp.Symbol, str], sp.Expr] = {}
+    solved: list[Stage] = []
 
     for index, phase in enumerate(turned.phases):
         if (index + rotation) % count == 0:
@@ -163,6 +179,11 @@ def reduce_itinerary(
         explicit = _linear_time(coefficients) or _first_return(coefficients, dwell, constants)
         naming, functions = name_functions(flow, dwell)
         if explicit is not None:
+            # the dwell time depends on these: no later condition is linear in them
+            entering = set().union(*(sp.expand(c).free_symbols for c in coefficients.values()))
+            hidden = [q for q in unsolved if q in entering]
+            unsolved = [q for q in unsolved if q not in hidden]
+            unknowns += hidden
             functions = [explicit.functions.get(f, f.subs(TIME, dwell)) for f in flow.basis]
             stages += explicit.stages
             stages.append(Stage(f"{dwell}: {explicit.rule}", ((dwell, explicit.time),)))
@@ -185,11 +206,19 @@ def reduce_itinerary(
                 slope = sp.diff(condition, chosen)
                 solution = _canonical(-sp.expand(condition - slope * chosen) / slope, constants)
                 rule = f"linear in {phase.boundary}"
-                stages.append(Stage(f"{chosen}: {rule}", ((chosen, solution),)))
                 eliminations.append(Elimination(chosen, rule))
+                solved.append(Stage(f"{chosen}: {rule}", ((chosen, solution),)))
                 unsolved.remove(chosen)
+                if unsolved:  # the solution contains them: later conditions must see them
+                    step, after = _affine_in(unsolved, after.subs(chosen, solution), dwell)
+                    stages.append(step)
+        if not unsolved:
+            # each solution contains coordinates that were solved for after it
+            stages += reversed(solved)
+            solved = []
         if explicit is None and not unsolved:
-            names = [f"{s}_{(index + rotation) % count + 1}" for s in system.states]
+            # beyond the last phase the count goes on: the return is not the start
+            names = [f"{s}_{index + rotation + 1}" for s in system.states]
             step, named = assign(f"{phase.configuration} for {dwell}", names, after)
             stages.append(step)
             after = sp.Matrix(named)
@@ -201,6 +230,7 @@ def reduce_itinerary(
         transition = turned.transition_after(system, index)
         state = transition.reset_of(after, system.states)
 
+    stages += reversed(solved)
     unknowns = unsolved + unknowns
     images = [_canonical(state[place].subs(explicit_times), constants) for place in section.places]
     for coordinate, image in zip(coordinates, images, strict=True):
@@ -208,6 +238,7 @@ def reduce_itinerary(
     one = section.dimension == 1
     return Reduction(
         rotation,
+        section.dimension,
         tuple(unknowns),
         tuple(equations),
         prune(stages, [e for _, e in equations] + list(values.values())),
@@ -222,6 +253,22 @@ def reduce_itinerary(
 def _affine_value(gradient: tuple[sp.Matrix, sp.Expr], state: sp.Matrix) -> sp.Expr:
     row, constant = gradient
     return sp.expand((row * state)[0] + constant)
+
+
+def _affine_in(
+    coordinates: Sequence[sp.Symbol], state: sp.Matrix, dwell: sp.Symbol
+) -> tuple[Stage, sp.Matrix]:
+    """Name the coefficients of a state that is affine in some section coordinates."""
+    zero = dict.fromkeys(coordinates, 0)
+    parts = [(1, [e.subs(zero) for e in state])]
+    parts += [(q, [sp.diff(e, q) for e in state]) for q in coordinates]
+    names = [f"part{i}_of_{q}_{dwell}" for q, column in parts for i in range(len(column))]
+    expressions = [sp.factor_terms(e) for _, column in parts for e in column]
+    step, values = assign(f"state after {dwell}, affine in the section", names, expressions)
+    total, size = sp.zeros(state.rows, 1), state.rows
+    for k, (q, _) in enumerate(parts):
+        total += q * sp.Matrix(values[k * size : (k + 1) * size])
+    return step, total
 
 
 LINEAR, RETURN = "linear in time", "first return"
@@ -299,10 +346,19 @@ def _amplitude_identities(
 ) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr]]:
     """State symbols in terms of a and b, and a^2 = r^2 - b^2: the state shrinks to r."""
     states = sorted(set().union(*(e.free_symbols for e, _ in parts)) - constants, key=str)
-    (solution,) = sp.linsolve([e - s for e, s in parts], states) or [()]
+    solution = _linear_solution([e - s for e, s in parts], states)
     solved = {x: v for x, v in zip(states, solution, strict=True) if x != v}
     (_, a), (_, b) = parts
     return solved, {a**2: r**2 - b**2}
+
+
+def _linear_solution(
+    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
+) -> Sequence[sp.Expr]:
+    """Solution of linear equations; the unknowns themselves where there is none."""
+    if any(sp.diff(e, x, y) != 0 for e in equations for x in unknowns for y in unknowns):
+        return unknowns
+    return next(iter(sp.linsolve(equations, unknowns)), unknowns)
 
 
 def _canonical(expression: sp.Expr, constants: set[sp.Symbol]) -> sp.Expr:

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.parameter import Parameter, exact
 
 __all__ = [
     "Boundary",
@@ -25,6 +25,8 @@ __all__ = [
     "System",
     "Transition",
 ]
+
+TIME = sp.Symbol("t", real=True)
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ class Boundary:
     acts_when: str = "exceeded"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "function", sp.sympify(self.function))
+        object.__setattr__(self, "function", exact(self.function))
         if self.acts_when not in ("reached", "exceeded"):
             raise DeclarationError(
                 f"boundary {self.name!r}: acts_when is {self.acts_when!r},"
@@ -84,7 +86,7 @@ class SecondOrder:
         damping = (
             sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
         )
-        load = sp.Matrix(list(self.load)) if len(self.load) else sp.zeros(size, 1)
+        load = _column(self.load, size)
         if load.shape != (size, 1):
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
         if mass.det() == 0:
@@ -96,7 +98,7 @@ class SecondOrder:
             ("load", load),
         ):
             object.__setattr__(self, attribute, sp.ImmutableMatrix(value))
-        object.__setattr__(self, "held", sp.Dict(dict(self.held)))
+        object.__setattr__(self, "held", sp.Dict({s: exact(v) for s, v in self.held.items()}))
 
     def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
         """Indices of the held coordinates and their velocities."""
@@ -156,7 +158,7 @@ class FirstOrder:
 
     def __post_init__(self) -> None:
         matrix = _square(self.matrix, "matrix")
-        offset = sp.Matrix(list(self.offset)) if len(self.offset) else sp.zeros(matrix.rows, 1)
+        offset = _column(self.offset, matrix.rows)
         if offset.shape != (matrix.rows, 1):
             raise DeclarationError(
                 f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
@@ -212,7 +214,7 @@ class Condition:
     holds: bool = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "function", sp.sympify(self.function))
+        object.__setattr__(self, "function", exact(self.function))
 
 
 @dataclass(frozen=True)
@@ -240,7 +242,7 @@ class Transition:
     def __post_init__(self) -> None:
         object.__setattr__(self, "boundaries", frozenset(self.boundaries))
         object.__setattr__(self, "conditions", tuple(self.conditions))
-        object.__setattr__(self, "reset", sp.Dict(dict(self.reset)))
+        object.__setattr__(self, "reset", sp.Dict({s: exact(e) for s, e in self.reset.items()}))
 
     def reset_of(self, state: sp.Matrix, states: Sequence[sp.Symbol]) -> sp.Matrix:
         """State after the transition, for a column of expressions before it."""
@@ -286,10 +288,13 @@ class System:
     def __post_init__(self) -> None:
         for attribute in ("states", "parameters", "configurations", "transitions", "constraints"):
             object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
-        object.__setattr__(self, "constraints", tuple(map(sp.sympify, self.constraints)))
+        object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))
         _unique([str(s) for s in self.states], "state")
         _unique([p.name for p in self.parameters], "parameter")
-        _unique([*map(str, self.states), *(p.name for p in self.parameters)], "name")
+        names = [*map(str, self.states), *(p.name for p in self.parameters)]
+        _unique(names, "name")
+        if str(TIME) in names:
+            raise DeclarationError(f"the name {str(TIME)!r} is kept for the time")
         _unique([c.name for c in self.configurations], "configuration")
         for constraint in self.constraints:
             where = f"constraint {constraint} >= 0"
@@ -386,11 +391,16 @@ class System:
 
 
 def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
-    matrix = sp.Matrix(matrix)
+    matrix = sp.Matrix(matrix).applyfunc(exact)
     if matrix.rows != matrix.cols or (size is not None and matrix.rows != size):
         expected = "square" if size is None else f"{size} x {size}"
         raise DeclarationError(f"{what} is {matrix.rows} x {matrix.cols}, not {expected}")
     return matrix
+
+
+def _column(values: Any, size: int) -> sp.Matrix:
+    """Column of the values; zeros where none are given."""
+    return sp.Matrix([exact(v) for v in values]) if len(values) else sp.zeros(size, 1)
 
 
 def _unique(names: Sequence[str], what: str) -> None:

@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
+from nonsmooth.runtime.kernels import (
+    OrbitKernels,
+    ParameterTable,
+    load_orbit,
+    load_system,
+    orbit_names,
+    system_names,
+)
 from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.parameters import default_parameters
 from nonsmooth.runtime.values import decimal_string
 
-__all__ = ["admissibility_json", "orbit_json"]
+__all__ = ["admissibility_json", "orbit_json", "systems_json"]
 
 
 def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
@@ -68,6 +77,51 @@ def admissibility_json(orbit: Orbit) -> dict[str, Any]:
             for r in admissibility.requires
         ]
     return found
+
+
+def systems_json() -> dict[str, Any]:
+    """All systems and their orbits: what a user can give and what is solved for."""
+    orbits = [load_orbit(name) for name in orbit_names()]
+    systems = [load_system(name) for name in system_names()]
+    return {
+        "systems": [
+            {
+                "name": system.name,
+                "description": system.table["description"],
+                "configurations": list(system.configurations),
+                "parameters": [_parameter_json(p) for p in system.parameters],
+                "orbits": [_declared_json(o) for o in orbits if o.system.name == system.name],
+            }
+            for system in systems
+        ]
+    }
+
+
+def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
+    defaults = default_parameters(kernels)
+    tables = [*kernels.parameters, *kernels.open_parameters]
+    combining = {name for terms in kernels.combined.values() for name in terms}
+    combining -= {p.name for p in tables}
+    tables += [p for p in kernels.system.parameters if p.name in combining]
+    return {
+        "name": kernels.name,
+        "phases": [
+            {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
+            for configuration, boundary, dwell_time in kernels.table["phases"]
+        ],
+        "parameters": [_parameter_json(p) | {"default": defaults.get(p.name)} for p in tables],
+        "unknowns": list(kernels.unknowns),
+    }
+
+
+def _parameter_json(parameter: ParameterTable) -> dict[str, Any]:
+    return {
+        "name": parameter.name,
+        "description": parameter.description,
+        "lower": parameter.lower,
+        "upper": parameter.upper,
+        "closed": parameter.closed,
+    }
 
 
 def short(number: Any) -> str:

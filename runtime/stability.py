@@ -34,9 +34,9 @@ class Stability:
         Of the map on the section; by decreasing absolute value.
     trace : number
         Of the same Jacobian.
-    rank_one : bool
-        Whether all multipliers but one are exactly zero, because the map passes through a
-        section of dimension one: then |trace| < 1 decides.
+    rank : int
+        No more multipliers differ from zero, because the map passes through a section of
+        that dimension; with rank one |trace| < 1 decides.
     margin : number
         1 - the largest nontrivial |multiplier|; 1 - |trace| for rank one.
     verdict : {"stable", "unstable", "undecided"}
@@ -46,26 +46,28 @@ class Stability:
 
     multipliers: tuple[Multiplier, ...]
     trace: Any
-    rank_one: bool
+    rank: int
     margin: Any
     verdict: str
+
+    @property
+    def rank_one(self) -> bool:
+        """Whether the trace alone decides."""
+        return self.rank == 1
 
 
 def assess_stability(orbit: Orbit) -> Stability:
     """Multipliers of an orbit and what they mean, to the orbit's own digits."""
     zero = orbit.arithmetic.mp.zero if orbit.precise else 0.0
     trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
-    if orbit.kernels.table["rank_one"]:
-        others = len(orbit.kernels.table["section"]) - 1
-        found = [Multiplier(trace, zero)] + [Multiplier(zero, zero)] * others
-        largest = abs(trace)
-    else:
-        found = _eigenvalues(orbit)
-        largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
+    rank, dimension = orbit.kernels.table["rank"], len(orbit.kernels.table["section"])
+    nonzero = [Multiplier(trace, zero)] if rank == 1 else _eigenvalues(orbit)[:rank]
+    found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
+    largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
     margin = 1 - largest
     uncertain = abs(margin) <= 10.0 ** -(orbit.digits - 2)
     verdict = "undecided" if uncertain else "stable" if margin > 0 else "unstable"
-    return Stability(tuple(found), trace, orbit.kernels.table["rank_one"], margin, verdict)
+    return Stability(tuple(found), trace, rank, margin, verdict)
 
 
 def _eigenvalues(orbit: Orbit) -> list[Multiplier]:

@@ -1,0 +1,116 @@
+"""Compiled admissibility test: guaranteed maxima of all boundary functions of all phases."""
+
+from __future__ import annotations
+
+from string import Template
+
+import sympy as sp
+
+from nonsmooth.derive.codegen.c import print_c
+from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.equations import EquationSystem
+
+__all__ = ["admissible_prototype", "admissible_source"]
+
+_ADMISSIBLE = Template("""\
+/* Is each of `count` orbits a motion of the real system?
+ * Takes parameters ($p) and unknowns ($n) for each, row by row. Gives the least values of the
+ * open parameters ($open) under which it is; the row of the boundary that is crossed inside
+ * a phase (-1 none, -2 a dwell time is not positive, -3 data that are not finite), by how
+ * much, and how long after the start of the phase. */
+$prototype
+{
+    static const int sums[] = {$sums}, terms[] = {$terms}, dwell[] = {$dwell};
+    static const int opened[] = {$opened};
+    static const double per_unit[] = {$per_unit};
+    for (ptrdiff_t point = 0; point < count; ++point) {
+        const double *const p = parameters + $p * point, *const u = unknowns + $n * point;
+        const double q[$nq] = {$spectral_parameters};
+        double spectral[$ns], derivatives[$nd], coefficients[$nc], frequencies[$nf];
+        $spectrum(q, spectral, derivatives);
+        $functions(p, spectral, u, coefficients, frequencies);
+        double least[$open_size], most = 0.0, when = 0.0;
+        int found = -1, row = 0;
+        const double *coefficient = coefficients, *frequency = frequencies;
+        for (int i = 0; i < $open_count; ++i)
+            least[i] = 0.0;
+        for (int phase = 0; phase < $phases && found == -1; ++phase) {
+            const double duration = u[dwell[phase]];
+            const int length = 2 + 2 * terms[phase];
+            double floor[$most_sums], maximum[$most_sums], time[$most_sums];
+            if (!(duration > 0.0))
+                found = duration <= 0.0 ? -2 : -3;
+            for (int i = 0; i < sums[phase]; ++i)
+                floor[i] = opened[row + i] < 0
+                    ? nonsmooth_rounding(terms[phase], frequency, coefficient + i * length,
+                                         duration)
+                    : least[opened[row + i]] * per_unit[row + i];
+            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
+                             maximum, time);
+            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+                if (!(maximum[i] >= floor[i])) {
+                    found = -3;
+                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
+                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
+                } else if (maximum[i] > floor[i]) {
+                    found = row + i;
+                    most = maximum[i];
+                    when = time[i];
+                }
+            }
+            row += sums[phase];
+            coefficient += sums[phase] * length;
+            frequency += terms[phase];
+        }
+        for (int i = 0; i < $open_count; ++i)
+            bounds[$open_count * point + i] = least[i];
+        boundary[point] = found;
+        excess[point] = most;
+        instant[point] = when;
+    }
+}""")
+
+
+def admissible_prototype(orbit: EquationSystem) -> str:
+    """Declaration of the compiled admissibility test, without the semicolon."""
+    name = c_function(orbit.system.name, "admissible", orbit.itinerary.name)
+    return (
+        f"void {name}(\n    ptrdiff_t count, const double *parameters, const double *unknowns,"
+        " double *bounds,\n    int32_t *boundary, double *excess, double *instant)"
+    )
+
+
+def admissible_source(orbit: EquationSystem) -> str:
+    """Definition of the compiled admissibility test of an orbit."""
+    functions, spectrum = orbit.boundary_functions, orbit.spectrum
+    sums = [sum(b.phase == k for b in functions) for k in range(len(orbit.chain.links))]
+    terms = [len(w) for w in orbit.frequencies]
+    opened = [
+        -1 if b.open_parameter is None else orbit.open_parameters.index(b.open_parameter)
+        for b in functions
+    ]
+    return _ADMISSIBLE.substitute(
+        p=len(orbit.parameters),
+        n=len(orbit.unknowns),
+        open=", ".join(map(str, orbit.open_parameters)) or "none",
+        prototype=admissible_prototype(orbit),
+        phases=len(sums),
+        sums=", ".join(map(str, sums)),
+        terms=", ".join(map(str, terms)),
+        dwell=", ".join(str(orbit.unknowns.index(link.dwell)) for link in orbit.chain.links),
+        opened=", ".join(map(str, opened)),
+        per_unit=", ".join(print_c(sp.Float(-b.open_coefficient)) for b in functions),
+        ns=len(spectrum.symbols),
+        nd=max(len(spectrum.symbols) * len(spectrum.parameters), 1),
+        nc=sum(len(b.coefficients) for b in functions),
+        nf=max(sum(terms), 1),
+        nq=len(spectrum.parameters),
+        spectral_parameters=", ".join(
+            f"p[{orbit.parameters.index(q)}]" for q in spectrum.parameters
+        ),
+        open_count=len(orbit.open_parameters),
+        open_size=max(len(orbit.open_parameters), 1),
+        most_sums=max(sums),
+        spectrum=c_function(orbit.system.name, "spectrum", None),
+        functions=c_function(orbit.system.name, "boundary_functions", orbit.itinerary.name),
+    )

@@ -1,0 +1,146 @@
+"""Kernels as Python functions whose mathematics comes from an argument.
+
+The emitted functions take ``lib`` with ``sin``, ``cos``, ``sqrt``, ``angle``, ``rational``
+(and the entire functions where a flow needs them); one source serves NumPy arrays, mpmath
+and ball arithmetic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.str import StrPrinter
+
+from nonsmooth.derive.codegen.body import body_of
+from nonsmooth.derive.codegen.naming import python_function
+from nonsmooth.derive.program import Argument, Kernel, Output
+
+__all__ = ["print_python", "python_kernel", "shape_text"]
+
+
+class _Printer(StrPrinter):
+    """Python expressions over ``lib``; integers stay integers, other rationals are exact."""
+
+    def _print_Rational(self, expr: sp.Rational) -> str:
+        return f"lib.rational({expr.p}, {expr.q})"
+
+    def _print_Half(self, expr: sp.Expr) -> str:
+        return "lib.rational(1, 2)"
+
+    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
+        exponent = expr.exp
+        base = self.parenthesize(expr.base, PRECEDENCE["Pow"])
+        if (2 * exponent).is_Integer and not exponent.is_Integer:
+            exponent = 2 * exponent
+            # not every arithmetic has roots of plain integers
+            radicand = (
+                f"lib.rational({base}, 1)" if expr.base.is_Integer else self._print(expr.base)
+            )
+            base = f"lib.sqrt({radicand})"
+        if not exponent.is_Integer:
+            raise ValueError(f"no kernel for the power {expr}")
+        power = base if abs(exponent) == 1 else f"{base}**{abs(exponent)}"
+        return power if exponent > 0 else f"1/{power}"
+
+    def _print_sin(self, expr: sp.Expr) -> str:
+        return f"lib.sin({self._print(expr.args[0])})"
+
+    def _print_cos(self, expr: sp.Expr) -> str:
+        return f"lib.cos({self._print(expr.args[0])})"
+
+    def _print_Angle(self, expr: sp.Expr) -> str:
+        return f"lib.angle({self.stringify(expr.args, ', ')})"
+
+    def _print_EntireDifference(self, expr: sp.Expr) -> str:
+        return f"lib.entire_difference({self.stringify(expr.args, ', ')})"
+
+    def _print_EntirePair(self, expr: sp.Expr) -> str:
+        return f"lib.entire_pair({self.stringify(expr.args, ', ')})"
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        raise ValueError(f"no kernel for the function {type(expr).__name__}")
+
+
+def print_python(expression: sp.Expr) -> str:
+    """An expression as Python source over ``lib``."""
+    return str(_Printer().doprint(expression))
+
+
+def shape_text(array: Argument | Output) -> str:
+    """Name and shape, as docstrings give them."""
+    return f"{array.name} ({', '.join(map(str, array.shape))})" if array.shape else array.name
+
+
+def python_kernel(kernel: Kernel, orbit: str | None) -> str:
+    """Source of one function."""
+    body = body_of(kernel)
+    name = python_function(kernel.name, orbit)
+    arguments = ", ".join(a.name for a in kernel.arguments)
+    lines = [f"def {name}({arguments}, lib):"]
+    lines.append(f'    """{kernel.title}')
+    lines.append("")
+    for argument in kernel.arguments:
+        symbols = f": {', '.join(map(str, argument.symbols))}" if argument.shape else ""
+        lines += _wrap(f"Takes {shape_text(argument)}{symbols}.")
+    for output in kernel.outputs:
+        lines.append(f"    Gives {shape_text(output)}.")
+    lines.append(f"    Operations: {body.operations}. Intermediate terms: {len(body.lines)}.")
+    lines.append('    """')
+    used = set().union(
+        *(line.expression.free_symbols for line in body.lines),
+        *(e.free_symbols for output in body.outputs for e in output),
+    )
+    for argument in kernel.arguments:
+        lines += _unpack(argument, used)
+    for line in body.lines:
+        if line.title:
+            lines.append(f"    # {line.title}")
+        lines.append(f"    {line.symbol} = {print_python(line.expression)}")
+    results = [
+        _pack(output, expressions)
+        for output, expressions in zip(kernel.outputs, body.outputs, strict=True)
+    ]
+    if len(results) == 1:
+        lines.append(f"    return {results[0]}")
+    else:
+        lines.append("    return (")
+        lines += [f"        {result}," for result in results]
+        lines.append("    )")
+    return "\n".join(lines)
+
+
+def _unpack(argument: Argument, used: set[sp.Symbol]) -> list[str]:
+    if not argument.shape:
+        symbol = str(argument.symbols[0])
+        return [f"    {symbol} = {argument.name}"] if symbol != argument.name else []
+    if not set(argument.symbols) & used:
+        return []
+    names = [str(s) if s in used else "_" for s in argument.symbols]
+    if len(argument.shape) == 1:
+        return [f"    [{', '.join(names)}] = {argument.name}"]
+    columns = argument.shape[1]
+    rows = [f"[{', '.join(names[i : i + columns])}]" for i in range(0, len(names), columns)]
+    return [f"    [{', '.join(rows)}] = {argument.name}"]
+
+
+def _pack(output: Output, expressions: Sequence[sp.Expr]) -> str:
+    printed = [print_python(e) for e in expressions]
+    if not output.shape:
+        return printed[0]
+    if len(output.shape) == 1:
+        return f"[{', '.join(printed)}]"
+    count, columns = output.shape
+    rows = [printed[i * columns : (i + 1) * columns] for i in range(count)]
+    return "[" + ", ".join(f"[{', '.join(row)}]" for row in rows) + "]"
+
+
+def _wrap(text: str, width: int = 92) -> list[str]:
+    words, lines, line = text.split(" "), [], "   "
+    for word in words:
+        if len(line) + 1 + len(word) > width:
+            lines.append(line)
+            line = "       "
+        line += " " + word
+    return [*lines, line]

@@ -1,0 +1,183 @@
+"""Bodies of emitted functions: stages with common subexpressions eliminated, once, here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from nonsmooth.derive.codegen.naming import RESERVED
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.program import Kernel
+
+__all__ = ["Body", "Line", "body_of", "hoisted", "needed", "split"]
+
+
+@dataclass(frozen=True)
+class Line:
+    """One assignment, with the stage's title where a new stage begins."""
+
+    symbol: sp.Symbol
+    expression: sp.Expr
+    title: str | None = None
+
+
+@dataclass(frozen=True)
+class Body:
+    """Lines in order of evaluation, output expressions, and how much work they are."""
+
+    lines: tuple[Line, ...]
+    outputs: tuple[tuple[sp.Expr, ...], ...]
+
+    @property
+    def operations(self) -> int:
+        """Number of arithmetic operations and function calls."""
+        expressions = [line.expression for line in self.lines] + [
+            e for output in self.outputs for e in output
+        ]
+        return int(sum(sp.count_ops(e) for e in expressions))
+
+
+def body_of(kernel: Kernel) -> Body:
+    """Eliminate the common subexpressions of a kernel.
+
+    The symbols of the stages stay; each common term is assigned right before its first use.
+    """
+    symbols = [s for stage in kernel.stages for s, _ in stage.assignments]
+    right = [e for stage in kernel.stages for _, e in stage.assignments]
+    results = [e for output in kernel.outputs for e in output.expressions]
+    taken = _checked_names(kernel, [*right, *results])
+    fresh = (s for s in sp.numbered_symbols("t", real=True) if s.name not in taken)
+    # a flat list: SymPy loses common subexpressions of nested ones
+    common, reduced = sp.cse([*right, *results], symbols=fresh, order="none", list=True)
+    negatives = {s: e for s, e in common if (-e).is_Symbol}
+    definitions = {s: e.xreplace(negatives) for s, e in common if s not in negatives}
+    reduced = [e.xreplace(negatives) for e in reduced]
+    renamed: dict[sp.Symbol, sp.Symbol] = {}
+    lines: list[Line] = []
+    done: set[sp.Symbol] = set()
+
+    def require(expression: sp.Expr) -> sp.Expr:
+        for symbol in sorted(expression.free_symbols, key=_by_number):
+            if symbol in definitions and symbol not in done:
+                definition = require(definitions[symbol])
+                done.add(symbol)
+                lines.append(Line(symbol, definition))
+        return expression.xreplace(renamed)
+
+    def name(symbol: sp.Symbol, expression: sp.Expr) -> None:
+        if expression in definitions and expression not in done:
+            # the common term gets the stage's own name instead of a second one
+            definition = require(definitions[expression])
+            done.add(expression)
+            renamed[expression] = symbol
+            lines.append(Line(symbol, definition))
+        else:
+            value = require(expression)
+            lines.append(Line(symbol, value))
+
+    position = 0
+    for stage in kernel.stages:
+        begin = len(lines)
+        for _ in stage.assignments:
+            name(symbols[position], reduced[position])
+            position += 1
+        lines[begin] = Line(lines[begin].symbol, lines[begin].expression, stage.title)
+    outputs = []
+    begin = len(lines)
+    for output in kernel.outputs:
+        size = len(output.expressions)
+        outputs.append(tuple(require(e) for e in reduced[position : position + size]))
+        position += size
+    if len(lines) > begin:
+        lines[begin] = Line(lines[begin].symbol, lines[begin].expression, "outputs")
+    return Body(tuple(lines), tuple(outputs))
+
+
+def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
+    """Names of the symbols of a kernel, each of which must be defined and mean one thing."""
+    given = [s for argument in kernel.arguments for s in argument.symbols]
+    defined = {*given, *(s for stage in kernel.stages for s, _ in stage.assignments)}
+    arrays = {a.name for a in kernel.arguments if a.shape}
+    arrays |= {o.name for o in kernel.outputs if o.shape}
+    owners: dict[str, sp.Symbol] = {}
+    for symbol in sorted(defined, key=str):
+        name = symbol.name
+        if owners.setdefault(name, symbol) != symbol or name in arrays | RESERVED:
+            raise DerivationError(f"kernel {kernel.name!r}: the name {name!r} is taken; rename it")
+    for expression in expressions:
+        # kernels without arguments are the inner parts of others
+        if unknown := sorted(expression.free_symbols - defined, key=str) if given else []:
+            raise DerivationError(f"kernel {kernel.name!r}: {unknown[0]} has no value")
+        if atoms := expression.atoms(sp.NumberSymbol, sp.core.numbers.ImaginaryUnit) | (
+            expression.atoms(sp.zoo, sp.nan, sp.oo, -sp.oo)
+        ):
+            raise DerivationError(f"kernel {kernel.name!r}: no kernel holds {atoms.pop()}")
+    return {*owners, *(s.name for e in expressions for s in e.free_symbols)}
+
+
+def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[Line, ...]]:
+    """Lines that depend on the given inputs alone, and the rest, both in order."""
+    known = set(inputs)
+    fixed, moving = [], []
+    for line in body.lines:
+        if line.expression.free_symbols <= known:
+            known.add(line.symbol)
+            fixed.append(line)
+        else:
+            moving.append(line)
+    return tuple(fixed), tuple(moving)
+
+
+def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
+    """The body with every part that depends on the given inputs alone on a line of its own."""
+    fixed, _ = split(body, inputs)
+    known = inputs | {line.symbol for line in fixed}
+    found: dict[sp.Expr, sp.Symbol] = {}
+    lines: list[Line] = []
+    lefts, rights = {line.symbol for line in body.lines}, [line.expression for line in body.lines]
+    taken = {s.name for s in inputs.union(lefts, *(e.free_symbols for e in rights))}
+    fresh = (s for s in sp.numbered_symbols("h", real=True) if s.name not in taken)
+
+    def name(part: sp.Expr) -> sp.Expr:
+        if part.is_Atom or not part.free_symbols:
+            return part
+        if part not in found:
+            found[part] = next(fresh)
+            lines.append(Line(found[part], part))
+        return found[part]
+
+    def hoist(expression: sp.Expr) -> sp.Expr:
+        if expression.free_symbols <= known:
+            return name(expression)
+        if expression.is_Atom:
+            return expression
+        if expression.is_Add or expression.is_Mul:
+            constant = [a for a in expression.args if a.free_symbols <= known]
+            moving = [hoist(a) for a in expression.args if not a.free_symbols <= known]
+            return expression.func(name(expression.func(*constant)), *moving)
+        return expression.func(*(hoist(a) for a in expression.args))
+
+    for line in body.lines:
+        moves = not line.expression.free_symbols <= known
+        value = hoist(line.expression) if moves else line.expression
+        lines.append(Line(line.symbol, value, line.title))
+    outputs = tuple(tuple(hoist(e) for e in output) for output in body.outputs)
+    return Body(tuple(lines), outputs)
+
+
+def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line, ...]:
+    """The lines without those that the expressions do not need."""
+    wanted: set[sp.Symbol] = set().union(*(e.free_symbols for e in expressions))
+    kept = []
+    for line in reversed(lines):
+        if line.symbol in wanted:
+            wanted |= line.expression.free_symbols
+            kept.append(line)
+    return tuple(reversed(kept))
+
+
+def _by_number(symbol: sp.Symbol) -> tuple[int, str]:
+    digits = str(symbol)[1:]
+    return (int(digits) if digits.isdigit() else -1, str(symbol))

@@ -1,0 +1,238 @@
+"""The sections of a document that concern a system: declaration, configurations, flows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from nonsmooth.derive.codegen.blocks import Block, Formula, Line, Paragraph, Table
+from nonsmooth.derive.codegen.flows import flow_blocks
+from nonsmooth.derive.codegen.symbols import Notation
+from nonsmooth.derive.codegen.wording import Naming, enumeration
+from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.modal import Flow, Spectrum
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.system import Configuration, FirstOrder, SecondOrder
+
+__all__ = [
+    "Naming",
+    "configuration_section",
+    "enumeration",
+    "modal_section",
+    "system_section",
+]
+
+
+def system_section(naming: Naming, itinerary: Itinerary | None) -> list[Block]:
+    """Name, states, parameters, and the coordinates of the presentation."""
+    system = itinerary.system if itinerary else naming.system
+    size = len(system.states) // 2
+    text = f"The system is *{system.name}*: {naming.notation.prose(system.description)}."
+    if naming.second_order:
+        plural = "" if size == 1 else "s"
+        velocities = enumeration(
+            [
+                f"${naming.notation.symbol(v)} = {naming.notation.symbol(x)}'$"
+                for x, v in zip(system.states[:size], system.states[size:], strict=True)
+            ]
+        )
+        text += (
+            f" Its state consists of the position{plural} {naming.list(system.states[:size])} and"
+            f" the velocit{'y' if size == 1 else 'ies'} {velocities}, a prime being the derivative"
+            " by time."
+        )
+    else:
+        text += f" Its state is {naming.list(system.states)}."
+    parameters = list(system.parameters)
+    blocks: list[Block] = [Paragraph(text)]
+    presentation = itinerary.presentation if itinerary else None
+    if presentation:
+        parameters += presentation.parameters
+    blocks.append(
+        Table(
+            ("Parameter", "Meaning", "Domain"),
+            tuple(
+                (
+                    f"${naming.notation.symbol(p.symbol)}$",
+                    naming.notation.prose(p.description),
+                    f"${_domain(p, naming.notation)}$",
+                )
+                for p in parameters
+            ),
+            wrapped=1,
+        )
+    )
+    constraints = [c for c in naming.system.constraints if not c.is_nonnegative]
+    if constraints:
+        notation = naming.notation
+        relations = [rf"${notation.latex(notation.tidy(c))} \ge 0$" for c in constraints]
+        blocks.append(Paragraph(f"The parameters obey {enumeration(relations)}."))
+    if presentation:
+        moved = [
+            naming.equal(new, old - origin, tidy=False)
+            for new, old, origin in zip(
+                presentation.states, system.states, presentation.origin, strict=True
+            )
+            if new != old
+        ]
+        if moved:
+            blocks += [
+                Paragraph("The equations are written in the shifted coordinates"),
+                Formula(tuple(moved)),
+            ]
+        substituted = tuple(naming.equal(s, e) for s, e in presentation.substitution.items())
+        if substituted:
+            blocks += [
+                Paragraph(
+                    "with the substitution"
+                    if moved
+                    else "The equations are written with the substitution"
+                ),
+                Formula(substituted),
+            ]
+    return blocks
+
+
+def _domain(parameter: Parameter, notation: Notation) -> str:
+    name = notation.symbol(parameter.symbol)
+    above, below = (r"\ge", r"\le") if parameter.closed else (">", "<")
+    lower, upper = sp.sympify(parameter.lower), sp.sympify(parameter.upper)
+    if lower.is_infinite and upper.is_infinite:
+        return rf"{name} \in \mathbb{{R}}"
+    if lower.is_infinite:
+        return f"{name} < {notation.latex(upper)}"
+    if upper.is_infinite:
+        return f"{name} {above} {notation.latex(lower)}"
+    return f"{notation.latex(lower)} {below} {name} < {notation.latex(upper)}"
+
+
+def configuration_section(
+    naming: Naming, names: Sequence[str], remarks: Mapping[str, str]
+) -> list[Block]:
+    """Equations of motion of the named configurations, and their boundaries."""
+    system, notation = naming.system, naming.notation
+    chosen = [system.configuration(name) for name in names]
+    blocks: list[Block] = []
+    second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
+    if second:
+        x = naming.letter
+        damped = any(not sp.Matrix(d.damping).is_zero_matrix for d in second)
+        damping = f" + C {x}'" if damped else ""
+        law = f"$M {x}''{damping} + K {x} = q$"
+        blocks.append(
+            Paragraph(
+                f"In every configuration the motion is linear, {law}, and a coordinate that is"
+                " held keeps its velocity: its row gives the reaction. The matrices are"
+            )
+        )
+        blocks += _matrices(second, naming, damped)
+        blocks.append(
+            Paragraph(
+                "Solved for the accelerations, with the rows of the held coordinates set to"
+                " zero, the equations of motion are as follows."
+            )
+        )
+    for configuration in chosen:
+        remark = remarks.get(configuration.name, "")
+        blocks.append(Paragraph(f"*{configuration.name}*{remark}:"))
+        blocks.append(_motion(configuration, naming))
+    blocks.append(
+        Paragraph(
+            "A configuration is left where one of its boundary functions, negative inside,"
+            " rises through zero."
+        )
+    )
+    rows = [
+        (
+            f"*{configuration.name}*" if position == 0 else "",
+            f"*{boundary.name}*",
+            f"${notation.latex(notation.tidy(boundary.function))} < 0$",
+            boundary.acts_when,
+        )
+        for configuration in chosen
+        for position, boundary in enumerate(configuration.boundaries)
+    ]
+    blocks.append(Table(("Configuration", "Boundary", "Inside", "Acts when"), tuple(rows)))
+    return blocks
+
+
+def _matrices(motions: Sequence[SecondOrder], naming: Naming, damped: bool) -> list[Block]:
+    """M, C and K: once where all configurations share them, otherwise each that occurs."""
+    shown: list[tuple[str, sp.Matrix]] = []
+    attributes = [("M", "mass"), *([("C", "damping")] if damped else []), ("K", "stiffness")]
+    for letter, attribute in attributes:
+        different = list(dict.fromkeys(getattr(d, attribute) for d in motions))
+        for index, matrix in enumerate(different, start=1):
+            shown.append((letter if len(different) == 1 else f"{letter}_{{{index}}}", matrix))
+    pieces: list[str] = []
+    for position, (name, matrix) in enumerate(shown):
+        end = "." if position == len(shown) - 1 else r",\qquad"
+        pieces.append(f"{name} = {naming.notation.latex(matrix)}{end}")
+    return [Formula((Line("", "", tuple(pieces)),))]
+
+
+def _motion(configuration: Configuration, naming: Naming) -> Formula:
+    """Write the equations of motion in matrix form."""
+    notation, dynamics, states = naming.notation, configuration.dynamics, naming.system.states
+    matrix, offset = dynamics.field(states)
+    matrix, offset = matrix.applyfunc(sp.cancel), offset.applyfunc(sp.cancel)
+    if isinstance(dynamics, FirstOrder):
+        pieces = [f"{notation.latex(matrix)} {naming.state}"]
+        if not offset.is_zero_matrix:
+            pieces.append(f"+ {notation.latex(offset)}")
+        return Formula((Line(f"{naming.state}'", "=", tuple(pieces)),))
+    x, size = naming.letter, dynamics.mass.rows
+    stiffness, damping = -matrix[size:, :size], -matrix[size:, size:]
+    left = f"{x}''"
+    if not damping.is_zero_matrix:
+        left += f" + {notation.latex(damping)} {x}'"
+    if not stiffness.is_zero_matrix:
+        left += f" + {notation.latex(stiffness)} {x}"
+    load = offset[size:, :]
+    right = "0" if load.is_zero_matrix else notation.latex(load.applyfunc(notation.tidy))
+    held = [
+        rf"{notation.symbol(states[i])}' = {notation.latex(v)}"
+        for i, v in sorted(dynamics.held_at(states).items())
+    ]
+    return Formula((Line(left, "=", (r",\quad ".join([right, *held]),)),))
+
+
+def modal_section(
+    naming: Naming, spectrum: Spectrum, flows: Mapping[str, Flow], names: Sequence[str]
+) -> tuple[list[Block], dict[str, int]]:
+    """Spectrum and flows of the named configurations, and the number of each one's flow."""
+    used = [flows[name] for name in names]
+    blocks: list[Block] = []
+    entries = _entries(spectrum, used)
+    if entries:
+        blocks += [
+            Paragraph(
+                "All that needs a root of the parameters is the spectrum, evaluated once for"
+                " each set of parameters:"
+            ),
+            Formula(tuple(naming.equal(s, e) for s, e in entries)),
+        ]
+    needed = {s for f in used for g in f.basis for s in g.free_symbols}
+    for group, matrix in spectrum.eigenvalues:
+        if needed & set(group):
+            blocks += [
+                Paragraph(f"{naming.list(group)} are the eigenvalues of the matrix"),
+                Formula((Line("", "", (naming.notation.latex(matrix),)),)),
+            ]
+    more, numbers = flow_blocks(naming.notation, naming.state, used, naming.second_order)
+    return blocks + more, numbers
+
+
+def _entries(spectrum: Spectrum, flows: Sequence[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:
+    """Select the spectral entries that the flows need, directly or through others."""
+    needed: set[sp.Symbol] = set()
+    for flow in flows:
+        for part in (*flow.basis, *flow.matrices, *flow.offsets):
+            needed |= part.free_symbols
+    kept = []
+    for symbol, expression in reversed(spectrum.entries):
+        if symbol in needed:
+            needed |= expression.free_symbols
+            kept.append((symbol, expression))
+    return kept[::-1]

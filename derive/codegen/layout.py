@@ -1,0 +1,117 @@
+"""Widths of formulas, and where their lines break."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Protocol
+
+__all__ = ["LINE_WIDTH", "rows", "width"]
+
+# em of the text block that the LaTeX preamble sets, less the room of an equation number
+LINE_WIDTH = 42.0
+
+_TOKEN = re.compile(r"\\(?:begin|end)\{\w+\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_SIGNS = {"+", "-", "=", "<", ">"}
+_SPACES = {r"\,": 0.17, r"\;": 0.28, r"\quad": 1.0, r"\qquad": 2.0, r"\!": -0.17}
+_FUNCTIONS = {r"\cos": 1.6, r"\sin": 1.5}
+_TRANSPARENT = {r"\left", r"\right", r"\biggl", r"\biggr", r"\mathrm", r"\mathsf", r"\text"}
+_TRANSPARENT |= {r"\operatorname", r"\bar", r"\hat", r"\displaystyle"}
+
+
+class _Line(Protocol):
+    @property
+    def left(self) -> str: ...
+
+    @property
+    def relation(self) -> str: ...
+
+    @property
+    def pieces(self) -> tuple[str, ...]: ...
+
+
+def width(latex: str) -> float:
+    """Approximate width of a formula in em of its font."""
+    tokens = [t for t in _TOKEN.findall(latex) if not t.isspace()]
+    return _sequence(iter(tokens))
+
+
+def _sequence(tokens: Iterator[str]) -> float:
+    """Width up to the end or the brace that closes the group."""
+    total, scripts = 0.0, 0.0
+    for token in tokens:
+        if token in "_^":
+            # an index below and one above stand over each other
+            script = 0.7 * _argument(tokens)
+            total += max(0.0, script - scripts)
+            scripts = max(script, scripts)
+            continue
+        scripts = 0.0
+        if token == "}":
+            break
+        if token == "{":
+            total += _sequence(tokens)
+        elif token == r"\frac":
+            total += max(_argument(tokens), _argument(tokens)) + 0.25
+        elif token == r"\sqrt":
+            total += _argument(tokens) + 0.9
+        elif token.startswith(r"\begin"):
+            total += _matrix(tokens)
+        elif token not in _TRANSPARENT:
+            total += _single(token)
+    return total
+
+
+def _argument(tokens: Iterator[str]) -> float:
+    token = next(tokens)
+    return _sequence(tokens) if token == "{" else _single(token)
+
+
+def _matrix(tokens: Iterator[str]) -> float:
+    """Width of a matrix: of its widest entries, with the gaps between the columns."""
+    columns, column, depth, entry = [0.0], 0, 0, ""
+    for token in tokens:
+        if token.startswith(r"\end"):
+            depth -= 1
+        elif token.startswith(r"\begin"):
+            depth += 1
+        if depth == 0 and token in ("&", r"\\"):
+            columns[column] = max(columns[column], width(entry))
+            column, entry = (column + 1 if token == "&" else 0), ""
+            if column == len(columns):
+                columns.append(0.0)
+        elif depth < 0:
+            columns[column] = max(columns[column], width(entry))
+            break
+        else:
+            entry += f" {token}"
+    return sum(columns) + 1.0 * (len(columns) - 1) + 0.4
+
+
+def _single(token: str) -> float:
+    if token in _SIGNS:
+        return 1.25
+    if token in _SPACES:
+        return _SPACES[token]
+    if token in _FUNCTIONS:
+        return _FUNCTIONS[token]
+    if token in "()[]|.,;:":
+        return 0.45
+    return 0.64 if token.startswith("\\") else 0.54
+
+
+def rows(lines: Sequence[_Line], limit: float = LINE_WIDTH) -> list[tuple[str, str]]:
+    """Left column and right column of every row, lines broken so that none is too wide."""
+    indent = max((width(line.left) for line in lines), default=0.0)
+    found = []
+    for line in lines:
+        left, text, used = line.left, line.relation, width(line.relation)
+        empty = True
+        for piece in line.pieces:
+            needed = width(piece)
+            if not empty and indent + used + needed > limit:
+                found.append((left, text))
+                left, text, used = "", r"\qquad{}", 2.0
+            text, used, empty = f"{text} {piece}", used + needed, False
+        found.append((left, text))
+    return found

@@ -1,0 +1,40 @@
+"""Every name that appears in emitted files."""
+
+from __future__ import annotations
+
+import keyword
+
+__all__ = ["RESERVED", "c_function", "constant", "identifier", "module_file", "python_function"]
+
+_C_KEYWORDS = """
+auto break case char const continue default do double else enum extern float for goto if
+inline int long register restrict return short signed sizeof static struct switch typedef
+union unsigned void volatile while
+"""
+# names that no symbol of a kernel can have, in Python or in C
+RESERVED = frozenset({"lib", *keyword.kwlist, *_C_KEYWORDS.split()})
+
+
+def identifier(name: str) -> str:
+    """A declared name (with hyphens) as an identifier."""
+    return name.replace("-", "_")
+
+
+def python_function(kernel: str, orbit: str | None) -> str:
+    """Function of a generated Python module: `kernel`, or `orbit_kernel`."""
+    return identifier(kernel if orbit is None else f"{orbit}_{kernel}")
+
+
+def c_function(system: str, kernel: str, orbit: str | None) -> str:
+    """Function of a generated C file; the system's name keeps several files apart."""
+    return f"{identifier(system)}_{python_function(kernel, orbit)}"
+
+
+def module_file(system: str, suffix: str) -> str:
+    """File of a system with the given suffix."""
+    return f"{identifier(system)}{suffix}"
+
+
+def constant(system: str, name: str) -> str:
+    """Macro of a generated C header."""
+    return f"{identifier(system)}_{name}".upper()

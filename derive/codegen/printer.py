@@ -1,0 +1,199 @@
+"""Expressions as LaTeX, in the order of terms and factors that a person would choose."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+
+from nonsmooth.derive.codegen.layout import width
+from nonsmooth.derive.reduction import Angle
+
+if TYPE_CHECKING:
+    from nonsmooth.derive.codegen.symbols import Notation
+
+__all__ = ["Printer"]
+
+
+class Printer(LatexPrinter):
+    """SymPy's printer with the order of terms and factors that a person would choose."""
+
+    WIDEST = 34.0
+
+    def __init__(self, notation: Notation) -> None:
+        super().__init__({"mat_str": "matrix", "mat_delim": "("})
+        self.notation = notation
+
+    def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
+        return self.notation.symbol(symbol)
+
+    def _print_Add(self, expression: sp.Add, order: Any = None) -> str:
+        return " ".join(self.summands(expression))
+
+    def _print_Mul(self, expression: sp.Mul) -> str:
+        sign, text = self.term(expression)
+        return f"- {text}" if sign < 0 else text
+
+    def _print_Pow(self, expression: sp.Pow) -> str:
+        if expression.exp.is_Rational and expression.exp.is_negative:
+            return self._print_Mul(expression)
+        if expression.exp == sp.Rational(1, 2):
+            base = expression.base
+            return rf"\sqrt{{{self._print(sp.together(base) if base.is_Add else base)}}}"
+        return str(super()._print_Pow(expression))
+
+    def _print_cos(self, expression: sp.Expr, exp: str | None = None) -> str:
+        return self.trigonometric("cos", expression.args[0], exp)
+
+    def _print_sin(self, expression: sp.Expr, exp: str | None = None) -> str:
+        return self.trigonometric("sin", expression.args[0], exp)
+
+    def _print_Angle(self, expression: sp.Expr) -> str:
+        sine, cosine = (self._print(a) for a in expression.args)
+        return rf"\operatorname{{arg}}\left({cosine} + \mathrm{{i}} {sine}\right)"
+
+    def _print_EntireDifference(self, expression: sp.Expr) -> str:
+        order, time, *nodes = (self._print(a) for a in expression.args)
+        return rf"c_{{{order}}}\left[{', '.join(nodes)}\right]\left({time}\right)"
+
+    def _print_EntirePair(self, expression: sp.Expr) -> str:
+        order, level, part, *rest = expression.args
+        time, mean, spread = (self._print(a) for a in rest)
+        index = f"{order}" if level == 0 else f"{order},{level}"
+        accent = "hat" if part == 1 else "bar"
+        return rf"\{accent}{{c}}_{{{index}}}\left({time}; {mean}, {spread}\right)"
+
+    def trigonometric(self, name: str, argument: sp.Expr, exponent: str | None) -> str:
+        """Cosine or sine, without brackets around a product of symbols."""
+        text = self._print(argument)
+        plain = all(a.is_Symbol or a.is_Integer for a in sp.Mul.make_args(argument))
+        head = rf"\{name}^{{{exponent}}}" if exponent else rf"\{name}"
+        return f"{head} {text}" if plain else rf"{head}\left({text}\right)"
+
+    def ordered(self, expression: sp.Expr) -> list[tuple[sp.Expr, str]]:
+        """Terms of a sum in the order of reading, each with its LaTeX and sign."""
+        terms = [(self.rank(a), *self.term(a), a) for a in sp.Add.make_args(expression)]
+        terms.sort(key=lambda item: (*item[0][:2], item[1] < 0, item[0][2:]))
+        if terms[0][1] < 0 and not any(f.is_Add for f in sp.Mul.make_args(terms[0][3])):
+            # a short sum begins with a positive term if it has one
+            first = next((t for t in terms if t[1] > 0), terms[0])
+            terms.remove(first)
+            terms.insert(0, first)
+        return [
+            (term, f"- {text}" if sign < 0 else f"+ {text}" if position else text)
+            for position, (_, sign, text, term) in enumerate(terms)
+        ]
+
+    def summands(self, expression: sp.Expr) -> list[str]:
+        """LaTeX of the terms of a sum in the order of reading."""
+        return [text for _, text in self.ordered(expression)]
+
+    def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
+        """Terms of a sum; a term that is too wide is cut inside its own sum."""
+        found: list[str] = []
+        for term, text in self.ordered(expression):
+            sums = [f for f in sp.Mul.make_args(term) if f.is_Add]
+            if width(text) <= self.WIDEST or not sums:
+                found.append(text)
+                continue
+            inner = max(sums, key=lambda s: len(s.args))
+            sign, outer = self.term(sp.Mul(*(f for f in sp.Mul.make_args(term) if f is not inner)))
+            head = "- " if sign < 0 else "+ " if found else ""
+            first, *rest = self.summands(inner)
+            found.append(rf"{head}{'' if outer == '1' else outer} \biggl({first}")
+            found += rest
+            found[-1] += r"\biggr)"
+        return tuple(found)
+
+    def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
+        """Place of a term in a sum: states in order, what moves, constants; numbers first."""
+        symbols = sorted(term.free_symbols, key=str)
+        notation = self.notation
+        states = [s for s in symbols if notation.is_state(s)]
+        if states:
+            return 0, min(notation.place(s) for s in states), 0, str(term)
+        if any(s not in notation.constants for s in symbols):
+            return 1, 0, int(not term.is_Symbol), str(term)
+        places = [notation.constants.index(s) + 1 for s in symbols]
+        return 2, min(places, default=0), 0, str(term)
+
+    def term(self, term: sp.Expr) -> tuple[int, str]:
+        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive."""
+        number, rest = term.as_coeff_Mul()
+        sign = -1 if number.is_negative else 1
+        factors = list(sp.Mul.make_args(rest))
+        roots = [f for f in factors if f.is_Pow and f.exp == sp.Rational(1, 2)]
+        scale = sp.Integer(1)
+        if number.is_Rational and any(f.base.is_number for f in roots):
+            scale, number = number**2, sp.Integer(sign)
+        above, below = [abs(number).p, abs(number).q] if number.is_Rational else [abs(number), 1]
+        above, below = [sp.sympify(above)], [sp.sympify(below)]
+        for factor in (f for f in factors if f not in roots):
+            base, exponent = factor.as_base_exp()
+            if base.is_Add and exponent.is_Integer and exponent % 2 and self.looks_negative(base):
+                base, sign = -base, -sign
+            if exponent.is_Rational and exponent < 0:
+                below.append(base**-exponent)
+            else:
+                above.append(base**exponent)
+        if roots:
+            radicand = sp.together(sp.Mul(*(f.base for f in roots)))
+            if scale != 1:
+                radicand = sp.Mul(scale, radicand, evaluate=False)
+            above.append(sp.Pow(radicand, sp.Rational(1, 2), evaluate=False))
+        if sign < 0:
+            turned = next((i for i, f in enumerate(above) if self.turnable(f)), None)
+            if turned is not None:
+                above[turned], sign = -above[turned], 1
+        above = [f for f in above if f != 1]
+        below = [f for f in below if f != 1]
+        if not below:
+            return sign, self.product(above) or "1"
+        outside = [f for f in above if isinstance(f, Angle)]
+        sums = [f for f in above if f.is_Add]
+        beside_function = any(self.place(f)[0] == 5 for f in above)
+        nested = any(r"\frac" in self._print(f) for f in sums)
+        if nested or (len(above) > len(sums) and not beside_function):
+            outside += sums
+        inside = [f for f in above if f not in outside]
+        text = rf"\frac{{{self.product(inside) or '1'}}}{{{self.product(below)}}}"
+        return sign, " ".join(filter(None, (text, self.product(outside, alone=False))))
+
+    def looks_negative(self, expression: sp.Add) -> bool:
+        """Whether a sum reads better turned: its number, or every term of it, is negative."""
+        number = expression.as_coeff_Add()[0]
+        if number != 0:
+            return bool(number.is_negative)
+        return all(self.term(a)[0] < 0 for a in expression.args)
+
+    def turnable(self, factor: sp.Expr) -> bool:
+        """Whether a sum can take up a minus sign in front of it."""
+        if not factor.is_Add or factor.as_coeff_Add()[0] != 0:
+            return False
+        return any(self.term(a)[0] < 0 for a in factor.args)
+
+    def product(self, factors: Sequence[sp.Expr], *, alone: bool = True) -> str:
+        """Factors side by side: constants, states, sums, and functions last."""
+        ordered = sorted(factors, key=self.place)
+        bare = alone and len(ordered) == 1
+        return " ".join(
+            rf"\left({self._print(f)}\right)" if f.is_Add and not bare else self._print(f)
+            for f in ordered
+        )
+
+    def place(self, factor: sp.Expr) -> tuple[int, str]:
+        """Place of a factor in a product."""
+        base = factor.as_base_exp()[0]
+        if base.is_number:
+            return 0, str(factor)
+        if base.is_Add:
+            return 3, str(factor)
+        if base.is_Function or self.notation.is_function(base):
+            return 5, str(factor)
+        if "_by_" in str(base):
+            return 4, str(factor)
+        if base in self.notation.constants:
+            return 1, str(factor)
+        return 2, str(factor)

@@ -1,0 +1,138 @@
+"""Make the files of generated/ again, or check that they are what the derivation gives."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import sympy as sp
+
+from nonsmooth.derive.codegen.emit import PROVENANCE, EmittedSystem, emit_package, emit_system
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.systems import SYSTEMS, declaration
+
+__all__ = ["Check", "check", "emit_systems", "find_generated", "regenerate"]
+
+
+@dataclass(frozen=True)
+class Check:
+    """What differs between the files that exist and those the derivation gives."""
+
+    differences: tuple[str, ...]
+
+    @property
+    def same(self) -> bool:
+        """Whether nothing differs."""
+        return not self.differences
+
+
+def find_generated() -> Path:
+    """Folder generated/ of the checkout that this code runs from.
+
+    Raises
+    ------
+    DerivationError
+        If it does not run from a checkout.
+    """
+    # in an editable install this file is a link into the checkout
+    root = Path(__file__).resolve().parents[2]
+    project = root / "pyproject.toml"
+    if project.is_file() and 'name = "nonsmooth"' in project.read_text(encoding="utf-8"):
+        return root / "generated"
+    raise DerivationError("this is not a checkout of nonsmooth: say where to write with --out DIR")
+
+
+def emit_systems(
+    names: Sequence[str], progress: Callable[[str], None] = lambda step: None
+) -> list[EmittedSystem]:
+    """Derive and emit the built-in systems of those names."""
+    emitted = []
+    for name in names:
+        module = declaration(name)
+        emitted.append(emit_system(module.system, module.orbits, module.__name__, progress))
+    return emitted
+
+
+def regenerate(
+    folder: Path | None = None,
+    system: str | None = None,
+    progress: Callable[[str], None] = lambda step: None,
+) -> list[Path]:
+    """Write the files again and return those that changed.
+
+    Parameters
+    ----------
+    folder : Path, optional
+        Where to write; generated/ of the checkout when omitted.
+    system : str, optional
+        Only this system. Into another folder it goes alone; in the checkout its files and
+        the shared ones are written.
+    progress : callable
+        Told the name of each step when it begins.
+    """
+    files = _wanted(folder, system, progress)
+    target = find_generated() if folder is None else folder
+    target.mkdir(parents=True, exist_ok=True)
+    changed = []
+    for name, text in files.items():
+        path = target / name
+        if not path.is_file() or path.read_bytes() != text.encode():
+            path.write_bytes(text.encode())
+            changed.append(path)
+    return changed
+
+
+def check(
+    folder: Path | None = None,
+    system: str | None = None,
+    progress: Callable[[str], None] = lambda step: None,
+) -> Check:
+    """Compare the files with what the derivation gives now; nothing is written.
+
+    Raises
+    ------
+    DerivationError
+        If the files were made under another SymPy, whose output may differ for no fault.
+    """
+    target = find_generated() if folder is None else folder
+    made_with = _sympy_of(target / PROVENANCE)
+    if made_with != sp.__version__:
+        raise DerivationError(
+            f"{PROVENANCE} is of SymPy {made_with}, this is SymPy {sp.__version__}:"
+            f' compare under the former (pip install "sympy=={made_with}")'
+        )
+    differences = []
+    for name, text in _wanted(folder, system, progress).items():
+        path = target / name
+        if not path.is_file():
+            differences.append(f"{name}: missing")
+        elif (found := path.read_text(encoding="utf-8", errors="replace")) != text:
+            lines = difflib.unified_diff(
+                found.splitlines(), text.splitlines(), f"{name} (found)", f"{name} (derived)", n=1
+            )
+            differences.append("\n".join(list(lines)[:40]))
+    return Check(tuple(differences))
+
+
+def _wanted(
+    folder: Path | None, system: str | None, progress: Callable[[str], None]
+) -> dict[str, str]:
+    if system is not None and folder is not None:
+        return emit_package(emit_systems([system], progress))
+    emitted = emit_systems(list(SYSTEMS), progress)
+    files = emit_package(emitted)
+    others = [e for e in emitted if system is not None and e.name != system]
+    skipped = {file for other in others for file in other.files}
+    return {name: text for name, text in files.items() if name not in skipped}
+
+
+def _sympy_of(provenance: Path) -> str:
+    try:
+        return str(json.loads(provenance.read_text(encoding="utf-8"))["sympy"])
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise DerivationError(
+            f"{provenance} cannot be read: regenerate without --check writes it again"
+        ) from error

@@ -1,0 +1,221 @@
+"""Compiled Newton's method on the reduced equations, for many points side by side.
+
+Points are taken in blocks of lanes; within a block every statement runs over all lanes, so
+that a compiler vectorises it. A lane that has converged is frozen: no point's result
+depends on its neighbours, on the block it falls into or on the number of threads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from string import Template
+
+import sympy as sp
+
+from nonsmooth.derive.codegen.body import Line, body_of, hoisted, needed, split
+from nonsmooth.derive.codegen.c import line_sources, print_c
+from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.kernels import reduced_equations
+
+__all__ = ["MOST_REDUCED", "solve_prototype", "solve_source"]
+
+MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
+TOLERANCE = "1e-9"  # of the last step: Newton's method squares it
+
+_SOLVE = Template("""\
+/* Newton's method on the reduced equations for `count` points.
+ * Takes parameters ($p) and guess ($m: $names) for each point, row by row; gives unknowns
+ * ($n), the trace, the largest reduced residual, iterations and a status for each point.
+ * In one step a dwell time changes by a factor of four at most; a point has converged when
+ * a whole step is below $tolerance max(1, |x|).
+ * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive. */
+NONSMOOTH_MULTIVERSION
+$prototype
+{
+    enum { lanes = 8, most = 32 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[$p][lanes], x[$m][lanes], fixed[$fixed][lanes];
+        double taken[lanes], open[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < $p; ++i)
+                parameter[i][lane] = parameters[$p * point + i];
+            for (int i = 0; i < $m; ++i)
+                x[i][lane] = guess[$m * point + i];
+            taken[lane] = 0.0;
+            open[lane] = 1.0;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+$prelude
+        }
+        for (int iteration = 0; iteration < most; ++iteration) {
+            double running = 0.0;
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+$step
+            }
+            for (int lane = 0; lane < lanes; ++lane)
+                running += open[lane];
+            if (running == 0.0)
+                break;
+        }
+        double result[$n][lanes], slope[lanes], defect[lanes];
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+$finish
+        }
+        for (int lane = 0; lane < here; ++lane) {
+            const ptrdiff_t point = start + lane;
+            int sound = isfinite(slope[lane]) != 0;
+            for (int i = 0; i < $n; ++i) {
+                unknowns[$n * point + i] = result[i][lane];
+                sound &= isfinite(result[i][lane]) != 0;
+            }
+            trace[point] = slope[lane];
+            residual[point] = defect[lane];
+            iterations[point] = (int32_t)taken[lane];
+            status[point] = !sound ? 2 : open[lane] != 0.0 ? 1 : $negative ? 3 : 0;
+        }
+    }
+}""")
+
+
+def solve_prototype(orbit: EquationSystem) -> str:
+    """Declaration of the compiled solver, without the semicolon."""
+    name = c_function(orbit.system.name, "solve", orbit.itinerary.name)
+    return (
+        f"void {name}(\n    ptrdiff_t count, const double *parameters, const double *guess,"
+        " double *unknowns,\n    double *trace, double *residual, int32_t *iterations,"
+        " int32_t *status)"
+    )
+
+
+def solve_source(orbit: EquationSystem) -> str:
+    """Definition of the compiled solver of an orbit."""
+    body = body_of(reduced_equations(orbit))
+    residual, jacobian, values, (trace,) = body.outputs
+    unknowns = orbit.reduction.unknowns
+    spectrum = [Line(symbol, expression) for symbol, expression in orbit.spectrum.entries]
+    inputs = set(orbit.parameters) | set(orbit.spectrum.symbols)
+    fixed, moving = split(hoisted(body, inputs), inputs)
+    step = needed(moving, (*residual, *jacobian))
+    finish = needed(moving, (*residual, *values, trace))
+    used = _inputs(step, (*residual, *jacobian)) | _inputs(finish, (*residual, *values, trace))
+    prelude = needed((*spectrum, *fixed), used)
+    carried = [line.symbol for line in prelude if line.symbol in used]
+
+    def load(lines: Sequence[Line], results: Iterable[sp.Expr], indent: str) -> list[str]:
+        wanted = _inputs(lines, results)
+        arrays = (("parameter", orbit.parameters), ("fixed", carried), ("x", unknowns))
+        return [
+            f"{indent}const double {symbol} = {array}[{i}][lane];"
+            for array, symbols in arrays
+            for i, symbol in enumerate(symbols)
+            if symbol in wanted and not (array == "fixed" and lines is prelude)
+        ]
+
+    outer, inner = " " * 12, " " * 16
+    dwell = [orbit.unknowns.index(link.dwell) for link in orbit.chain.links]
+    return _SOLVE.substitute(
+        p=len(orbit.parameters),
+        m=len(unknowns),
+        n=len(orbit.unknowns),
+        names=", ".join(map(str, unknowns)),
+        tolerance=TOLERANCE,
+        prototype=solve_prototype(orbit),
+        fixed=max(len(carried), 1),
+        prelude="\n".join(
+            [
+                *load(prelude, (), outer),
+                *line_sources(prelude, outer),
+                *(f"{outer}fixed[{i}][lane] = {s};" for i, s in enumerate(carried)),
+            ]
+        ),
+        step="\n".join(
+            [
+                *load(step, (*residual, *jacobian), inner),
+                *_lane_sources(step, inner),
+                *_newton(orbit, residual, jacobian, inner),
+            ]
+        ),
+        finish="\n".join(
+            [
+                *load(finish, (*residual, *values, trace), outer),
+                *_lane_sources(finish, outer),
+                *(f"{outer}result[{i}][lane] = {print_c(v)};" for i, v in enumerate(values)),
+                f"{outer}slope[lane] = {print_c(trace)};",
+                f"{outer}double largest = 0.0;",
+                *(
+                    f"{outer}largest = fabs({print_c(r)}) > largest ? fabs({print_c(r)}) : largest;"
+                    for r in residual
+                ),
+                f"{outer}defect[lane] = largest;",
+            ]
+        ),
+        negative="(" + " || ".join(f"result[{i}][lane] <= 0.0" for i in dwell) + ")",
+    )
+
+
+def _inputs(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:
+    """Symbols that lines and results use without assigning them."""
+    used: set[sp.Symbol] = set().union(
+        *(e.free_symbols for e in results), *(line.expression.free_symbols for line in lines)
+    )
+    return used - {line.symbol for line in lines}
+
+
+def _lane_sources(lines: Sequence[Line], indent: str) -> list[str]:
+    """Assignments with sines and cosines from the support header, which vectorise."""
+    sources: list[str] = []
+    pairs: dict[sp.Expr, int] = {}
+    for line in lines:
+        if not isinstance(line.expression, sp.sin | sp.cos):
+            sources += line_sources([line], indent)
+            continue
+        argument = line.expression.args[0]
+        if argument not in pairs:
+            pair = pairs[argument] = len(pairs)
+            sources.append(f"{indent}double sine_{pair}, cosine_{pair};")
+            call = f"nonsmooth_sincos({print_c(argument)}, &sine_{pair}, &cosine_{pair});"
+            sources.append(f"{indent}{call}")
+        part = "sine" if isinstance(line.expression, sp.sin) else "cosine"
+        sources.append(f"{indent}const double {line.symbol} = {part}_{pairs[argument]};")
+    return sources
+
+
+def _newton(
+    orbit: EquationSystem, residual: Sequence[sp.Expr], jacobian: Sequence[sp.Expr], indent: str
+) -> list[str]:
+    """One damped step of a lane, by Cramer's rule; a closed lane keeps its values."""
+    unknowns = orbit.reduction.unknowns
+    size = len(unknowns)
+    r = sp.symbols(f"residual_0:{size}", real=True)
+    j = sp.symbols(f"jacobian_0:{size * size}", real=True)
+    matrix = sp.Matrix(size, size, j)
+    numerators = matrix.adjugate() * sp.Matrix(r)
+    dwell_times = {link.dwell for link in orbit.chain.links}
+    lines = [
+        f"const double {s} = {print_c(e)};"
+        for s, e in zip((*r, *j), (*residual, *jacobian), strict=True)
+    ]
+    lines.append(f"const double inverse = {print_c(1 / sp.expand(matrix.det()))};")
+    for i, x in enumerate(unknowns):
+        lines.append(f"const double wanted_{i} = {x} - ({print_c(numerators[i])})*inverse;")
+        limited = (
+            f"wanted_{i} < 0.25*{x} ? 0.25*{x} : wanted_{i} > 4.0*{x} ? 4.0*{x} : wanted_{i}"
+            if x in dwell_times
+            else f"wanted_{i}"
+        )
+        lines.append(f"const double next_{i} = {limited};")
+        lines.append(f"const double size_{i} = fabs(next_{i}) > 1.0 ? fabs(next_{i}) : 1.0;")
+    # & and not &&: a branch would keep the loop from being vectorised
+    small = " & ".join(
+        f"(fabs(wanted_{i} - {x}) <= {TOLERANCE}*size_{i})" for i, x in enumerate(unknowns)
+    )
+    lines += [f"x[{i}][lane] = open[lane] != 0.0 ? next_{i} : {x};" for i, x in enumerate(unknowns)]
+    lines.append("taken[lane] += open[lane];")
+    lines.append(f"open[lane] = {small} ? 0.0 : open[lane];")
+    return [indent + line for line in lines]

@@ -1,0 +1,119 @@
+"""Tables of a system beside its kernels: names, domains, orbits, all as plain literals."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pprint import pformat
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.codegen.naming import python_function
+from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.itinerary import Presentation
+from nonsmooth.derive.modal import Spectrum
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.program import Kernel
+from nonsmooth.derive.system import System
+
+__all__ = ["orbit_table", "system_table", "system_tables"]
+
+
+def system_tables(
+    system: System,
+    spectrum: Spectrum,
+    orbits: Sequence[EquationSystem],
+    kernels: Sequence[tuple[Kernel, str | None]],
+) -> str:
+    """Python source of the tables SYSTEM, ORBITS and KERNELS (core shapes in and out)."""
+    shapes = {
+        python_function(k.name, orbit): (
+            [a.shape for a in k.arguments],
+            [o.shape for o in k.outputs],
+        )
+        for k, orbit in kernels
+    }
+    table = system_table(system, spectrum)
+    orbit_tables = {orbit.itinerary.name: orbit_table(orbit) for orbit in orbits}
+    return "\n\n".join(
+        f"{name} = {pformat(value, width=96, sort_dicts=False)}"
+        for name, value in (("SYSTEM", table), ("ORBITS", orbit_tables), ("KERNELS", shapes))
+    )
+
+
+def system_table(system: System, spectrum: Spectrum) -> dict[str, Any]:
+    """Configurations, transitions, parameters with domains, spectrum."""
+    return {
+        "name": system.name,
+        "description": system.description,
+        "states": [str(s) for s in system.states],
+        "parameters": [_parameter(p) for p in system.parameters],
+        "constraints": [{"text": f"{c} >= 0", "terms": _linear(c)} for c in system.constraints],
+        "configurations": {
+            c.name: [{"name": b.name, "acts_when": b.acts_when} for b in c.boundaries]
+            for c in system.configurations
+        },
+        "transitions": [(t.source, sorted(t.boundaries), t.target) for t in system.transitions],
+        "spectrum": [str(s) for s in spectrum.symbols],
+        "spectrum_parameters": [str(s) for s in spectrum.parameters],
+    }
+
+
+def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
+    """Everything that a runtime has to know of an orbit beside its kernels."""
+    itinerary, reduction = orbit.itinerary, orbit.reduction
+    by_name = {p.name: p for p in orbit.system.parameters}
+    presentation, reference = itinerary.presentation, itinerary.reference
+    return {
+        "phases": [(p.configuration, p.boundary, p.dwell_time) for p in itinerary.phases],
+        "states": [str(s) for s in orbit.system.states],
+        "parameters": [_parameter(by_name[str(s)]) for s in orbit.parameters],
+        "open_parameters": [_parameter(by_name[str(s)]) for s in orbit.open_parameters],
+        "combined": _combined(presentation) if presentation else {},
+        "unknowns": [str(u) for u in orbit.unknowns],
+        "dwell_times": [str(link.dwell) for link in orbit.chain.links],
+        "equations": [meaning for meaning, _ in orbit.equations],
+        "reduced": [str(u) for u in reduction.unknowns],
+        "eliminated": {str(e.unknown): e.rule for e in reduction.eliminations},
+        "rank": reduction.rank,
+        "section": [str(q) for q in orbit.chain.section.coordinates],
+        "terms": [len(w) for w in orbit.frequencies],
+        "boundaries": [
+            (
+                b.phase,
+                b.boundary,
+                None if b.open_parameter is None else str(b.open_parameter),
+                float(b.open_coefficient),
+            )
+            for b in orbit.boundary_functions
+        ],
+        "reference": {
+            "parameters": dict(reference.parameters),
+            "guess": dict(reference.guess),
+        }
+        if reference
+        else None,
+    }
+
+
+def _parameter(parameter: Parameter) -> dict[str, Any]:
+    return {
+        "name": parameter.name,
+        "description": parameter.description,
+        "lower": None if parameter.lower == -sp.oo else str(parameter.lower),
+        "upper": None if parameter.upper == sp.oo else str(parameter.upper),
+        "closed": parameter.closed,
+    }
+
+
+def _combined(presentation: Presentation) -> dict[str, dict[str, int]]:
+    """New parameters as sums of multiples of the system's: e = ur - us."""
+    rules = [sp.Eq(old, new) for old, new in presentation.substitution.items()]
+    symbols = [p.symbol for p in presentation.parameters]
+    solution = sp.solve(rules, symbols, dict=True)[0] if rules else {}
+    return {str(s): _linear(solution[s]) for s in symbols}
+
+
+def _linear(expression: sp.Expr) -> dict[str, int]:
+    terms = sp.expand(expression).as_coefficients_dict()
+    return {str(symbol): int(factor) for symbol, factor in terms.items()}
