@@ -15,7 +15,8 @@ Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of t
 `equations`      EquationSystem, the frozen record handed to every emitter
 `appendix`       the source paper's own route to the global stick orbit
 `kernels`        what is emitted for a system and an orbit
-`codegen`        the emitters: Python, C, ufuncs, documents
+`document`       the derivation written down: LaTeX, Markdown, HTML, PDF
+`codegen`        the emitters: Python, C, ufuncs
 ===============  ==============================================================
 
 The public names below are imported when they are first used.

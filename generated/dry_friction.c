@@ -2612,6 +2612,13 @@ void dry_friction_global_stick_admissible(
         double spectral[7], derivatives[14], coefficients[44], frequencies[4];
         dry_friction_spectrum(q, spectral, derivatives);
         dry_friction_global_stick_boundary_functions(p, spectral, u, coefficients, frequencies);
+        /* the coefficients are differences of the data and carry their rounding */
+        double noise = 0.0;
+        for (int i = 0; i < 5; ++i)
+            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        for (int i = 0; i < 6; ++i)
+            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
+        noise *= 32.0 * DBL_EPSILON;
         double least[2], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
@@ -2625,8 +2632,8 @@ void dry_friction_global_stick_admissible(
                 found = duration <= 0.0 ? -2 : -3;
             for (int i = 0; i < sums[phase]; ++i)
                 floor[i] = opened[row + i] < 0
-                    ? nonsmooth_rounding(terms[phase], frequency, coefficient + i * length,
-                                         duration)
+                    ? noise + nonsmooth_rounding(terms[phase], frequency,
+                                                 coefficient + i * length, duration)
                     : least[opened[row + i]] * per_unit[row + i];
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);

@@ -16,8 +16,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.codegen.describe_orbit import functions_of
-from nonsmooth.derive.codegen.document import (
+from nonsmooth.derive.document.describe import (
     Document,
     Formula,
     Line,
@@ -25,15 +24,12 @@ from nonsmooth.derive.codegen.document import (
     describe_orbit,
     describe_system,
 )
-from nonsmooth.derive.codegen.latex import (
-    LatexMissing,
-    compile_pdf,
-    to_html,
-    to_latex,
-    to_markdown,
-)
-from nonsmooth.derive.codegen.layout import width
-from nonsmooth.derive.codegen.symbols import Notation
+from nonsmooth.derive.document.describe_orbit import functions_of
+from nonsmooth.derive.document.hypertext import to_html
+from nonsmooth.derive.document.latex import LatexMissing, compile_pdf, to_latex
+from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.markdown import to_markdown
+from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.equations import EquationSystem, derive_equations
 from nonsmooth.derive.itinerary import Itinerary, Phase
 from nonsmooth.derive.parameter import Parameter
@@ -88,8 +84,9 @@ def elsewhere() -> Iterator[subprocess.Popen[bytes]]:
     """Another process, with other hashes, that writes the orbit while the tests run."""
     program = (
         "import sys\n"
-        "from nonsmooth.derive.codegen.document import describe_orbit as d\n"
-        "from nonsmooth.derive.codegen.latex import to_latex, to_markdown\n"
+        "from nonsmooth.derive.document.describe import describe_orbit as d\n"
+        "from nonsmooth.derive.document.latex import to_latex\n"
+        "from nonsmooth.derive.document.markdown import to_markdown\n"
         "from nonsmooth.derive.equations import derive_equations as e\n"
         "from nonsmooth.derive.systems.dry_friction import global_stick as g\n"
         "o = d(e(g)); sys.stdout.buffer.write((to_latex(o) + to_markdown(o)).encode())"

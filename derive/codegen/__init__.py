@@ -1,4 +1,4 @@
-"""Emitters: kernels as any-arithmetic Python, C99, NumPy ufuncs and LaTeX.
+"""Emitters: kernels as any-arithmetic Python, C99 and NumPy ufuncs.
 
 naming          every emitted name
 body            common subexpressions, eliminated once
@@ -6,6 +6,8 @@ any_arithmetic  Python over any arithmetic, and the tables of a system
 c               C99 functions and their header
 solver          Newton's method on the reduced equations, compiled over lanes of points
 gufunc          NumPy generalized ufuncs around the C functions
-document        the derivation as a document: LaTeX, Markdown, HTML, PDF
-emit            the files of one system
+admissibility   the compiled admissibility test
+tables          names and domains as literals beside the kernels
+emit            the files of one system, and of the package
+regenerate      write them, or check them against the derivation
 """

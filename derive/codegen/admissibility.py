@@ -29,6 +29,13 @@ $prototype
         double spectral[$ns], derivatives[$nd], coefficients[$nc], frequencies[$nf];
         $spectrum(q, spectral, derivatives);
         $functions(p, spectral, u, coefficients, frequencies);
+        /* the coefficients are differences of the data and carry their rounding */
+        double noise = 0.0;
+        for (int i = 0; i < $p; ++i)
+            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        for (int i = 0; i < $n; ++i)
+            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
+        noise *= 32.0 * DBL_EPSILON;
         double least[$open_size], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
@@ -42,8 +49,8 @@ $prototype
                 found = duration <= 0.0 ? -2 : -3;
             for (int i = 0; i < sums[phase]; ++i)
                 floor[i] = opened[row + i] < 0
-                    ? nonsmooth_rounding(terms[phase], frequency, coefficient + i * length,
-                                         duration)
+                    ? noise + nonsmooth_rounding(terms[phase], frequency,
+                                                 coefficient + i * length, duration)
                     : least[opened[row + i]] * per_unit[row + i];
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);

@@ -83,7 +83,8 @@ def body_of(kernel: Kernel) -> Body:
         for _ in stage.assignments:
             name(symbols[position], reduced[position])
             position += 1
-        lines[begin] = Line(lines[begin].symbol, lines[begin].expression, stage.title)
+        if len(lines) > begin:
+            lines[begin] = Line(lines[begin].symbol, lines[begin].expression, stage.title)
     outputs = []
     begin = len(lines)
     for output in kernel.outputs:
@@ -108,7 +109,8 @@ def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
             raise DerivationError(f"kernel {kernel.name!r}: the name {name!r} is taken; rename it")
     for expression in expressions:
         # kernels without arguments are the inner parts of others
-        if unknown := sorted(expression.free_symbols - defined, key=str) if given else []:
+        unknown = sorted(expression.free_symbols - defined, key=str)
+        if unknown and kernel.arguments:
             raise DerivationError(f"kernel {kernel.name!r}: {unknown[0]} has no value")
         if atoms := expression.atoms(sp.NumberSymbol, sp.core.numbers.ImaginaryUnit) | (
             expression.atoms(sp.zoo, sp.nan, sp.oo, -sp.oo)

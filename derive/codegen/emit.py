@@ -22,6 +22,8 @@ from nonsmooth.derive.codegen.gufunc import (
 from nonsmooth.derive.codegen.naming import constant, module_file
 from nonsmooth.derive.codegen.solver import solve_prototype, solve_source
 from nonsmooth.derive.codegen.tables import system_tables
+from nonsmooth.derive.document.describe import describe_orbit, describe_system
+from nonsmooth.derive.document.markdown import to_markdown
 from nonsmooth.derive.equations import EquationSystem, derive_equations
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.kernels import flow_kernels, orbit_kernels, spectrum_kernel
@@ -213,9 +215,6 @@ def _c_file(
 
 
 def _markdown_file(stamp: _Stamp, system: System, orbits: Sequence[EquationSystem]) -> str:
-    from nonsmooth.derive.codegen.document import describe_orbit, describe_system
-    from nonsmooth.derive.codegen.latex import to_markdown
-
     documents = [describe_system(system), *(describe_orbit(orbit) for orbit in orbits)]
     comment = "\n".join(["<!--", *stamp.lines, "-->"])
     return comment + "\n\n" + "\n\n".join(to_markdown(document) for document in documents) + "\n"

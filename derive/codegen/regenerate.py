@@ -111,7 +111,12 @@ def check(
             differences.append(f"{name}: missing")
         elif (found := path.read_text(encoding="utf-8", errors="replace")) != text:
             lines = difflib.unified_diff(
-                found.splitlines(), text.splitlines(), f"{name} (found)", f"{name} (derived)", n=1
+                found.splitlines(),
+                text.splitlines(),
+                f"{name} (found)",
+                f"{name} (derived)",
+                n=1,
+                lineterm="",
             )
             differences.append("\n".join(list(lines)[:40]))
     return Check(tuple(differences))

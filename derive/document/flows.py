@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.blocks import Block, Formula, Line, Paragraph
-from nonsmooth.derive.codegen.layout import width
-from nonsmooth.derive.codegen.symbols import Notation
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
+from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.entire import EntireDifference, EntirePair
 from nonsmooth.derive.modal import Flow
 

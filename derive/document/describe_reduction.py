@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.blocks import Block, Formula, Line, Paragraph, Table
-from nonsmooth.derive.codegen.wording import Naming, count, enumeration, numbered
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
+from nonsmooth.derive.document.wording import Naming, count, enumeration, numbered
 from nonsmooth.derive.equations import EquationSystem
 from nonsmooth.derive.program import Stage
 from nonsmooth.derive.reduction import LINEAR, RETURN, Elimination

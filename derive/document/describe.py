@@ -7,7 +7,7 @@ kernels compute, and keeps that expression beside its LaTeX.
 
 from __future__ import annotations
 
-from nonsmooth.derive.codegen.blocks import (
+from nonsmooth.derive.document.blocks import (
     Block,
     Document,
     Formula,
@@ -16,22 +16,22 @@ from nonsmooth.derive.codegen.blocks import (
     Paragraph,
     Table,
 )
-from nonsmooth.derive.codegen.describe_orbit import (
+from nonsmooth.derive.document.describe_orbit import (
     chain_section,
     derivative_section,
     equation_section,
     functions_of,
     itinerary_section,
 )
-from nonsmooth.derive.codegen.describe_reduction import reduction_section, trace_section
-from nonsmooth.derive.codegen.describe_system import (
+from nonsmooth.derive.document.describe_reduction import reduction_section, trace_section
+from nonsmooth.derive.document.describe_system import (
     configuration_section,
     modal_section,
     system_section,
 )
-from nonsmooth.derive.codegen.describe_transitions import transition_section
-from nonsmooth.derive.codegen.symbols import Notation
-from nonsmooth.derive.codegen.wording import Naming, enumeration
+from nonsmooth.derive.document.describe_transitions import transition_section
+from nonsmooth.derive.document.symbols import Notation
+from nonsmooth.derive.document.wording import Naming, enumeration
 from nonsmooth.derive.equations import EquationSystem
 from nonsmooth.derive.modal import derive_flows
 from nonsmooth.derive.system import System

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.blocks import Formula, Line
-from nonsmooth.derive.codegen.symbols import Notation
+from nonsmooth.derive.document.blocks import Formula, Line
+from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.system import SecondOrder, System
 
 __all__ = ["Naming", "count", "enumeration", "numbered"]

@@ -20,7 +20,7 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.printer import Printer
+from nonsmooth.derive.document.printer import Printer
 
 __all__ = ["Notation"]
 

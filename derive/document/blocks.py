@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.layout import rows
+from nonsmooth.derive.document.layout import rows
 
 __all__ = ["Block", "Document", "Formula", "Heading", "Line", "Paragraph", "Table"]
 

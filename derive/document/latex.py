@@ -11,12 +11,10 @@ from collections.abc import Sequence
 from itertools import groupby
 from pathlib import Path
 
-from nonsmooth.derive.codegen.blocks import Block, Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.codegen.hypertext import to_html
-from nonsmooth.derive.codegen.layout import rows, width
-from nonsmooth.derive.codegen.markdown import to_markdown
+from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph, Table
+from nonsmooth.derive.document.layout import rows, width
 
-__all__ = ["LatexMissing", "compile_pdf", "to_html", "to_latex", "to_markdown"]
+__all__ = ["LatexMissing", "compile_pdf", "to_latex"]
 
 _PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
 \usepackage{amsmath,amssymb}

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import sympy as sp
 
 from nonsmooth.derive.chain import Chain
-from nonsmooth.derive.codegen.blocks import Block, Formula, Line, Paragraph, Table
-from nonsmooth.derive.codegen.wording import Naming, count, enumeration, numbered
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
+from nonsmooth.derive.document.wording import Naming, count, enumeration, numbered
 from nonsmooth.derive.equations import EquationSystem
 from nonsmooth.derive.system import TIME
 

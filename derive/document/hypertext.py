@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable
 from html import escape
 
-from nonsmooth.derive.codegen.blocks import Block, Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.codegen.layout import rows
+from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph, Table
+from nonsmooth.derive.document.layout import rows
 
 __all__ = ["to_html"]
 

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.blocks import Block, Formula, Line, Paragraph, Table
-from nonsmooth.derive.codegen.flows import flow_blocks
-from nonsmooth.derive.codegen.symbols import Notation
-from nonsmooth.derive.codegen.wording import Naming, enumeration
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
+from nonsmooth.derive.document.flows import flow_blocks
+from nonsmooth.derive.document.symbols import Notation
+from nonsmooth.derive.document.wording import Naming, enumeration
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.modal import Flow, Spectrum
 from nonsmooth.derive.parameter import Parameter

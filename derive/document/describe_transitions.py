@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from nonsmooth.derive.codegen.blocks import Block, Heading, Paragraph, Table
-from nonsmooth.derive.codegen.wording import Naming, enumeration
+from nonsmooth.derive.document.blocks import Block, Heading, Paragraph, Table
+from nonsmooth.derive.document.wording import Naming, enumeration
 from nonsmooth.derive.system import Transition
 
 __all__ = ["transition_section"]

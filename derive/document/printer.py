@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from nonsmooth.derive.codegen.layout import width
+from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.reduction import Angle
 
 if TYPE_CHECKING:
-    from nonsmooth.derive.codegen.symbols import Notation
+    from nonsmooth.derive.document.symbols import Notation
 
 __all__ = ["Printer"]
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from nonsmooth.derive.codegen.blocks import Block, Document, Formula, Heading, Paragraph
-from nonsmooth.derive.codegen.layout import rows
+from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
+from nonsmooth.derive.document.layout import rows
 
 __all__ = ["to_markdown"]
 
