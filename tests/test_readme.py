@@ -4,8 +4,9 @@ import re
 from pathlib import Path
 
 import pytest
-from nonsmooth.runtime.cli import app
 from typer.testing import CliRunner
+
+from nonsmooth.runtime.cli import app
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 

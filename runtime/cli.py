@@ -1,0 +1,387 @@
+"""The command line.
+
+Every command returns its exit code: 0 when the question was answered, 1 on no convergence,
+an undecided verdict or a check that differs, 2 on wrong input, 3 when a requirement is not
+met. What is heavy is imported by the commands that need it.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+
+from nonsmooth.runtime.errors import InputError, NoConvergence, NonsmoothError, unknown_name
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.values import Value
+
+__all__ = ["app", "main"]
+
+ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET, INTERRUPTED = 0, 1, 2, 3, 130
+REMEDY = "python scripts/regenerate.py"
+_WORKING_DIGITS = 20  # at least: a verdict does not depend on how many digits are shown
+
+app = typer.Typer(
+    name="nonsmooth",
+    help="Periodic orbits of piecewise-linear oscillators with impacts and dry friction.",
+    epilog="Exit codes: 0 answered, 1 no answer or a difference, 2 wrong input,"
+    " 3 a requirement is not met.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+)
+
+
+class Format(StrEnum):
+    """What `equations` writes."""
+
+    LATEX = "latex"
+    MARKDOWN = "markdown"
+    HTML = "html"
+    PDF = "pdf"
+
+
+class Requirement(StrEnum):
+    """Verdicts that can be required."""
+
+    STABLE = "stable"
+    ADMISSIBLE = "admissible"
+
+
+OrbitName = Annotated[
+    str,
+    typer.Argument(metavar="SYSTEM/ORBIT", help="An orbit that `nonsmooth list` shows."),
+]
+Assignments = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="NAME=VALUE",
+        help="Parameters: eta=0.98, chi=1/3, V=pi/3. Absent ones take their defaults.",
+        show_default=False,
+    ),
+]
+Unknown = Annotated[
+    list[str] | None,
+    typer.Option("--unknown", metavar="NAME,...", help="Parameters to be solved for."),
+]
+Given = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--given", metavar="NAME=VALUE,...", help="Unknowns that are given in their place."
+    ),
+]
+Guess = Annotated[
+    list[str] | None,
+    typer.Option("--guess", metavar="NAME=VALUE,...", help="Start of some or all unknowns."),
+]
+Require = Annotated[
+    list[Requirement] | None,
+    typer.Option("--require", help="Exit with 3 unless the orbit is so; may be repeated."),
+]
+Digits = Annotated[
+    int,
+    typer.Option(
+        "--digits", metavar="N", help="The error of a number x is at most 10^-N max(1, |x|)."
+    ),
+]
+AsJson = Annotated[
+    bool, typer.Option("--json", help="One JSON document on stdout, numbers as decimal strings.")
+]
+
+
+def main(command: str | None = None) -> None:
+    """Run the command line, or one command of it as a script of its own."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+    group: Any = typer.main.get_command(app)
+    if command is None:
+        group(prog_name="nonsmooth")
+    else:
+        group.commands[command](prog_name=sys.argv[0])
+
+
+def _answering(command: Callable[..., int]) -> Callable[..., None]:
+    """Exit with the code that a command returns, or with one line on stderr."""
+
+    @functools.wraps(command)
+    def run(*arguments: Any, **options: Any) -> NoReturn:
+        from nonsmooth.derive.errors import DeclarationError, DerivationError
+
+        try:
+            code = command(*arguments, **options)
+        except NoConvergence as problem:
+            code = _failed(problem, UNANSWERED, options)
+        except (NonsmoothError, DeclarationError, DerivationError) as problem:
+            code = _failed(problem, WRONG_INPUT, options)
+        except KeyboardInterrupt:
+            code = INTERRUPTED
+        raise typer.Exit(code)
+
+    return run
+
+
+def _failed(problem: Exception, code: int, options: Mapping[str, Any]) -> int:
+    if options["as_json"]:
+        _print_json({"error": str(problem)})
+    kind = "error: " if code == WRONG_INPUT else ""
+    print(f"nonsmooth: {kind}{problem}", file=sys.stderr)
+    return code
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        from importlib.metadata import version
+
+        print(f"nonsmooth {version('nonsmooth')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option("--version", callback=_version, is_eager=True, help="Show the version."),
+    ] = False,
+) -> None:
+    pass
+
+
+@app.command(
+    "list",
+    epilog="Examples:\n\nnonsmooth list\n\nnonsmooth list --json",
+)
+@_answering
+def list_orbits(as_json: AsJson = False) -> int:
+    """List systems and orbits, their parameters and unknowns."""
+    from nonsmooth.runtime.report import systems_json
+
+    found = systems_json()
+    if as_json:
+        _print_json(found)
+    else:
+        from nonsmooth.runtime.display import show_list
+
+        show_list(found["systems"])
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth equations dry-friction/global-stick --format markdown\n\n"
+    "nonsmooth equations dry-friction --out dry-friction.tex\n\n"
+    "nonsmooth equations dry-friction/global-stick --format pdf"
+)
+@_answering
+def equations(
+    name: Annotated[str, typer.Argument(metavar="SYSTEM[/ORBIT]", help="A system or an orbit.")],
+    form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write this file; a PDF is SYSTEM-ORBIT.pdf by default."),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Derive a system or an orbit and write it down, from the declaration to the trace."""
+    from nonsmooth.runtime import deriving
+    from nonsmooth.runtime.display import show_written, steps
+
+    if out is None and form is Format.PDF:
+        out = Path(f"{name.replace('/', '-')}.pdf")
+    document = deriving.document_maker(name)
+    if out is not None:
+        deriving.check_target(out)
+    with steps(f"deriving {name}") as begin:
+        text = deriving.written(document(), form.value)
+        if out is not None:
+            begin(f"writing {out}")
+            deriving.write_document(text, form.value, out)
+    told = {"text": text} if out is None else {"file": str(out)}
+    if as_json:
+        _print_json({"name": name, "format": form.value, **told})
+    elif out is None:
+        sys.stdout.write(text)
+    else:
+        show_written([f"{out} written"], "")
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth solve dry-friction/global-stick eta=0.98 V=1.01\n\n"
+    "nonsmooth solve dry-friction/global-stick us2=0.8 us1=1 --require admissible\n\n"
+    "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2"
+)
+@_answering
+def solve(
+    orbit: OrbitName,
+    parameters: Assignments = None,
+    unknown: Unknown = None,
+    given: Given = None,
+    guess: Guess = None,
+    digits: Digits = 15,
+    require: Require = None,
+    as_json: AsJson = False,
+) -> int:
+    """Find a periodic orbit: unknowns, multipliers, stability, admissibility."""
+    problem = (orbit, parameters, unknown, given, guess, digits)
+    return _report(*problem, require=require, as_json=as_json, trace_first=False)
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth verify dry-friction/global-stick --digits 50\n\n"
+    "nonsmooth verify dry-friction/global-stick eta=0.98 --require stable --json"
+)
+@_answering
+def verify(
+    orbit: OrbitName,
+    parameters: Assignments = None,
+    unknown: Unknown = None,
+    given: Given = None,
+    guess: Guess = None,
+    digits: Digits = 50,
+    require: Require = None,
+    as_json: AsJson = False,
+) -> int:
+    """Decide stability by the trace criterion, to any number of digits."""
+    problem = (orbit, parameters, unknown, given, guess, digits)
+    return _report(*problem, require=require, as_json=as_json, trace_first=True)
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth regenerate --check\n\n"
+    "nonsmooth regenerate dry-friction --out kernels"
+)
+@_answering
+def regenerate(
+    system: Annotated[
+        str | None, typer.Argument(metavar="SYSTEM", help="Only this one.", show_default=False)
+    ] = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; exit with 1 if a file differs.")
+    ] = False,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Folder of the files; that of the checkout by default."),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Make the kernels again from the derivation, or check that they are up to date."""
+    from nonsmooth.derive.codegen import regenerate as generation
+    from nonsmooth.derive.systems import SYSTEMS
+    from nonsmooth.runtime.deriving import unwritable
+    from nonsmooth.runtime.display import show_differences, show_written, steps
+
+    if system is not None and system not in SYSTEMS:
+        raise unknown_name("system", system, SYSTEMS)
+    folder = generation.find_generated() if out is None else out
+    told: dict[str, Any] = {"folder": str(folder), "system": system}
+    if check:
+        with steps() as begin:
+            differences = generation.check(out, system, begin).differences
+        if as_json:
+            _print_json({**told, "same": not differences, "differences": list(differences)})
+        elif differences:
+            show_differences(differences)
+        else:
+            show_written([], f"{folder}: up to date")
+        if differences:
+            print(f"nonsmooth: {folder} differs from the derivation: {REMEDY}", file=sys.stderr)
+        return UNANSWERED if differences else ANSWERED
+    try:
+        with steps() as begin:
+            changed = [str(path) for path in generation.regenerate(out, system, begin)]
+    except OSError as problem:
+        raise unwritable(folder, problem) from None
+    if as_json:
+        _print_json({**told, "changed": changed})
+    else:
+        show_written(changed, f"{folder}: nothing changed")
+    return ANSWERED
+
+
+def _report(
+    name: str,
+    parameters: list[str] | None,
+    unknown: list[str] | None,
+    given: list[str] | None,
+    guess: list[str] | None,
+    digits: int,
+    *,
+    require: list[Requirement] | None,
+    as_json: bool,
+    trace_first: bool,
+) -> int:
+    """Solve, refine and report."""
+    from nonsmooth.runtime.refine import MOST_DIGITS, refine
+    from nonsmooth.runtime.report import orbit_json
+    from nonsmooth.runtime.solve import solve as find_orbit
+    from nonsmooth.runtime.values import decimal_string
+
+    if not 1 <= digits <= MOST_DIGITS:
+        raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+    assigned = _assignments("parameter", parameters or [])
+    found = find_orbit(
+        name,
+        assigned,
+        {n: float(v) for n, v in _assignments("unknown", _split(guess)).items()} or None,
+        unknown=_split(unknown),
+        given=_assignments("unknown", _split(given)),
+    )
+    orbit = refine(found, max(digits, _WORKING_DIGITS))
+    told = orbit_json(orbit, digits)
+    for parameter, value in assigned.items():  # also those that others stand for
+        told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
+    if as_json:
+        _print_json(told)
+    else:
+        from nonsmooth.runtime.display import show_report
+
+        show_report(orbit, told, assigned, trace_first=trace_first)
+    return _judged(told, require or [])
+
+
+def _judged(told: Mapping[str, Any], require: Iterable[Requirement]) -> int:
+    """Exit code of an orbit; says on stderr which requirement is not met."""
+    verdicts = {"stable": told["stability"], "admissible": told["admissible"]}
+    met = {"stable": "stable", "admissible": True}
+    names = list(dict.fromkeys(wanted.value for wanted in require))
+    missed = [n for n in names if verdicts[n] not in (met[n], "undecided")]
+    for name in missed:
+        answer = "no" if verdicts[name] is False else verdicts[name]
+        print(f"nonsmooth: required: {name}; found: {answer}", file=sys.stderr)
+    if missed:
+        return NOT_MET
+    return UNANSWERED if "undecided" in verdicts.values() else ANSWERED
+
+
+def _split(options: Iterable[str] | None) -> list[str]:
+    """Entries of options that hold comma-separated lists."""
+    return [part.strip() for option in options or () for part in option.split(",") if part.strip()]
+
+
+def _assignments(kind: str, texts: Iterable[str]) -> dict[str, Value]:
+    """Values by name, each given once."""
+    from nonsmooth.runtime.values import parse_assignment
+
+    found: dict[str, Value] = {}
+    for text in texts:
+        name, value = parse_assignment(text)
+        if name in found:
+            raise InputError(f"{kind} {name} is given twice")
+        found[name] = value
+    return found
+
+
+def _print_json(found: Mapping[str, Any]) -> None:
+    print(json.dumps(found, indent=2, allow_nan=False))

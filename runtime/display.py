@@ -1,0 +1,241 @@
+"""What the command line shows to people: Rich tables on stdout, progress on stderr."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from nonsmooth.runtime.parameters import default_parameters
+from nonsmooth.runtime.values import decimal_string
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbit import Orbit
+    from nonsmooth.runtime.values import Value
+
+__all__ = ["show_differences", "show_list", "show_report", "show_written", "steps"]
+
+_LEAST_WIDTH = 80
+_LONGEST_NUMBER = 64  # beside the labels
+_GROUP, _GROUPS_IN_LINE = 10, 5
+_RANKS = {1: "one", 2: "two", 3: "three"}
+_VERDICT_STYLES = {"stable": "green", "unstable": "red"}
+
+
+def show_report(
+    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value], *, trace_first: bool
+) -> None:
+    """Show an orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    found : mapping
+        The orbit as JSON.
+    assigned : mapping of str to Value
+        Parameters as the user gave them.
+    trace_first : bool
+        Show the trace criterion before the orbit.
+    """
+    console = _console()
+    rank_one = orbit.stability.rank_one
+    console.print(Text(f"{found['orbit']}, {found['digits']} digits", style="bold"))
+    console.print(
+        Text(" -> ".join([*(phase[0] for phase in orbit.kernels.table["phases"]), "..."]))
+    )
+    parameters = _table()
+    for name, text, source in _sources(orbit, found, assigned):
+        parameters.add_row(name, text, Text(source, style="dim"))
+    unknowns = _table()
+    for name in ("unknowns", "period", "residual"):
+        entries = found[name] if name == "unknowns" else {name: found[name]}
+        for label, text in entries.items():
+            unknowns.add_row(label, _digits(text))
+    excess = decimal_string(-orbit.stability.margin, found["digits"])
+    criterion = _criterion(found, excess, orbit.stability.rank)
+    tables = [("Given", parameters), ("Orbit", unknowns)]
+    tables.insert(
+        0 if trace_first else 2, ("Trace criterion" if rank_one else "Stability", criterion)
+    )
+    for title, table in tables:
+        console.print()
+        console.print(Text(title, style="bold"))
+        console.print(table)
+    console.print()
+    _print_admissibility(console, found)
+
+
+def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
+    """Show systems and orbits with their parameters and unknowns."""
+    console = _console()
+    for system in systems:
+        console.print(Text.assemble((system["name"], "bold"), f": {system['description']}"))
+        for orbit in system["orbits"]:
+            console.print()
+            console.print(Text(orbit["name"], style="bold"))
+            for phase in orbit["phases"]:
+                place = f"{phase['configuration']} until {phase['boundary']}"
+                console.print(Text(f"  {phase['dwell_time']:5} {place}"))
+            console.print(Text(f"  unknowns: {' '.join(orbit['unknowns'])}"))
+            table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+            table.add_column("parameter", no_wrap=True)
+            table.add_column("default", no_wrap=True)
+            table.add_column("meaning")
+            for parameter in orbit["parameters"]:
+                default = parameter["default"] or ""
+                table.add_row(_domain(parameter), default, Text(parameter["description"]))
+            console.print(table)
+
+
+def show_written(paths: Iterable[str], nothing: str) -> None:
+    """Show the files that were written, one a line, or say that there are none."""
+    for line in list(paths) or [nothing]:
+        print(line)
+
+
+def show_differences(differences: Iterable[str]) -> None:
+    """Show differences of files; added and removed lines are coloured on a terminal."""
+    console = Console(highlight=False, soft_wrap=True)
+    for difference in differences:
+        for line in difference.splitlines():
+            style = {"+": "green", "-": "red", "@": "cyan"}.get(line[:1], "")
+            console.print(Text(line, style=style))
+
+
+@contextmanager
+def steps(first: str = "") -> Iterator[Callable[[str], None]]:
+    """Give a function that shows the step that begins, on stderr if that is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda step: None
+        return
+    from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (SpinnerColumn(finished_text=" "), TextColumn("{task.description}"))
+    with Progress(*columns, TimeElapsedColumn(), console=Console(stderr=True)) as progress:
+
+        def begin(step: str) -> None:
+            finish()
+            progress.add_task(step, total=1)
+
+        def finish() -> None:
+            for task in progress.task_ids:
+                progress.update(task, completed=1)
+
+        if first:
+            begin(first)
+        yield begin
+        finish()
+
+
+def _sources(
+    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value]
+) -> Iterator[tuple[str, str, str]]:
+    """Give name and text of each given parameter, and where it is from."""
+    defaults = default_parameters(orbit.kernels)
+    for name, value in assigned.items():
+        yield name, str(value), ""
+    for name, value in {**orbit.given, **orbit.opened}.items():
+        if name in assigned:
+            continue
+        if name in orbit.kernels.unknowns:
+            yield name, str(value), "in place of an unknown"
+        elif str(value) == defaults.get(name):
+            yield name, str(value), "default"
+        else:
+            yield name, found["parameters"][name], "follows"
+
+
+def _console() -> Console:
+    """Give a console wide enough for 50 digits in one piece."""
+    console = Console(highlight=False)
+    console.width = max(console.width, _LEAST_WIDTH)
+    return console
+
+
+def _table() -> Table:
+    table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column(no_wrap=True, min_width=12)
+    table.add_column(overflow="fold")
+    return table
+
+
+def _criterion(found: Mapping[str, Any], excess: str, rank: int) -> Table:
+    table = _table()
+    verdict = found["stability"]
+    table.add_row("trace", _digits(found["trace"]))
+    if rank == 1:
+        table.add_row("|trace| - 1", _digits(excess))
+    for number, multiplier in enumerate(found["multipliers"], 1):
+        label = f"multiplier {number}"
+        if number > rank:
+            table.add_row(label, f"0 exactly: the Poincare map has rank {_RANKS.get(rank, rank)}")
+        elif rank > 1:
+            trivial = " (trivial)" if multiplier["trivial"] else ""
+            table.add_row(label, _digits(multiplier["re"]) + trivial)
+            if multiplier["im"].strip("-0."):
+                table.add_row(" + i times", _digits(multiplier["im"]))
+    if rank == 1:
+        reason = {
+            "stable": "conditionally stable (|trace| < 1)",
+            "unstable": "unstable (|trace| > 1)",
+        }
+    else:
+        table.add_row("margin", _digits(found["margin"]))
+        reason = {
+            "stable": "conditionally stable (nontrivial multipliers inside the unit circle)",
+            "neutral": "neutral (nontrivial multipliers on the unit circle)",
+            "unstable": "unstable (a multiplier outside the unit circle)",
+        }
+    text = reason.get(verdict, f"{verdict}: the margin is zero to these digits, ask for more")
+    table.add_row("verdict", Text(text, style=f"bold {_VERDICT_STYLES.get(verdict, 'yellow')}"))
+    if verdict == "stable":
+        table.add_row("", "under perturbations that keep the order of the switches")
+    return table
+
+
+def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:
+    verdict = found["admissible"]
+    if verdict is True:
+        answer = Text("yes: no boundary is crossed inside a phase", style="green")
+    elif verdict is False:
+        answer = Text("no: boundaries are crossed inside phases", style="red")
+    else:
+        answer = Text(f"{verdict}, it takes", style="yellow")
+    console.print(Text.assemble(("Admissible: ", "bold"), answer))
+    for bound in found.get("requires", ()):
+        console.print(Text(f"  {bound['parameter']} > {float(bound['greater_than']):.10g}"))
+    if verdict is False:
+        table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+        for title in ("phase", "configuration", "boundary", "time", "excess"):
+            table.add_column(title, no_wrap=True)
+        for violation in found["violations"]:
+            numbers = (f"{float(violation[name]):.6g}" for name in ("time", "excess"))
+            names = (str(violation[n]) for n in ("phase", "configuration", "boundary"))
+            table.add_row(*names, *numbers)
+        console.print(table)
+
+
+def _digits(number: str) -> str:
+    """Give a number in one piece, or in lines of groups where it is longer than a line."""
+    if len(number) <= _LONGEST_NUMBER:
+        return number
+    mantissa, letter, exponent = number.partition("e")
+    whole, _, fraction = mantissa.partition(".")
+    groups = [fraction[i : i + _GROUP] for i in range(0, len(fraction), _GROUP)]
+    lines = [
+        " ".join(groups[i : i + _GROUPS_IN_LINE]) for i in range(0, len(groups), _GROUPS_IN_LINE)
+    ]
+    return "\n".join([f"{whole}.", *lines]) + letter + exponent
+
+
+def _domain(parameter: Mapping[str, Any]) -> str:
+    text: str = parameter["name"]
+    if parameter["lower"] is not None:
+        text = f"{parameter['lower']} {'<=' if parameter['closed'] else '<'} {text}"
+    return text if parameter["upper"] is None else f"{text} < {parameter['upper']}"

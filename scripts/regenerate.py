@@ -1,0 +1,6 @@
+"""Make the kernels of generated/ again: `nonsmooth regenerate`."""
+
+from nonsmooth.runtime.cli import main
+
+if __name__ == "__main__":
+    main("regenerate")

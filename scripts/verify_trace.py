@@ -1,0 +1,6 @@
+"""Decide stability by the trace criterion: `nonsmooth verify`."""
+
+from nonsmooth.runtime.cli import main
+
+if __name__ == "__main__":
+    main("verify")

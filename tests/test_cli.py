@@ -1,0 +1,617 @@
+"""The command line: answers, JSON, exit codes, and one clear line for wrong input."""
+
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from decimal import Decimal, localcontext
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.main import get_command
+from typer.testing import CliRunner
+
+import nonsmooth
+from nonsmooth.derive.document import describe, latex
+from nonsmooth.derive.codegen import regenerate as generation
+from nonsmooth.derive.systems import dry_friction
+from nonsmooth.runtime import solve, stability
+from nonsmooth.runtime.cli import app
+
+ORBIT = "dry-friction/global-stick"
+CHECKOUT = Path(__file__).resolve().parents[1]
+HEAVY = {"dask", "flint", "matplotlib", "mpmath", "numpy", "scipy", "sympy"}
+COMMANDS: dict[str, Any] = getattr(get_command(app), "commands")  # noqa: B009 - untyped
+EXAMPLES = [
+    line
+    for command in COMMANDS.values()
+    for line in command.epilog.splitlines()
+    if line.startswith("nonsmooth ")
+]
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    """Exit code, stdout and stderr of a command, run in this process."""
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def run_process(*command: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run a command as a process of its own, its output piped."""
+    unwanted = ("COLUMNS", "FORCE_COLOR", "GITHUB_ACTIONS", "NO_COLOR", "PY_COLORS")
+    inherited = {name: text for name, text in os.environ.items() if name not in unwanted}
+    return subprocess.run(
+        command,
+        env=inherited | environment,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+def nonsmooth_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    program = "from nonsmooth.runtime.cli import main; main()"
+    return run_process(sys.executable, "-c", program, *arguments, **environment)
+
+
+def told(*arguments: str, code: int = 0) -> dict[str, Any]:
+    """Give the one JSON document on stdout; nothing else may be there."""
+    found, out, err = run(*arguments, "--json")
+    assert found == code, err
+    document: dict[str, Any] = json.loads(out)
+    return document
+
+
+@pytest.fixture
+def derived(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Derive each system once for all tests."""
+    monkeypatch.setattr(
+        generation, "emit_systems", lambda names, progress: _emit(tuple(names), progress)
+    )
+
+
+def _emit(names: tuple[str, ...], progress: Callable[[str], None]) -> list[Any]:
+    progress("deriving")
+    return _emitted(names)
+
+
+_derive = generation.emit_systems
+
+
+@cache
+def _emitted(names: tuple[str, ...]) -> list[Any]:
+    return list(_derive(names))
+
+
+@pytest.fixture
+def described(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Describe the system once for all tests."""
+    monkeypatch.setattr(describe, "describe_system", lambda system: _described())
+
+
+_describe = describe.describe_system
+
+
+@cache
+def _described() -> describe.Document:
+    return _describe(dry_friction.system)
+
+
+# --- help
+
+
+def test_help_imports_nothing_heavy() -> None:
+    program = (
+        "import sys\n"
+        "from nonsmooth.runtime.cli import main\n"
+        "try:\n    main()\n"
+        "finally:\n    print('MODULES', *sys.modules)"
+    )
+    done = run_process(sys.executable, "-c", program, "--help")
+    text, _, modules = done.stdout.rpartition("MODULES")
+    assert done.returncode == 0
+    assert not done.stderr
+    assert all(name in text for name in COMMANDS)
+    assert not {name.partition(".")[0] for name in modules.split()} & HEAVY
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_has_help_with_examples_and_json(name: str) -> None:
+    code, out, err = run(name, "--help")
+    assert (code, err) == (0, "")
+    assert "Examples:" in out
+    assert "--json" in out
+    assert f"nonsmooth {name}" in out
+    for example in (line for line in EXAMPLES if line.split()[1] == name):
+        assert example in out, "an example is wrapped"
+
+
+@pytest.mark.parametrize("example", EXAMPLES)
+@pytest.mark.usefixtures("derived")
+def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    if "pdf" in example:
+        monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
+    if "--check" in example:
+        generation.regenerate(tmp_path)
+        monkeypatch.setattr(generation, "find_generated", lambda: tmp_path)
+    code, out, err = run(*shlex.split(example)[1:])
+    assert (code, err) == (0, "")
+    assert out
+
+
+def test_version() -> None:
+    assert run("--version") == (0, f"nonsmooth {nonsmooth.__version__}\n", "")
+
+
+# --- list, solve, verify
+
+
+def test_list() -> None:
+    (system,) = told("list")["systems"]
+    (orbit,) = system["orbits"]
+    assert (system["name"], orbit["name"]) == ("dry-friction", ORBIT)
+    assert len(system["configurations"]) == 9
+    assert orbit["unknowns"] == ["z10", "z20", "ta", "tau", "tau1", "tau2"]
+    assert [p["dwell_time"] for p in orbit["phases"]] == ["ta", "tau", "tau1", "tau2"]
+    defaults = {p["name"]: p["default"] for p in orbit["parameters"]}
+    assert defaults["e1"] == "3.0195"
+    assert defaults["ur2"] is None
+    code, out, _ = run("list")
+    assert code == 0
+    assert all(word in out for word in (ORBIT, "0 < chi < 1", "0 <= e1", "3.0195", "stick-stick"))
+
+
+def test_json_of_solve_and_verify() -> None:
+    found = told("solve", ORBIT)
+    assert found.keys() == told("verify", ORBIT).keys()
+    assert list(found) == [
+        *("orbit", "parameters", "unknowns", "period", "residual", "digits", "multipliers"),
+        *("trace", "margin", "stability", "admissible", "requires"),
+    ]
+    assert found["orbit"] == ORBIT
+    assert found["digits"] == 15
+    assert list(found["parameters"]) == ["chi", "eta", "V", "e1", "e2"]
+    assert found["stability"] == "stable"
+    assert found["admissible"] == "conditional"
+    bounds = {bound["parameter"]: bound["greater_than"] for bound in found["requires"]}
+    assert bounds["us2"].startswith("0.7228")
+    assert [m["trivial"] for m in found["multipliers"]] == [False, False]
+    assert Decimal(found["multipliers"][1]["re"]) == 0
+
+
+@pytest.mark.parametrize("digits", [1, 15, 16, 50])
+def test_digits_are_true(digits: int) -> None:
+    few, many = (
+        told("verify", ORBIT, "--digits", str(digits)),
+        told("verify", ORBIT, "--digits", "99"),
+    )
+    assert few["digits"] == digits
+    assert few["stability"] == many["stability"] == "stable"
+    with localcontext(prec=150):
+        for name in ("period", "trace", "margin", *few["unknowns"]):
+            texts = [answer["unknowns"].get(name) or answer[name] for answer in (few, many)]
+            found, true = map(Decimal, texts)
+            assert abs(found - true) <= Decimal(10) ** -digits * max(Decimal(1), abs(true)), name
+
+
+def test_paper_values() -> None:
+    found = told("solve", ORBIT, "--unknown", "e1,e2", "--given", "ta=1,tau=2")
+    assert list(found["unknowns"]) == ["z10", "z20", "tau1", "tau2", "e1", "e2"]
+    assert list(found["parameters"]) == ["chi", "eta", "V", "ta", "tau"]
+    # the printed digits are of an orbit with slightly different e1, e2
+    printed = {"e1": 3.0195, "e2": 0.4831, "tau1": 1.568, "tau2": 3.28}
+    for name, value in printed.items():
+        assert float(found["unknowns"][name]) == pytest.approx(value, abs=2e-2)
+
+
+def test_parameters_are_exact() -> None:
+    found = told("solve", ORBIT, "chi=1/3", "us2=0.8", "ur2=1.3", "--digits", "40")
+    with localcontext(prec=60):
+        assert abs(Decimal(found["parameters"]["chi"]) * 3 - 1) < Decimal("1e-40")
+    assert {n: Decimal(found["parameters"][n]) for n in ("us2", "ur2", "e2")} == {
+        "us2": Decimal("0.8"),
+        "ur2": Decimal("1.3"),
+        "e2": Decimal("0.5"),
+    }
+
+
+def test_a_guess_may_name_some_unknowns() -> None:
+    plain = told("solve", ORBIT)
+    assert told("solve", ORBIT, "--guess", "tau=2,tau1=1.5")["unknowns"] == plain["unknowns"]
+    assert told("solve", ORBIT, "--guess", "tau=2", "--guess", "tau1=1.5") == told(
+        "solve", ORBIT, "--guess", "tau = 2, tau1 = 3/2"
+    )
+
+
+def test_report_of_verify() -> None:
+    code, out, err = run("verify", ORBIT)
+    assert (code, err) == (0, "")
+    found = told("verify", ORBIT)
+    numbers = (found["trace"], f"-{found['margin']}", found["period"], *found["unknowns"].values())
+    for number in numbers:
+        assert number in out.split()
+    assert "conditionally stable (|trace| < 1)" in out
+    assert "0 exactly: the Poincare map has rank one" in out
+    assert "us2 > 0.7228" in out
+    assert out.index("Trace criterion") < out.index("Orbit")
+    assert max(map(len, out.splitlines())) <= 80
+
+
+def test_report_of_solve() -> None:
+    code, out, _ = run("solve", ORBIT, "V=1", "us2=0.8", "ur2=1.2831", "us1=1/3")
+    assert code == 0
+    assert out.index("Orbit") < out.index("Trace criterion")
+    assert "Admissible: yes" in out
+    rows = {line.split()[0]: line.split()[1:] for line in out.splitlines() if line.split()}
+    assert rows["V"] == ["1"]
+    assert rows["us1"] == ["1/3"]
+    assert rows["e1"] == ["3.0195", "default"]
+    assert rows["e2"] == [told("solve", ORBIT)["parameters"]["e2"], "follows"]
+
+
+def test_report_of_violations() -> None:
+    code, out, _ = run("solve", ORBIT, "us2=0.7")
+    assert code == 0
+    assert "Admissible: no" in out
+    (first, *_) = told("solve", ORBIT, "us2=0.7")["violations"]
+    assert (first["phase"], first["boundary"]) == (0, "second-breaks-backward")
+    assert re.search(r"0 +stick-stick +second-breaks-backward +0 +0\.0456", out)
+
+
+def test_long_numbers_are_grouped() -> None:
+    code, out, _ = run("verify", ORBIT, "--digits", "120")
+    assert code == 0
+    assert max(map(len, out.splitlines())) <= 80
+    trace: str = told("verify", ORBIT, "--digits", "120")["trace"]
+    assert trace in re.sub(r"\s", "", out)
+
+
+@pytest.mark.parametrize("environment", [{}, {"COLUMNS": "40"}, {"PYTHONIOENCODING": "ascii"}])
+def test_piped_output_has_no_colours_and_whole_numbers(environment: dict[str, str]) -> None:
+    done = nonsmooth_process("verify", ORBIT, "--digits", "50", **environment)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\x1b" not in done.stdout
+    assert told("verify", ORBIT)["trace"] in done.stdout.split()
+
+
+# --- exit codes
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["--require", "stable"], 0),
+        (["--require", "stable", "--require", "admissible"], 3),
+        (["--require", "admissible"], 3),
+        (["us1=1", "us2=0.8", "--require", "admissible", "--require", "stable"], 0),
+        (["us2=0.7", "--require", "admissible"], 3),
+        (["us2=0.7"], 0),
+        (["chi=0.999999", "--require", "stable"], 3),
+        (["chi=0.999999"], 0),
+    ],
+)
+@pytest.mark.parametrize("command", ["solve", "verify"])
+def test_requirements(command: str, arguments: list[str], code: int) -> None:
+    found, _, err = run(command, ORBIT, *arguments)
+    assert found == code
+    assert err.startswith("nonsmooth: required: ") if code else not err
+    assert told(command, ORBIT, *arguments, code=code)["orbit"] == ORBIT
+
+
+def test_no_convergence_is_1() -> None:
+    code, out, err = run("solve", ORBIT, "eta=1e300")
+    assert (code, out) == (1, "")
+    assert err.startswith(f"nonsmooth: {ORBIT}: ")
+    assert "tried: " in err
+    assert err.count("\n") == 1
+    assert "tried: " in told("solve", ORBIT, "eta=1e300", code=1)["error"]
+
+
+def test_undecided_is_1(monkeypatch: pytest.MonkeyPatch) -> None:
+    assess = stability.assess_stability
+    monkeypatch.setattr(
+        stability, "assess_stability", lambda orbit: replace(assess(orbit), verdict="undecided")
+    )
+    assert told("verify", ORBIT, code=1)["stability"] == "undecided"
+    code, out, _ = run("verify", ORBIT, "--require", "stable")
+    assert code == 1
+    assert "undecided: the margin is zero to these digits" in out
+    assert run("verify", ORBIT, "--require", "admissible")[0] == 3
+
+
+def test_interrupt_is_130_and_quiet(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(*arguments: Any, **options: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(solve, "solve", interrupt)
+    assert run("solve", ORBIT) == (130, "", "")
+
+
+# --- wrong input
+
+
+@pytest.mark.parametrize("command", ["solve", "verify"])
+@pytest.mark.parametrize(
+    ("arguments", "part"),
+    [
+        ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
+        ("dry-friction", "unknown orbit 'dry-friction'"),
+        (f"{ORBIT} etta=1", "unknown parameter 'etta'; did you mean 'eta'?"),
+        (f"{ORBIT} chi=1.2", "chi = 1.2"),
+        (f"{ORBIT} eta=0", "eta = 0"),
+        (f"{ORBIT} V=-1", "V = -1"),
+        (f"{ORBIT} V=nan", "V: 'nan'"),
+        (f"{ORBIT} eta=inf", "eta: 'inf'"),
+        (f"{ORBIT} eta=1e400", "eta: '1e400'"),
+        (f"{ORBIT} e1=-1", "e1 = -1"),
+        (f"{ORBIT} us1=4 ur1=3", "e1"),
+        (f"{ORBIT} e1=3 us1=1 ur1=3", "e1 = 3 contradicts ur1 - us1 = 2"),
+        (f"{ORBIT} us1=0", "us1 = 0"),
+        (f"{ORBIT} eta=1/0", "division by zero"),
+        (f"{ORBIT} eta=__import__('os')", "eta: "),
+        (f"{ORBIT} eta", "'eta' is not of the form name=value"),
+        (f"{ORBIT} eta=", "'eta=' is not of the form name=value"),
+        (f"{ORBIT} eta=1 eta=1", "parameter eta is given twice"),
+        (f"{ORBIT} --digits 0", "digits = 0"),
+        (f"{ORBIT} --digits -1", "digits = -1"),
+        (f"{ORBIT} --digits {10**9}", f"digits = {10**9}"),
+        (f"{ORBIT} --guess tua=2", "'tua'; did you mean 'ta'?"),
+        (f"{ORBIT} --guess tau", "'tau' is not of the form name=value"),
+        (f"{ORBIT} --guess tau=nan", "tau: 'nan'"),
+        (f"{ORBIT} --guess tau=2,tau=2", "unknown tau is given twice"),
+        (f"{ORBIT} --unknown e1", "as many of one as of the other"),
+        (f"{ORBIT} --given ta=1", "as many of one as of the other"),
+        (f"{ORBIT} --unknown e1,e2 --given ta=1,ta=2", "unknown ta is given twice"),
+        (f"{ORBIT} --unknown etta --given ta=1", "'etta'; did you mean 'eta'?"),
+        (f"{ORBIT} --unknown e1 --given tua=1", "'tua'; did you mean 'ta'?"),
+        (f"{ORBIT} e1=3 --unknown e1 --given ta=1", "parameter e1 is both given and to be solved"),
+    ],
+)
+def test_wrong_input_is_2_with_one_line(command: str, arguments: str, part: str) -> None:
+    code, out, err = run(command, *arguments.split())
+    assert (code, out) == (2, "")
+    assert err.startswith("nonsmooth: error: ")
+    assert err.count("\n") == 1
+    assert part in err
+    assert f"nonsmooth: error: {told(command, *arguments.split(), code=2)['error']}\n" == err
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["solv"],
+        ["solve"],
+        ["solve", ORBIT, "--digits", "many"],
+        ["solve", ORBIT, "--require", "proved"],
+        ["solve", ORBIT, "--digts", "3"],
+        ["equations", "dry-friction", "--format", "word"],
+    ],
+)
+def test_wrong_usage_is_2(arguments: list[str]) -> None:
+    code, out, err = run(*arguments)
+    assert (code, out) == (2, "")
+    assert "Usage:" in err
+
+
+def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "fortran")
+    assert run("solve", ORBIT) == (
+        2,
+        "",
+        "nonsmooth: error: NONSMOOTH_BACKEND is 'fortran', neither 'c' nor 'numpy'\n",
+    )
+
+
+def test_no_traceback_reaches_the_process() -> None:
+    done = nonsmooth_process("solve", ORBIT, "chi=1.2", "--json")
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert json.loads(done.stdout)["error"] in done.stderr
+
+
+# --- equations
+
+
+@pytest.mark.usefixtures("described")
+@pytest.mark.parametrize(
+    ("form", "start"), [("latex", "\\documentclass"), ("markdown", "# "), ("html", "<!DOCTYPE")]
+)
+def test_equations_print_or_write(form: str, start: str, tmp_path: Path) -> None:
+    if form == "html":
+        pytest.importorskip("latex2mathml")
+    options = ("dry-friction", "--format", form)
+    printed = told("equations", *options)
+    assert list(printed) == ["name", "format", "text"]
+    assert (printed["name"], printed["format"]) == ("dry-friction", form)
+    assert printed["text"].startswith(start)
+    target = tmp_path / "equations"
+    assert run("equations", *options, "--out", str(target)) == (0, f"{target} written\n", "")
+    assert target.read_text(encoding="utf-8") == printed["text"]
+
+
+@pytest.mark.usefixtures("described")
+def test_equations_as_json_name_the_file(tmp_path: Path) -> None:
+    target = tmp_path / "equations.tex"
+    assert told("equations", "dry-friction", "--out", str(target)) == {
+        "name": "dry-friction",
+        "format": "latex",
+        "file": str(target),
+    }
+    assert target.read_text(encoding="utf-8") == run("equations", "dry-friction")[1]
+
+
+@pytest.mark.usefixtures("described")
+def test_pdf_names_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_text(text))
+    code, out, _ = run("equations", "dry-friction", "--format", "pdf")
+    assert (code, out) == (0, "dry-friction.pdf written\n")
+    assert (tmp_path / "dry-friction.pdf").read_text().startswith("\\documentclass")
+
+
+@pytest.mark.usefixtures("described")
+def test_pdf_without_latex_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    target = tmp_path / "equations.pdf"
+    code, out, err = run("equations", "dry-friction", "--format", "pdf", "--out", str(target))
+    assert (code, out) == (2, "")
+    assert "install texlive" in err
+    assert err.count("\n") == 1
+    assert not target.exists()
+
+
+@pytest.mark.usefixtures("described")
+def test_latex_that_fails_is_1(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(text: str, out: Path) -> None:
+        raise RuntimeError("pdflatex failed:\n! Undefined control sequence.")
+
+    monkeypatch.setattr(latex, "compile_pdf", fail)
+    target = str(tmp_path / "equations.pdf")
+    code, out, err = run("equations", "dry-friction", "--format", "pdf", "--out", target)
+    assert (code, out) == (1, "")
+    assert err.startswith("nonsmooth: pdflatex failed:")
+
+
+@pytest.mark.usefixtures("described")
+def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "latex2mathml", None)
+    monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
+    code, out, err = run("equations", "dry-friction", "--format", "html")
+    assert (code, out) == (2, "")
+    assert err == (
+        'nonsmooth: error: latex2mathml is not installed: pip install "nonsmooth[html]"\n'
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "part"),
+    [
+        ("dry-frictoin", "unknown system 'dry-frictoin'; did you mean 'dry-friction'?"),
+        ("dry-friction/", "unknown orbit 'dry-friction/'"),
+        ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
+    ],
+)
+def test_equations_of_unknown_names(name: str, part: str) -> None:
+    code, out, err = run("equations", name)
+    assert (code, out) == (2, "")
+    assert part in err
+    assert err.count("\n") == 1
+
+
+def test_out_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    missing = tmp_path / "missing" / "equations.tex"
+    for target in (missing, tmp_path):
+        code, out, err = run("equations", "dry-friction", "--out", str(target))
+        assert (code, out) == (2, "")
+        assert err.startswith(f"nonsmooth: error: cannot write {target}: ")
+        assert err.count("\n") == 1
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    target = tmp_path / "equations.tex"
+    assert run("equations", "dry-friction", "--out", str(target)) == (
+        2,
+        "",
+        f"nonsmooth: error: cannot write {target}: permission denied\n",
+    )
+
+
+# --- regenerate
+
+
+@pytest.mark.usefixtures("derived")
+def test_regenerate_and_check(tmp_path: Path) -> None:
+    folder = tmp_path / "new" / "kernels"
+    first = told("regenerate", "--out", str(folder))
+    assert first["folder"] == str(folder)
+    assert first["system"] is None
+    assert {Path(path).name for path in first["changed"]} == {p.name for p in folder.iterdir()}
+    assert told("regenerate", "--out", str(folder))["changed"] == []
+    assert run("regenerate", "--out", str(folder))[1] == f"{folder}: nothing changed\n"
+    assert told("regenerate", "--check", "--out", str(folder))["same"] is True
+    assert run("regenerate", "--check", "--out", str(folder)) == (0, f"{folder}: up to date\n", "")
+
+    (folder / "dry_friction.h").unlink()
+    with (folder / "dry_friction.md").open("a", encoding="utf-8") as file:
+        file.write("an edit [by hand]\n")
+    code, out, err = run("regenerate", "--check", "--out", str(folder))
+    assert code == 1
+    assert "dry_friction.h: missing" in out
+    assert "-an edit [by hand]" in out
+    assert "python scripts/regenerate.py" in err
+    found = told("regenerate", "dry-friction", "--check", "--out", str(folder), code=1)
+    assert found["same"] is False
+    assert len(found["differences"]) == 2
+
+
+def test_check_under_another_sympy_is_2(tmp_path: Path) -> None:
+    (tmp_path / "PROVENANCE.json").write_text('{"sympy": "1.0"}')
+    code, out, err = run("regenerate", "--check", "--out", str(tmp_path))
+    assert (code, out) == (2, "")
+    assert "SymPy 1.0" in err
+    assert err.count("\n") == 1
+
+
+def test_check_of_a_folder_without_provenance_is_2(tmp_path: Path) -> None:
+    code, _, err = run("regenerate", "--check", "--out", str(tmp_path))
+    assert code == 2
+    assert "PROVENANCE.json cannot be read" in err
+
+
+def test_regenerate_outside_a_checkout_is_2(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(generation, "__file__", str(tmp_path / "a" / "b" / "c.py"))
+    for options in ([], ["--check"]):
+        code, out, err = run("regenerate", *options)
+        assert (code, out) == (2, "")
+        assert "--out DIR" in err
+
+
+def test_regenerate_an_unknown_system_is_2() -> None:
+    code, _, err = run("regenerate", "dry-fricton")
+    assert code == 2
+    assert "did you mean 'dry-friction'?" in err
+
+
+@pytest.mark.usefixtures("derived")
+def test_regenerate_into_a_file_is_2(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.touch()
+    code, out, err = run("regenerate", "--out", str(file))
+    assert (code, out) == (2, "")
+    assert err.startswith(f"nonsmooth: error: cannot write {file}: ")
+
+
+# --- scripts
+
+
+@pytest.mark.parametrize(
+    ("script", "command"),
+    [("regenerate", "regenerate"), ("latex", "equations"), ("verify_trace", "verify")],
+)
+def test_scripts_are_the_commands(script: str, command: str) -> None:
+    path = str(CHECKOUT / "scripts" / f"{script}.py")
+    done = run_process(sys.executable, path, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"{script}.py [OPTIONS]" in done.stdout
+    assert done.stdout.partition("\n \n")[2] == run(command, "--help")[1].partition("\n \n")[2]
+
+
+def test_verify_trace_script() -> None:
+    path = str(CHECKOUT / "scripts" / "verify_trace.py")
+    done = run_process(sys.executable, path, ORBIT, "eta=0.98", "--json")
+    assert done.returncode == 0
+    assert json.loads(done.stdout) == told("verify", ORBIT, "eta=0.98")
+    assert run_process(sys.executable, path, "dry-friction/none").returncode == 2
