@@ -224,6 +224,9 @@ def _positive_modes(
     discriminant = (a - d) ** 2 + 4 * b * c
     if not all(is_positive(e, parameters) for e in (trace, determinant, discriminant)):
         return None
+    separation = discriminant / trace**2
+    if separation.is_number and separation < sp.Rational(1, 10**4):
+        return None  # known to nearly coalesce: the projectors would cancel
     gap = names.symbol("gap", sp.sqrt(discriminant))
     faster = names.symbol("omega", sp.sqrt((trace + gap) / 2))
     # the smaller root by the product of both: a difference would cancel

@@ -8,7 +8,7 @@ transition before it has ended, this also checks the transitions' conditions.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -93,6 +93,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     if violations:
         return Admissibility(False, tuple(violations), ())
     least = {p.name: 0.0 for p in kernels.open_parameters if p.name not in orbit.opened}
+    noise = _noise([float(orbit.values[n]) for n in (*kernels.parameter_names, *kernels.unknowns)])
     for boundary, function in boundary_sums(kernels, orbit):
         duration = dwell[boundary.phase]
         opened = boundary.open_parameter
@@ -104,7 +105,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
         if opened is not None:
             shift = boundary.open_coefficient * float(orbit.opened[opened])
             function = replace(function, constant=function.constant + shift)
-        floor = function.rounding(duration)
+        floor = function.rounding(duration) + noise
         found = maximum(function, duration, floor)
         if found.value > floor:
             violations.append(
@@ -125,6 +126,11 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
                 rest = float(orbit.values[name]) - terms[opened] * bound
                 requires.append(Requirement(other, rest / terms[other]))
     return Admissibility("conditional" if least else True, (), tuple(requires))
+
+
+def _noise(data: Sequence[float]) -> float:
+    """Rounding of the coefficients themselves, which are differences of the data."""
+    return 32 * float(np.finfo(float).eps) * max(map(abs, data))
 
 
 def boundary_sums(
@@ -212,7 +218,7 @@ def _admissible_numpy(
         for boundary, function in sums_of(kernels, coefficients[row], frequencies[row]):
             duration = unknowns[point, dwell[boundary.phase]]
             if boundary.open_parameter is None:
-                floor = function.rounding(duration)
+                floor = function.rounding(duration) + _noise([*points[point], *unknowns[point]])
                 allowed[point] &= maximum(function, duration, floor).value <= floor
             else:
                 place = opened.index(boundary.open_parameter)

@@ -48,7 +48,7 @@ def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
     """
     names = list(known)
     lowered = {other.lower(): other for other in reversed(names)}
-    nearest = get_close_matches(name.lower(), lowered, n=1)
+    nearest = get_close_matches(name.lower(), lowered, n=1, cutoff=0.4)
     hint = f" did you mean {lowered[nearest[0]]!r}?" if nearest else ""
     listing = f" known: {', '.join(names)}" if names else ""
     separator = ";" if hint or listing else ""

@@ -10,12 +10,23 @@ import numpy as np
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels
 
-__all__ = ["CONVERGED", "INVALID", "NEGATIVE", "STALLED", "Solved", "solve_full", "solve_reduced"]
+__all__ = [
+    "CONVERGED",
+    "INVALID",
+    "NEGATIVE",
+    "OUTSIDE",
+    "STALLED",
+    "Solved",
+    "solve_full",
+    "solve_reduced",
+]
 
 # the compiled solver's numbers
 CONVERGED, STALLED, INVALID, NEGATIVE = 0, 1, 2, 3
+OUTSIDE = 4  # only of exchanged equations
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
 MOST_ITERATIONS = 32
+DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
 SINGULAR = 1e12  # condition number beyond which a choice of unknowns is refused
 
 
@@ -127,7 +138,7 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     ------
     InputError
         If the equations do not determine these names: the Jacobian's condition number is
-        beyond 1e12.
+        beyond 1e12, or no digit of a solution is sure (as where the only one is zero).
     """
     names = (*kernels.unknowns, *kernels.parameter_names)
     places = [names.index(name) for name in solved_for]
@@ -153,24 +164,29 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
             if fraction == 1 and (abs(step) <= TOLERANCE * np.maximum(abs(here), 1)).all():
                 status = CONVERGED
                 break
-    condition = condition_number(jacobian)
-    if status != INVALID and condition > SINGULAR:
-        raise InputError(
-            f"the equations do not determine {', '.join(solved_for)} here:"
-            f" condition number {condition:.1e}"
-        )
+    if status != INVALID and (condition := condition_number(jacobian)) > SINGULAR:
+        raise _undetermined(solved_for, condition)
     error = np.inf
     if status == CONVERGED:
         residual, jacobian = equations_at(kernels, x)
-        scale = np.abs(jacobian[:, places]) @ np.maximum(np.abs(x[places]), 1)
-        correction = np.abs(np.linalg.inv(jacobian[:, places])) @ (
-            np.abs(residual) + 4 * np.finfo(float).eps * scale
-        )
-        error = float(np.max(correction / np.maximum(np.abs(x[places]), 1)))
+        jacobian = jacobian[:, places]
+        size = np.maximum(np.abs(x[places]), 1)
+        noise = np.abs(residual) + 4 * np.finfo(float).eps * (np.abs(jacobian) @ size)
+        if np.linalg.det(jacobian) != 0:
+            error = float(np.max(np.abs(np.linalg.inv(jacobian)) @ noise / size))
+        if not error < DETERMINED:
+            raise _undetermined(solved_for, float(np.linalg.cond(jacobian * size)))
         if any(x[names.index(name)] <= 0 for name in kernels.dwell_times):
             status = NEGATIVE
     found = {name: float(value) for name, value in zip(names, x, strict=True)}
     return Full(found, float(np.abs(residual).max()), iterations, status, error)
+
+
+def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
+    return InputError(
+        f"the equations do not determine {', '.join(solved_for)} here:"
+        f" condition number {condition:.1e}"
+    )
 
 
 def equations_at(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -12,7 +12,7 @@ import numpy as np
 from nonsmooth.runtime.arithmetic import Mpmath
 from nonsmooth.runtime.errors import unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.newton import CONVERGED, INVALID, NEGATIVE, STALLED
+from nonsmooth.runtime.newton import CONVERGED, INVALID, NEGATIVE, OUTSIDE, STALLED
 from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
@@ -30,6 +30,8 @@ STATUS = {
     INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
     NEGATIVE: "a dwell time is not positive: no motion has this itinerary here;"
     " change the parameters or search without a guess",
+    OUTSIDE: "a parameter that was solved for is outside its domain: no such system exists;"
+    " change what is given",
 }
 
 
@@ -97,8 +99,8 @@ class Orbit:
 
     @property
     def precise(self) -> bool:
-        """Whether the numbers are mpmath's, beyond double precision."""
-        return self.digits > DOUBLE
+        """Whether the numbers are mpmath's, as after `refine`."""
+        return not all(isinstance(x, float) for x in self.unknowns.values())
 
     @cached_property
     def arithmetic(self) -> Mpmath:

@@ -12,7 +12,7 @@ from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.values import Value, as_value, parse
 
-__all__ = ["Point", "check_arrays", "default_parameters", "resolve"]
+__all__ = ["Point", "check_arrays", "default_parameters", "in_domain", "resolve"]
 
 
 @dataclass(frozen=True)
@@ -94,10 +94,9 @@ def check_arrays(kernels: OrbitKernels, arrays: Mapping[str, Any]) -> dict[str, 
     Values outside a domain stay: their points get a status of their own.
     """
     defaults = default_parameters(kernels)
-    known = [*kernels.parameter_names, *(p.name for p in kernels.open_parameters)]
     for name in arrays:
-        if name not in known:
-            raise unknown_name("parameter", name, known)
+        if name not in kernels.parameter_names:
+            raise unknown_name("parameter", name, kernels.parameter_names)
     found = {}
     for name in kernels.parameter_names:
         value = arrays.get(name, defaults.get(name))
@@ -142,7 +141,14 @@ def _combine(
             raise InputError(f"parameter {name} is to be solved for, but {', '.join(terms)} fix it")
         if name in values and not _same(values[name], total):
             raise InputError(
-                f"{name} = {values[name]} contradicts {_sum_text(terms)} = {float(total):.17g}"
+                f"{name} = {values[name]} contradicts {_sum_text(terms)} = {float(total)!r}"
+            )
+        table = next(p for p in kernels.parameters if p.name == name)
+        if not in_domain(table, float(total)):
+            given = ", ".join(f"{term} = {values[term]}" for term in terms)
+            raise InputError(
+                f"{given}: {name} = {_sum_text(terms)} is {float(total)!r},"
+                f" outside its domain {_domain(table)}"
             )
         values[name] = values.get(name, total)
     elif len(absent) == 1 and len(terms) > 1 and name not in without:
@@ -170,11 +176,15 @@ def _sum_text(terms: Mapping[str, int]) -> str:
     return text
 
 
-def _check_domain(table: ParameterTable, value: Value) -> None:
-    number = float(value)
+def in_domain(table: ParameterTable, number: float) -> bool:
+    """Whether a parameter may have this value."""
     lower = float("-inf") if table.lower is None else float(parse(table.lower))
     upper = float("inf") if table.upper is None else float(parse(table.upper))
-    if number < lower or (number == lower and not table.closed) or number >= upper:
+    return lower < number < upper or (table.closed and number == lower)
+
+
+def _check_domain(table: ParameterTable, value: Value) -> None:
+    if not in_domain(table, float(value)):
         raise InputError(f"{table.name} = {value} is outside its domain {_domain(table)}")
 
 

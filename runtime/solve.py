@@ -12,9 +12,9 @@ import numpy as np
 from nonsmooth.runtime.admissible import admissible_points
 from nonsmooth.runtime.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.newton import CONVERGED, Full, solve_full, solve_reduced
+from nonsmooth.runtime.newton import CONVERGED, OUTSIDE, Full, solve_full, solve_reduced
 from nonsmooth.runtime.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.parameters import Point, resolve
+from nonsmooth.runtime.parameters import Point, in_domain, resolve
 from nonsmooth.runtime.values import Value, as_value, parse
 
 __all__ = ["reference_guess", "search", "solve"]
@@ -72,7 +72,7 @@ def solve(
     swapped, fixed = tuple(unknown), dict(given or {})
     _check_exchange(kernels, swapped, fixed)
     point = resolve(kernels, parameters or {}, without=swapped)
-    start = _start(kernels, guess)
+    start = _start(kernels, guess, swapped)
     found, tried = (
         _exchanged(kernels, point, swapped, _given(fixed), start)
         if swapped
@@ -249,6 +249,11 @@ def _exchanged(
     if found is None:
         assert refusal is not None
         raise refusal
+    tables = {p.name: p for p in kernels.parameters}
+    if found.status == CONVERGED and not all(
+        in_domain(tables[name], found.values[name]) for name in swapped
+    ):
+        found = found._replace(status=OUTSIDE)
     unknowns = {name: found.values[name] for name in solved_for}
     orbit = Orbit(
         kernels.name,
@@ -283,15 +288,18 @@ def _approached(
 
 
 def _start(
-    kernels: OrbitKernels, guess: Sequence[float] | Mapping[str, float] | None
+    kernels: OrbitKernels,
+    guess: Sequence[float] | Mapping[str, float] | None,
+    swapped: Sequence[str],
 ) -> dict[str, float]:
-    """A value for every unknown to start from."""
+    """A value for every unknown, and for exchanged parameters if given, to start from."""
     if guess is None:
         return reference_guess(kernels)
     if isinstance(guess, Mapping):
+        variables = [*kernels.unknowns, *swapped]
         for name in guess:
-            if name not in kernels.unknowns:
-                raise unknown_name("unknown", name, kernels.unknowns)
+            if name not in variables:
+                raise unknown_name("variable", name, variables)
         named = {name: float(as_value(value)) for name, value in guess.items()}
         return reference_guess(kernels) | named
     if len(guess) != len(kernels.unknowns):
@@ -310,13 +318,13 @@ def _check_exchange(
             raise unknown_name("parameter to solve for", name, kernels.parameter_names)
     for name in fixed:
         if name not in kernels.unknowns:
-            raise unknown_name("unknown to be given", name, kernels.unknowns)
+            raise unknown_name("variable", name, kernels.unknowns)
     if len(set(swapped)) != len(swapped):
         raise InputError(f"a parameter is named twice among the unknown: {', '.join(swapped)}")
     if len(swapped) != len(fixed):
         raise InputError(
-            f"{len(swapped)} parameters are to be solved for, but {len(fixed)} unknowns are given:"
-            " as many of one as of the other"
+            f"to be solved for: {', '.join(swapped) or 'no parameter'}; given in place:"
+            f" {', '.join(fixed) or 'no unknown'}: as many of one as of the other are needed"
         )
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.orbit import GUARD, Orbit
 
 __all__ = ["Multiplier", "Stability", "assess_stability"]
 
@@ -65,7 +65,9 @@ def assess_stability(orbit: Orbit) -> Stability:
     found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
     largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
     margin = 1 - largest
-    uncertain = abs(margin) <= 10.0 ** -(orbit.digits - 2)
+    # what is carried beyond the digits asked for decides too
+    carried = orbit.digits + (GUARD - 5 if orbit.precise else -2)
+    uncertain = abs(margin) <= 10.0**-carried
     verdict = "undecided" if uncertain else "stable" if margin > 0 else "unstable"
     return Stability(tuple(found), trace, rank, margin, verdict)
 

@@ -1,0 +1,697 @@
+"""Declarations: checked when made, right about signs, and the dry friction's own rules."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation
+from nonsmooth.derive.parameter import Parameter, is_positive
+from nonsmooth.derive.system import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    SecondOrder,
+    System,
+    Transition,
+)
+from nonsmooth.derive.systems import dry_friction
+
+X, Y, V, W = STATES = sp.symbols("x y v w", real=True)
+K, G = Parameter("k", "stiffness"), Parameter("g", "load")
+KS, GS = K.symbol, G.symbol
+STRANGER = sp.Symbol("stranger")
+
+PROPERTY = settings(deadline=None, max_examples=40, derandomize=True)
+
+
+def swing(boundaries: Sequence[Boundary] = (), **changes: Any) -> Configuration:
+    """One mass on a spring; keywords replace parts of its dynamics."""
+    parts = {"mass": [[1]], "stiffness": [[KS]], "load": (GS,)} | changes
+    return Configuration("swing", SecondOrder(**parts), tuple(boundaries))
+
+
+def oscillator(**changes: Any) -> System:
+    """One mass that switches between two springs at x = 1; keywords replace its parts."""
+    parts: dict[str, Any] = {
+        "name": "oscillator",
+        "description": "one mass",
+        "states": (X, V),
+        "parameters": (K, G),
+        "configurations": (
+            swing([Boundary("far", X - 1)]),
+            Configuration("stiff", SecondOrder([[1]], [[4]]), (Boundary("near", 1 - X),)),
+        ),
+        "transitions": (
+            Transition("swing", {"far"}, "stiff"),
+            Transition("stiff", {"near"}, "swing", (), {V: V - GS}),
+        ),
+    }
+    return System(**(parts | changes))
+
+
+def changed_transition(*arguments: Any) -> Callable[[], System]:
+    return lambda: oscillator(transitions=(Transition(*arguments),))
+
+
+def changed_swing(*arguments: Any, **changes: Any) -> Callable[[], System]:
+    return lambda: oscillator(configurations=(swing(*arguments, **changes),), transitions=())
+
+
+WRONG: list[tuple[str, Callable[[], Any], str]] = [
+    ("boundary kind", lambda: Boundary("far", X - 1, "touched"), "'far'.*'touched'"),
+    ("mass not square", lambda: SecondOrder([[1, 0]], [[1]]), "mass is 1 x 2, not square"),
+    ("stiffness shape", lambda: SecondOrder([[1]], sp.eye(2)), "stiffness is 2 x 2, not 1 x 1"),
+    (
+        "damping shape",
+        lambda: SecondOrder([[1]], [[1]], damping=sp.eye(2)),
+        "damping is 2 x 2, not 1 x 1",
+    ),
+    ("load length", lambda: SecondOrder([[1]], [[1]], (1, 2)), "load has 2 values"),
+    (
+        "singular mass",
+        lambda: SecondOrder([[KS, KS], [KS, KS]], sp.eye(2)),
+        "mass is singular",
+    ),
+    ("matrix not square", lambda: FirstOrder([[1, 0]]), "matrix is 1 x 2, not square"),
+    ("offset length", lambda: FirstOrder(sp.eye(2), (1,)), "offset has 1 values"),
+    (
+        "boundary twice",
+        lambda: swing([Boundary("far", X - 1), Boundary("far", X - 2)]),
+        "boundary of configuration 'swing' 'far' is declared twice",
+    ),
+    ("state twice", lambda: oscillator(states=(X, X)), "state 'x' is declared twice"),
+    (
+        "parameter twice",
+        lambda: oscillator(parameters=(K, K, G)),
+        "parameter 'k' is declared twice",
+    ),
+    (
+        "state named as a parameter",
+        lambda: oscillator(parameters=(K, G, Parameter("v", ""))),
+        "name 'v' is declared twice",
+    ),
+    (
+        "name of the time",
+        lambda: oscillator(parameters=(K, G, Parameter("t", ""))),
+        "name 't' is kept for the time",
+    ),
+    (
+        "configuration twice",
+        lambda: oscillator(configurations=(swing(), swing()), transitions=()),
+        "configuration 'swing' is declared twice",
+    ),
+    (
+        "states too many",
+        lambda: oscillator(states=STATES),
+        "configuration 'swing': mass is 1 x 1, but the system has 4 states",
+    ),
+    (
+        "matrix too small",
+        lambda: oscillator(
+            configurations=(Configuration("swing", FirstOrder([[1]]), ()),), transitions=()
+        ),
+        "configuration 'swing': matrix is 1 x 1, but the system has 2 states",
+    ),
+    ("held velocity", changed_swing(held={V: 1}), "'swing': held coordinate v is not a position"),
+    (
+        "free mass singular",
+        lambda: System(
+            "pair",
+            "",
+            STATES,
+            (),
+            (Configuration("odd", SecondOrder([[0, 1], [1, 0]], sp.eye(2), held={Y: 1}), ()),),
+        ),
+        "'odd': mass of the free coordinates is singular",
+    ),
+    (
+        "undeclared in a load",
+        changed_swing(load=(STRANGER,)),
+        "configuration 'swing': symbol stranger is not a parameter",
+    ),
+    (
+        "undeclared in a held velocity",
+        changed_swing(held={X: STRANGER}),
+        "configuration 'swing': symbol stranger is not a parameter",
+    ),
+    ("state in a matrix", changed_swing(stiffness=[[X]]), "'swing': symbol x is not a parameter"),
+    (
+        "undeclared in a boundary",
+        changed_swing([Boundary("far", X - STRANGER)]),
+        "'swing', boundary 'far': symbol stranger is neither a state nor a parameter",
+    ),
+    (
+        "boundary not affine",
+        changed_swing([Boundary("far", X * V - 1)]),
+        r"'swing', boundary 'far': v\*x - 1 is not affine",
+    ),
+    (
+        "boundary not smooth",
+        changed_swing([Boundary("far", abs(X) - 1)]),
+        r"'swing', boundary 'far': Abs\(x\) - 1 is not affine",
+    ),
+    (
+        "undeclared in a constraint",
+        lambda: oscillator(constraints=(KS - STRANGER,)),
+        "constraint k - stranger >= 0: symbol stranger is not a parameter",
+    ),
+    ("unknown source", changed_transition("jump", {"far"}, "stiff"), "no configuration 'jump'"),
+    ("unknown target", changed_transition("swing", {"far"}, "jump"), "no configuration 'jump'"),
+    (
+        "no boundary",
+        changed_transition("swing", set(), "stiff"),
+        "transition 'swing' -> 'stiff': no boundary is named",
+    ),
+    (
+        "boundary of another configuration",
+        changed_transition("swing", {"near"}, "stiff"),
+        r"configuration 'swing' has no boundary 'near' \(it has: far\)",
+    ),
+    (
+        "condition along nothing",
+        changed_transition("swing", {"far"}, "stiff", (Condition(X, "jump"),)),
+        "no configuration 'jump'",
+    ),
+    (
+        "condition not affine",
+        changed_transition("swing", {"far"}, "stiff", (Condition(V**2, "stiff"),)),
+        r"'swing' -> 'stiff': v\*\*2 is not affine",
+    ),
+    (
+        "reset of a stranger",
+        changed_transition("swing", {"far"}, "stiff", (), {Y: 0}),
+        "'swing' -> 'stiff': reset of y, which is not a state",
+    ),
+    (
+        "reset not affine",
+        changed_transition("swing", {"far"}, "stiff", (), {V: V**2}),
+        "reset of v: .* is not affine",
+    ),
+    ("parameter name", lambda: Parameter("k 1", ""), "'k 1' is not an identifier"),
+    ("parameter keyword", lambda: Parameter("lambda", ""), "'lambda' is not an identifier"),
+    ("empty domain", lambda: Parameter("k", "", 1, 1), "k: the domain is empty"),
+    ("inverted domain", lambda: Parameter("k", "", upper=-1), "k: the domain is empty"),
+    ("domain NaN", lambda: Parameter("k", "", math.nan), "k: the end nan .* not a real number"),
+    ("domain complex", lambda: Parameter("k", "", sp.I), "k: the end I .* not a real number"),
+    ("domain symbolic", lambda: Parameter("k", "", GS), "k: the end g .* not a real number"),
+    (
+        "origins missing",
+        lambda: Presentation((X, V), (0,)),
+        "presentation has 2 states but 1 origins",
+    ),
+    (
+        "presentation of another size",
+        lambda: Presentation(STATES, (0, 0, 0, 0)).present(oscillator()),
+        "presentation has 4 states, system has 2",
+    ),
+    (
+        "shifted velocity",
+        lambda: Presentation((Y, W), (0, 1)).present(oscillator()),
+        "presentation shifts a velocity",
+    ),
+]
+
+
+@pytest.mark.parametrize(("make", "message"), [w[1:] for w in WRONG], ids=[w[0] for w in WRONG])
+def test_a_wrong_declaration_is_refused_by_name(make: Callable[[], Any], message: str) -> None:
+    with pytest.raises(DeclarationError, match=message) as caught:
+        make()
+    assert isinstance(caught.value, ValueError)
+    assert "\n" not in str(caught.value)
+
+
+CYCLE = (Phase("swing", "far", "ta"), Phase("stiff", "near", "tb"))
+WRONG_ITINERARIES = [
+    ("empty", (), "itinerary 'loop' has no phases"),
+    ("dwell time twice", (CYCLE[0], replace(CYCLE[1], dwell_time="ta")), "'ta' is named twice"),
+    ("configuration", (replace(CYCLE[0], configuration="jump"),), "no configuration 'jump'"),
+    ("boundary", (replace(CYCLE[0], boundary="near"), CYCLE[1]), "'swing' has no boundary 'near'"),
+    ("no transition", CYCLE[:1], "no transition leads from 'swing' by 'far' to 'swing'"),
+    ("dwell time is a state", (replace(CYCLE[0], dwell_time="x"), CYCLE[1]), "'x' has the name"),
+    (
+        "dwell time is a parameter",
+        (replace(CYCLE[0], dwell_time="k"), CYCLE[1]),
+        "'k' has the name",
+    ),
+    ("dwell time is no name", (replace(CYCLE[0], dwell_time="t a"), CYCLE[1]), "not an identifier"),
+]
+
+
+@pytest.mark.parametrize(
+    ("phases", "message"), [w[1:] for w in WRONG_ITINERARIES], ids=[w[0] for w in WRONG_ITINERARIES]
+)
+def test_a_wrong_itinerary_is_refused_by_name(phases: Any, message: str) -> None:
+    with pytest.raises(DeclarationError, match=message) as caught:
+        Itinerary("loop", oscillator(), phases)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_dwell_time_may_not_be_a_new_parameter_of_the_presentation() -> None:
+    shifted = Presentation((Y, W), (GS / KS, 0), (Parameter("ta", ""),), {GS: 1})
+    with pytest.raises(DeclarationError, match="dwell time 'ta' has the name"):
+        Itinerary("loop", oscillator(), CYCLE, shifted)
+
+
+def test_rotations_of_an_itinerary_are_cyclic() -> None:
+    loop = Itinerary("loop", oscillator(), CYCLE)
+    assert loop.rotated(1).phases == CYCLE[::-1]
+    assert loop.rotated(2) == loop == loop.rotated(-2)
+    assert loop.rotated(1).rotated(1) == loop
+
+
+def test_declarations_are_frozen_and_floats_are_decimals() -> None:
+    configuration = swing([Boundary("far", 0.1 * X - 0.3)], stiffness=[[0.2]], load=(1e-3,))
+    tenth, fifth, thousandth = sp.Rational(1, 10), sp.Rational(1, 5), sp.Rational(1, 1000)
+    assert configuration.boundaries[0].function == tenth * X - sp.Rational(3, 10)
+    assert configuration.dynamics.stiffness == sp.Matrix([[fifth]])
+    assert configuration.dynamics.load == sp.Matrix([thousandth])
+    assert Parameter("k", "", 0.5, 1).lower == sp.Rational(1, 2)
+    with pytest.raises(AttributeError):
+        configuration.name = "other"
+
+
+# --- signs on whole domains -------------------------------------------------------------
+
+DOMAINS = (
+    Parameter("a", "", 0, 1),
+    Parameter("b", ""),
+    Parameter("c", "", closed=True),
+    Parameter("d", "", -2, 3),
+    Parameter("m", "", -sp.oo, -1),
+    Parameter("f", "", -sp.oo, sp.oo),
+)
+A, B, C, D, M, F = (p.symbol for p in DOMAINS)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        A, 1 - A, B, B + C, C + 1, D + 2, 3 - D, -M, -1 - M, 6 + D - D**2, A / (1 - A),
+        (1 - A) * B / (1 + C), 1 + F**2, sp.Integer(3), sp.sqrt(B), sp.sqrt(2) - 1,
+        (1 - A * B) ** 2 + 4 * A**2 * B, -B / (A - 1), 1 + A * B, B - M, A - A**2,
+    ],
+    ids=str,
+)  # fmt: skip
+def test_positive_on_the_whole_domain_is_shown(expression: sp.Expr) -> None:
+    assert is_positive(expression, DOMAINS)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        C, B - A, A - 1, D, F, F**2, sp.Integer(0), -B, 2 * A - 1, 2 - B, B * C, M, M + 2,
+        (A - sp.Rational(1, 2)) ** 2, STRANGER, B + STRANGER, sp.sqrt(B) - 1, D + 1, 1 / (A - 2),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_what_is_not_positive_everywhere_is_not_shown(expression: sp.Expr) -> None:
+    assert not is_positive(expression, DOMAINS)
+
+
+def inside(parameter: Parameter, unit: Fraction) -> sp.Expr:
+    """A rational point of a domain, from a number in (0, 1); ends that belong come up too."""
+    lower, upper = parameter.lower, parameter.upper
+    u = sp.Rational(unit.numerator, unit.denominator)
+    if parameter.closed and unit < Fraction(1, 10):
+        return lower
+    if lower.is_finite and upper.is_finite:
+        return lower + (upper - lower) * u
+    if lower.is_finite:
+        return lower + u / (1 - u)
+    if upper.is_finite:
+        return upper - u / (1 - u)
+    return (2 * u - 1) / (u * (1 - u))
+
+
+coefficients = st.integers(-3, 3)
+polynomials = st.lists(
+    st.tuples(coefficients, st.lists(st.integers(0, 5), max_size=3)), min_size=1, max_size=4
+).map(lambda terms: sp.Add(*(c * sp.Mul(*((A, B, C, D, M, F)[i] for i in t)) for c, t in terms)))
+units = st.fractions(Fraction(1, 1000), Fraction(999, 1000), max_denominator=1000)
+
+
+@PROPERTY
+@given(polynomials, polynomials, st.lists(st.tuples(*[units] * 6), min_size=4, max_size=4))
+def test_true_is_a_proof(numerator: sp.Expr, denominator: sp.Expr, points: list[Any]) -> None:
+    assume(denominator != 0)
+    expression = numerator / denominator
+    if is_positive(expression, DOMAINS):
+        for point in points:
+            values = {p.symbol: inside(p, u) for p, u in zip(DOMAINS, point, strict=True)}
+            assert expression.subs(values) > 0
+
+
+# --- presentations ----------------------------------------------------------------------
+
+
+def numbers(parameters: Sequence[Parameter], source: random.Random) -> dict[sp.Symbol, sp.Expr]:
+    return {p.symbol: inside(p, Fraction(source.randint(1, 99), 100)) for p in parameters}
+
+
+def same_system_shifted(system: System, presentation: Presentation, seed: int) -> None:
+    """Vector fields, boundaries, conditions and resets agree at corresponding states."""
+    source = random.Random(seed)
+    presented = presentation.present(system)
+    # numbers for the parameters of the presented system fix those of the original one
+    values = numbers(presented.parameters, source)
+    original = values | {s: e.subs(values) for s, e in presentation.substitution.items()}
+    origin = sp.Matrix(presentation.origin).subs(original)
+    state = sp.Matrix([sp.Rational(source.randint(-99, 99), 10) for _ in system.states])
+    at_old = original | dict(zip(system.states, state + origin, strict=True))
+    at_new = values | dict(zip(presented.states, state, strict=True))
+    for old, new in zip(system.configurations, presented.configurations, strict=True):
+        matrix, offset = old.dynamics.field(system.states)
+        field = (matrix * (state + origin) + offset).subs(original)
+        matrix, offset = new.dynamics.field(presented.states)
+        assert (matrix * state + offset).subs(values) == field
+        assert old.name == new.name
+        for one, other in zip(old.boundaries, new.boundaries, strict=True):
+            assert (one.name, one.acts_when) == (other.name, other.acts_when)
+            assert one.function.subs(at_old) == other.function.subs(at_new)
+    for old, new in zip(system.transitions, presented.transitions, strict=True):
+        assert (old.source, old.target, old.boundaries) == (new.source, new.target, new.boundaries)
+        before = old.reset_of(state + origin, system.states).subs(original)
+        assert new.reset_of(state, presented.states).subs(values) == before - origin
+        for one, other in zip(old.conditions, new.conditions, strict=True):
+            assert (one.along, one.holds) == (other.along, other.holds)
+            assert one.function.subs(at_old) == other.function.subs(at_new)
+    for one, other in zip(system.constraints, presented.constraints, strict=True):
+        assert one.subs(original) == other.subs(values)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_shifted_dry_friction_is_the_same_motion(seed: int) -> None:
+    same_system_shifted(dry_friction.system, dry_friction.shifted, seed)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_resets_first_order_motions_and_new_parameters_are_shifted_too(seed: int) -> None:
+    double = Parameter("double", "twice the load", closed=True)
+    system = oscillator(
+        configurations=(
+            swing([Boundary("far", X - KS)], damping=[[1]]),
+            Configuration("stiff", FirstOrder([[0, 1], [-KS, -1]], (GS, 1)), ()),
+        ),
+        transitions=(
+            Transition(
+                "swing", {"far"}, "stiff", (Condition(X - GS, "stiff"),), {X: -X + 1, V: 2 * X - V}
+            ),
+        ),
+        constraints=(KS - GS,),
+    )
+    presentation = Presentation((Y, W), (GS / KS, 0), (double,), {GS: double.symbol / 2})
+    same_system_shifted(system, presentation, seed)
+    assert GS not in {p.symbol for p in presentation.present(system).parameters}
+
+
+# --- dry friction -----------------------------------------------------------------------
+
+REGIMES = ("slip", "stick", "overshoot")
+EVENTS = {"stick": ("breaks-forward", "breaks-backward")}
+
+
+def test_nine_configurations_and_a_transition_for_every_set_of_boundaries() -> None:
+    system = dry_friction.system
+    names = {"-".join(pair) for pair in product(REGIMES, REGIMES)}
+    assert {c.name for c in system.configurations} == names
+    expected = set()
+    for pair in product(REGIMES, REGIMES):
+        events = [
+            [None, *(f"{mass}-{e}" for e in EVENTS.get(regime, ("reaches-belt",)))]
+            for mass, regime in zip(("first", "second"), pair, strict=True)
+        ]
+        source = "-".join(pair)
+        known = {b.name for b in system.configuration(source).boundaries}
+        assert known == {e for group in events for e in group if e}
+        expected |= {(source, frozenset(filter(None, s))) for s in product(*events) if any(s)}
+    reached: dict[Any, list[Transition]] = {}
+    for transition in system.transitions:
+        reached.setdefault((transition.source, transition.boundaries), []).append(transition)
+    assert set(reached) == expected
+    for group in reached.values():
+        assert group[-1].conditions == ()
+        assert len({(t.target, t.conditions) for t in group}) == len(group)
+
+
+def field(configuration: str, values: dict[str, float]) -> Callable[[np.ndarray], np.ndarray]:
+    """Motion of the two masses, from Newton's law: the test's own equations."""
+    first, second = configuration.split("-")
+    signs = {"slip": 1, "overshoot": -1}
+
+    def rate(y: np.ndarray) -> np.ndarray:
+        x1, x2, v1, v2 = y
+        a1 = signs.get(first, 0) * values["us1"] - x1 + values["chi"] * x2
+        a2 = values["eta"] * (signs.get(second, 0) * values["us2"] - values["chi"] * (x2 - x1))
+        return np.array([v1, v2, 0 if first == "stick" else a1, 0 if second == "stick" else a2])
+
+    return rate
+
+
+def leading(function: sp.Expr, along: str, state: dict[str, Fraction], values: Any) -> Fraction:
+    """First nonzero among g, g', g'', ... along a configuration's motion, else zero; exact."""
+    rate = field(along, values)
+    y = np.array([state[s] for s in ("x1", "x2", "v1", "v2")], dtype=object)
+    zero = np.array([Fraction(0)] * 4, dtype=object)
+    subs = {s: sp.Rational(values[s.name]) for s in function.free_symbols if s.name in values}
+    row = [Fraction(str(sp.diff(function, s).subs(subs))) for s in dry_friction.states]
+    constant = Fraction(str(function.subs(subs).subs(dict.fromkeys(dry_friction.states, 0))))
+    value = constant + sum(a * b for a, b in zip(row, y, strict=True))
+    derivative = rate(y)
+    for _ in range(9):  # a motion in four dimensions: beyond, all vanish
+        if value != 0:
+            return value
+        value = sum((a * b for a, b in zip(row, derivative, strict=True)), Fraction(0))
+        derivative = rate(derivative) - rate(zero)  # the field is affine
+    return Fraction(0)
+
+
+def declared(source: str, boundaries: set[str], state: Any, values: Any) -> Transition:
+    """The first transition of the declaration whose conditions hold."""
+    for transition in dry_friction.system.transitions:
+        if (transition.source, transition.boundaries) == (source, boundaries) and all(
+            (leading(c.function, c.along, state, values) > 0) == c.holds
+            for c in transition.conditions
+        ):
+            return transition
+    raise AssertionError("no transition applies")
+
+
+def regime(force: Fraction, slope: Fraction, limit: Fraction) -> str:
+    """Rule of the source for a mass at the belt: its force, the force's first nonzero slope."""
+    if abs(force) < limit or (abs(force) == limit and slope * force <= 0):
+        return "stick"
+    return "slip" if force > 0 else "overshoot"
+
+
+VALUES: dict[str, Any] = {
+    "chi": Fraction(1, 2), "eta": Fraction(1), "V": Fraction(1),
+    "us1": Fraction(1), "ur1": Fraction(3), "us2": Fraction(1), "ur2": Fraction(2),
+}  # fmt: skip
+
+
+def at_belt(f1: Any, f2: Any, values: Any = VALUES) -> dict[str, Fraction]:
+    """Both masses at the belt's velocity under given friction forces."""
+    # f1 = x1 - chi x2, f2 = chi (x2 - x1)
+    chi = values["chi"]
+    x1 = (Fraction(f1) + Fraction(f2)) / (1 - chi)
+    return {"x1": x1, "x2": x1 + Fraction(f2) / chi, "v1": values["V"], "v2": values["V"]}
+
+
+@pytest.mark.parametrize(
+    ("f1", "expected"),
+    [
+        (0, "stick"), ("2.9", "stick"), ("-2.9", "stick"), ("1.5", "stick"), ("-3", "stick"),
+        ("3.1", "slip"), ("-3.1", "overshoot"), (3, "slip"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("source", ["slip-stick", "overshoot-stick"])
+def test_the_first_mass_reaching_the_belt_beside_a_stuck_one(
+    source: str, f1: Any, expected: str
+) -> None:
+    # sticking beside a stuck mass f1' = V (1 - chi) > 0: at f1 = ur1 it goes beyond, at
+    # f1 = -ur1 it comes back
+    transition = declared(source, {"first-reaches-belt"}, at_belt(f1, 0), VALUES)
+    assert transition.target == f"{expected}-stick"
+    reset = {dry_friction.v1: dry_friction.V} if expected == "stick" else {}
+    assert dict(transition.reset) == reset
+
+
+@pytest.mark.parametrize(
+    ("f2", "v1", "expected"),
+    [
+        (1, 0, "stick"), (-1, 0, "stick"), ("2.1", 0, "slip"), ("-2.1", 0, "overshoot"),
+        # f2' = chi (V - v1) while stuck
+        (2, "0.5", "slip"), (2, "1.5", "stick"), (-2, "0.5", "stick"), (-2, "1.5", "overshoot"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("source", ["slip-slip", "slip-overshoot"])
+def test_the_second_mass_reaching_the_belt_beside_a_slipping_one(
+    source: str, f2: Any, v1: Any, expected: str
+) -> None:
+    state = at_belt(1, f2) | {"v1": Fraction(v1)}
+    transition = declared(source, {"second-reaches-belt"}, state, VALUES)
+    assert transition.target == f"slip-{expected}"
+
+
+@pytest.mark.parametrize(
+    ("f1", "f2", "expected"),
+    [
+        (1, 1, "stick-stick"), (4, 1, "slip-stick"), (-4, -1, "overshoot-stick"),
+        (1, 3, "stick-slip"), (-1, -3, "stick-overshoot"), (4, 3, "slip-slip"),
+        (4, -3, "slip-overshoot"), (-4, 3, "overshoot-slip"), (-4, -3, "overshoot-overshoot"),
+        # f1' = V (1 - chi) > 0 while both stick: beyond at f1 = ur1, back at f1 = -ur1
+        (3, 0, "slip-stick"), (-3, 0, "stick-stick"),
+        # f1 decides first; then f2' = 0 and f2'' = -chi a1 with the second mass stuck
+        (3, 2, "slip-slip"), (3, -2, "slip-stick"), (4, 2, "slip-slip"), (4, -2, "slip-stick"),
+        (-4, 2, "overshoot-stick"), (-4, -2, "overshoot-overshoot"),
+        # both stuck, f2 is constant: all derivatives vanish, it sticks
+        (0, 2, "stick-stick"), (0, -2, "stick-stick"), (-3, 2, "stick-stick"),
+    ],
+)  # fmt: skip
+def test_both_masses_at_the_belt_at_one_instant(f1: Any, f2: Any, expected: str) -> None:
+    boundaries = {"first-reaches-belt", "second-reaches-belt"}
+    transition = declared("slip-slip", boundaries, at_belt(f1, f2), VALUES)
+    assert transition.target == expected
+    stuck = [
+        v for v, r in zip((dry_friction.v1, dry_friction.v2), expected.split("-"), strict=True)
+        if r == "stick"
+    ]  # fmt: skip
+    assert dict(transition.reset) == dict.fromkeys(stuck, dry_friction.V)
+
+
+@pytest.mark.parametrize(
+    ("boundary", "f1", "f2", "expected"),
+    [
+        ("first-breaks-forward", 3, 0, "slip-stick"),
+        # the boundary was located, but the force does not go beyond: it sticks on
+        ("first-breaks-backward", -3, 0, "stick-stick"),
+        ("second-breaks-forward", 0, 2, "stick-stick"),
+        ("first-breaks-forward", "3.01", 0, "slip-stick"),
+        ("second-breaks-backward", 0, "-2.01", "stick-overshoot"),
+    ],
+)
+def test_a_force_limit_reached_while_both_stick(
+    boundary: str, f1: Any, f2: Any, expected: str
+) -> None:
+    assert declared("stick-stick", {boundary}, at_belt(f1, f2), VALUES).target == expected
+
+
+decimals = st.integers(-45, 45).map(lambda n: Fraction(n, 10))
+
+
+@PROPERTY
+@given(decimals, decimals, st.fractions(Fraction(1, 10), Fraction(9, 10), max_denominator=10))
+def test_both_at_the_belt_follow_the_rule_everywhere(
+    f1: Fraction, f2: Fraction, chi: Fraction
+) -> None:
+    values = VALUES | {"chi": chi}
+    state = at_belt(f1, f2, values)
+    first = regime(f1, values["V"] * (1 - chi), values["ur1"])
+    # f2' = chi (V - v1) = 0 and f2'' = -chi a1, zero while the first mass sticks
+    friction = {"slip": values["us1"], "overshoot": -values["us1"]}
+    slope = -chi * (friction[first] - f1) if first in friction else Fraction(0)
+    second = regime(f2, slope, values["ur2"])
+    boundaries = {"first-reaches-belt", "second-reaches-belt"}
+    assert declared("slip-slip", boundaries, state, values).target == f"{first}-{second}"
+
+
+@pytest.mark.parametrize("configuration", [c.name for c in dry_friction.system.configurations])
+def test_every_configuration_obeys_newtons_law(configuration: str) -> None:
+    source = random.Random(configuration)
+    values = {name: Fraction(source.randint(1, 19), 20) for name in VALUES}
+    state = np.array([Fraction(source.randint(-20, 20), 7) for _ in range(4)], dtype=object)
+    dynamics = dry_friction.system.configuration(configuration).dynamics
+    matrix, offset = dynamics.field(dry_friction.states)
+    found = matrix * sp.Matrix([sp.Rational(str(s)) for s in state]) + offset
+    subs = {s: sp.Rational(str(values[s.name])) for s in found.free_symbols}
+    expected = field(configuration, values)(state)
+    assert [Fraction(str(e.subs(subs))) for e in found] == list(expected)
+
+
+# --- physical data ----------------------------------------------------------------------
+
+PHYSICAL: dict[str, Any] = {
+    "m1": 2.0, "m2": 0.8, "k1": 300.0, "k2": 500.0, "belt_velocity": 0.4,
+    "normal_loads": (30.0, 12.0), "slipping_coefficients": (0.2, 0.3),
+    "static_coefficients": (0.5, 0.4), "length": 0.05,
+}  # fmt: skip
+
+
+def test_the_dimensional_motion_is_the_nondimensional_one() -> None:
+    data = dry_friction.from_physical(**PHYSICAL)
+    m1, m2, k1, k2 = (PHYSICAL[n] for n in ("m1", "m2", "k1", "k2"))
+    push = [
+        c * n
+        for c, n in zip(PHYSICAL["slipping_coefficients"], PHYSICAL["normal_loads"], strict=True)
+    ]
+
+    def rate(_: float, y: np.ndarray) -> list[float]:
+        x1, x2, v1, v2 = y
+        coupling = k2 * (x2 - x1)
+        return [v1, v2, (push[0] - k1 * x1 + coupling) / m1, (push[1] - coupling) / m2]
+
+    start, duration = np.array([0.02, -0.03, 0.1, -0.2]), 0.4
+    motion = solve_ivp(rate, (0, duration), start, "DOP853", rtol=1e-12, atol=1e-14)
+    p = data.parameters
+    a = np.zeros((5, 5))
+    a[0, 2] = a[1, 3] = 1
+    a[2, :2] = -1, p["chi"]
+    a[3, :2] = p["chi"] * p["eta"], -p["chi"] * p["eta"]
+    a[2, 4], a[3, 4] = p["us1"], p["eta"] * p["us2"]
+    quantities = ("length", "length", "velocity", "velocity")
+    scales = np.array([data.dimensional(1.0, q) for q in quantities])
+    end = expm(a * duration / data.time) @ np.append(start / scales, 1)
+    back = [data.dimensional(e, q) for e, q in zip(end[:4], quantities, strict=True)]
+    np.testing.assert_allclose(back, motion.y[:, -1], rtol=1e-9)
+
+
+def test_physical_data_convert_back() -> None:
+    data = dry_friction.from_physical(**PHYSICAL)
+    p = data.parameters
+    assert data.dimensional(p["V"], "velocity") == pytest.approx(PHYSICAL["belt_velocity"])
+    for i in (1, 2):
+        for name, kind in (("us", "slipping"), ("ur", "static")):
+            force = PHYSICAL[f"{kind}_coefficients"][i - 1] * PHYSICAL["normal_loads"][i - 1]
+            assert data.dimensional(p[f"{name}{i}"], "force") == pytest.approx(force)
+    assert data.dimensional(1.0, "time") ** 2 * 800.0 == pytest.approx(PHYSICAL["m1"])
+    assert p["chi"] == 500.0 / 800.0
+    assert p["eta"] == 2.0 / 0.8
+    with pytest.raises(ValueError, match="unknown quantity 'mass'"):
+        data.dimensional(1.0, "mass")
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [
+        *(
+            (n, v, rf"{n} is {v}, not positive")
+            for n in ("m1", "m2", "k1", "k2")
+            for v in (0, -1.0)
+        ),
+        ("belt_velocity", math.nan, "belt_velocity is nan"),
+        ("length", math.inf, "length is inf"),
+        ("normal_loads", (30.0,), "normal_loads has 1 values, not 2"),
+        ("normal_loads", (30.0, -1.0), r"normal_loads\[1\] is -1.0"),
+        ("slipping_coefficients", (0.0, 0.3), r"slipping_coefficients\[0\] is 0.0"),
+        ("static_coefficients", (0.5, 0.2), r"static_coefficients\[1\] is below"),
+    ],
+)
+def test_impossible_physical_data_are_refused(name: str, value: Any, message: str) -> None:
+    with pytest.raises(DeclarationError, match=message):
+        dry_friction.from_physical(**(PHYSICAL | {name: value}))
