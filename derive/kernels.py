@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
@@ -34,26 +34,25 @@ def spectrum_kernel(spectrum: Spectrum) -> Kernel:
     )
 
 
-def flow_kernels(system: System, spectrum: Spectrum, flows: dict[str, Flow]) -> tuple[Kernel, ...]:
-    """Flow of each configuration, in physical coordinates."""
-    parameters = _vector("parameters", tuple(p.symbol for p in system.parameters))
+def flow_kernels(
+    system: System,
+    spectrum: Spectrum,
+    flows: Mapping[str, Flow],
+    parameters: tuple[sp.Symbol, ...] | None = None,
+) -> tuple[Kernel, ...]:
+    """Flow of each configuration in the system's coordinates, over all its parameters or some."""
+    arguments = (
+        _vector("parameters", parameters or tuple(p.symbol for p in system.parameters)),
+        _vector("spectrum", spectrum.symbols),
+        Argument("time", (), (TIME,)),
+        _vector("state", system.states),
+    )
     kernels = []
-    for name, flow in flows.items():
+    for flow in flows.values():
         end = flow.matrix() * sp.Matrix(system.states) + flow.offset()
-        kernels.append(
-            Kernel(
-                f"flow_{name}",
-                f"State after a time in {name}, in physical coordinates.",
-                (
-                    parameters,
-                    _vector("spectrum", spectrum.symbols),
-                    Argument("time", (), (TIME,)),
-                    _vector("state", system.states),
-                ),
-                (Output("state_after", (len(system.states),), tuple(end)),),
-                (),
-            )
-        )
+        title = f"State after a time in {flow.configuration}."
+        outputs = (Output("state_after", (len(system.states),), tuple(end)),)
+        kernels.append(Kernel(f"flow_{flow.configuration}", title, arguments, outputs, ()))
     return tuple(kernels)
 
 
@@ -157,6 +156,8 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
             chain,
         ),
     ]
+    flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
+    kernels += flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters)
     return (*kernels, *_reduced_kernels(orbit, parameters, spectrum))
 
 

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation b4c2ea9c2219e518 */
+ * SymPy 1.14.0, derivation 3188b31f4607ae9a */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -457,6 +457,98 @@ static void loop_dry_friction_global_stick_boundary_functions(
     }
 }
 
+static const char types_dry_friction_global_stick_flow_stick_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_global_stick_flow_stick_stick(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 7];
+        double a2[points * 1];
+        double a3[points * 4];
+        double a4[points * 4];
+        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
+        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
+        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_global_stick_flow_stick_stick((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
+static const char types_dry_friction_global_stick_flow_slip_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_global_stick_flow_slip_stick(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 7];
+        double a2[points * 1];
+        double a3[points * 4];
+        double a4[points * 4];
+        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
+        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
+        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_global_stick_flow_slip_stick((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
+static const char types_dry_friction_global_stick_flow_slip_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_global_stick_flow_slip_slip(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 7];
+        double a2[points * 1];
+        double a3[points * 4];
+        double a4[points * 4];
+        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
+        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
+        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_global_stick_flow_slip_slip((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
+static const char types_dry_friction_global_stick_flow_stick_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_global_stick_flow_stick_slip(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 7];
+        double a2[points * 1];
+        double a3[points * 4];
+        double a4[points * 4];
+        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
+        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
+        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_global_stick_flow_stick_slip((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
 static const char types_dry_friction_global_stick_reduced[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
 static void loop_dry_friction_global_stick_reduced(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
@@ -597,6 +689,14 @@ static const wrapped functions[] = {
      types_dry_friction_global_stick_states, 3, 1},
     {"dry_friction_global_stick_boundary_functions", "(5),(7),(6)->(44),(4)", loop_dry_friction_global_stick_boundary_functions,
      types_dry_friction_global_stick_boundary_functions, 3, 2},
+    {"dry_friction_global_stick_flow_stick_stick", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_stick_stick,
+     types_dry_friction_global_stick_flow_stick_stick, 4, 1},
+    {"dry_friction_global_stick_flow_slip_stick", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_slip_stick,
+     types_dry_friction_global_stick_flow_slip_stick, 4, 1},
+    {"dry_friction_global_stick_flow_slip_slip", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_slip_slip,
+     types_dry_friction_global_stick_flow_slip_slip, 4, 1},
+    {"dry_friction_global_stick_flow_stick_slip", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_stick_slip,
+     types_dry_friction_global_stick_flow_stick_slip, 4, 1},
     {"dry_friction_global_stick_reduced", "(5),(7),(2)->(2),(2,2)", loop_dry_friction_global_stick_reduced,
      types_dry_friction_global_stick_reduced, 3, 2},
     {"dry_friction_global_stick_expand", "(5),(7),(2)->(6)", loop_dry_friction_global_stick_expand,
@@ -623,7 +723,7 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "759fc14467815f8f") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "8277ae5096b3ef20") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 759fc14467815f8f */
+ * SymPy 1.14.0, derivation 8277ae5096b3ef20 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -87,7 +87,7 @@ void dry_friction_spectrum(
     derivatives[13] = omega3_by_eta;
 }
 
-/* State after a time in slip-slip, in physical coordinates.
+/* State after a time in slip-slip.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 138. Intermediate terms: 26. */
 void dry_friction_flow_slip_slip(
@@ -139,7 +139,7 @@ void dry_friction_flow_slip_slip(
     state_after[3] = t1*(-omega1*t18*t4 + omega1*t24) + t21*v1 + t22*v2 + t7*(omega2*t23 - omega2*t24) + x1*(omega2*p3*t7 - p3*t26) + x2*(-p1*t25 + t26*t4);
 }
 
-/* State after a time in slip-stick, in physical coordinates.
+/* State after a time in slip-stick.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 28. Intermediate terms: 4. */
 void dry_friction_flow_slip_stick(
@@ -164,7 +164,7 @@ void dry_friction_flow_slip_stick(
     state_after[3] = v2;
 }
 
-/* State after a time in slip-overshoot, in physical coordinates.
+/* State after a time in slip-overshoot.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_slip_overshoot(
@@ -216,7 +216,7 @@ void dry_friction_flow_slip_overshoot(
     state_after[3] = t1*(-omega1*t19*t4 + omega1*t25) + t22*v1 + t23*v2 + t7*(omega2*t24 - omega2*t25) + x1*(omega2*p3*t7 - p3*t27) + x2*(-p1*t26 + t27*t4);
 }
 
-/* State after a time in stick-slip, in physical coordinates.
+/* State after a time in stick-slip.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 29. Intermediate terms: 7. */
 void dry_friction_flow_stick_slip(
@@ -244,7 +244,7 @@ void dry_friction_flow_stick_slip(
     state_after[3] = t3*v2 + t4*v1 + t5*t6 + t6*x1 - t6*x2;
 }
 
-/* State after a time in stick-stick, in physical coordinates.
+/* State after a time in stick-stick.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 4. Intermediate terms: 0. */
 void dry_friction_flow_stick_stick(
@@ -263,7 +263,7 @@ void dry_friction_flow_stick_stick(
     state_after[3] = v2;
 }
 
-/* State after a time in stick-overshoot, in physical coordinates.
+/* State after a time in stick-overshoot.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 29. Intermediate terms: 7. */
 void dry_friction_flow_stick_overshoot(
@@ -291,7 +291,7 @@ void dry_friction_flow_stick_overshoot(
     state_after[3] = t3*v2 + t4*v1 - t5*t6 + t6*x1 - t6*x2;
 }
 
-/* State after a time in overshoot-slip, in physical coordinates.
+/* State after a time in overshoot-slip.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_overshoot_slip(
@@ -343,7 +343,7 @@ void dry_friction_flow_overshoot_slip(
     state_after[3] = t1*(-omega1*t19*t4 + omega1*t25) + t22*v1 + t23*v2 + t7*(omega2*t24 - omega2*t25) + x1*(omega2*p3*t7 - p3*t27) + x2*(-p1*t26 + t27*t4);
 }
 
-/* State after a time in overshoot-stick, in physical coordinates.
+/* State after a time in overshoot-stick.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 28. Intermediate terms: 4. */
 void dry_friction_flow_overshoot_stick(
@@ -368,7 +368,7 @@ void dry_friction_flow_overshoot_stick(
     state_after[3] = v2;
 }
 
-/* State after a time in overshoot-overshoot, in physical coordinates.
+/* State after a time in overshoot-overshoot.
  * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_overshoot_overshoot(
@@ -1997,6 +1997,115 @@ void dry_friction_global_stick_boundary_functions(
     frequencies[1] = omega1;
     frequencies[2] = omega2;
     frequencies[3] = omega3;
+}
+
+/* State after a time in stick-stick.
+ * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 4. Intermediate terms: 0. */
+void dry_friction_global_stick_flow_stick_stick(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    (void)spectrum;
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    state_after[0] = t*v1 + z1;
+    state_after[1] = t*v2 + z2;
+    state_after[2] = v1;
+    state_after[3] = v2;
+}
+
+/* State after a time in slip-stick.
+ * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 23. Intermediate terms: 4. */
+void dry_friction_global_stick_flow_slip_stick(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    const double chi = parameters[0];
+    (void)spectrum;
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = sin(t);
+    const double t1 = chi*t0;
+    const double t2 = cos(t);
+    const double t3 = -chi*t2 + chi;
+    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*t - t1);
+    state_after[1] = t*v2 + z2;
+    state_after[2] = -t0*z1 + t1*z2 + t2*v1 + t3*v2;
+    state_after[3] = v2;
+}
+
+/* State after a time in slip-slip.
+ * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 82. Intermediate terms: 16. */
+void dry_friction_global_stick_flow_slip_slip(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = (1.0/(omega1));
+    const double t1 = omega1*t;
+    const double t2 = sin(t1);
+    const double t3 = t0*t2;
+    const double t4 = 1 - p1;
+    const double t5 = omega2*t;
+    const double t6 = sin(t5);
+    const double t7 = t6/omega2;
+    const double t8 = cos(t1);
+    const double t9 = cos(t5);
+    const double t10 = p1*t8 + t4*t9;
+    const double t11 = p2*t8 - p2*t9;
+    const double t12 = p3*t8 - p3*t9;
+    const double t13 = p1*t9 + t4*t8;
+    const double t14 = omega2*t6;
+    const double t15 = omega1*t2;
+    state_after[0] = t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
+    state_after[1] = t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
+    state_after[2] = t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15);
+    state_after[3] = t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4);
+}
+
+/* State after a time in stick-slip.
+ * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 23. Intermediate terms: 6. */
+void dry_friction_global_stick_flow_stick_slip(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    const double omega3 = spectrum[6];
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = omega3*t;
+    const double t1 = sin(t0);
+    const double t2 = t1/omega3;
+    const double t3 = cos(t0);
+    const double t4 = 1 - t3;
+    const double t5 = omega3*t1;
+    state_after[0] = t*v1 + z1;
+    state_after[1] = t2*v2 + t3*z2 + t4*z1 + v1*(t - t2);
+    state_after[2] = v1;
+    state_after[3] = t3*v2 + t4*v1 + t5*z1 - t5*z2;
 }
 
 /* Reduced equations and their derivatives by the reduced unknowns.

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 759fc14467815f8f */
+ * SymPy 1.14.0, derivation 8277ae5096b3ef20 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 
@@ -50,6 +50,14 @@ void dry_friction_global_stick_states(
     const double parameters[5], const double spectrum[7], const double unknowns[6], double states[20]);
 void dry_friction_global_stick_boundary_functions(
     const double parameters[5], const double spectrum[7], const double unknowns[6], double coefficients[44], double frequencies[4]);
+void dry_friction_global_stick_flow_stick_stick(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4]);
+void dry_friction_global_stick_flow_slip_stick(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4]);
+void dry_friction_global_stick_flow_slip_slip(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4]);
+void dry_friction_global_stick_flow_stick_slip(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4]);
 void dry_friction_global_stick_reduced(
     const double parameters[5], const double spectrum[7], const double reduced[2], double residual[2], double jacobian[4]);
 void dry_friction_global_stick_expand(

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 759fc14467815f8f
+# SymPy 1.14.0, derivation 8277ae5096b3ef20
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "759fc14467815f8f"
+DERIVATION = "8277ae5096b3ef20"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -644,6 +644,10 @@ KERNELS = {'spectrum': ([(2,)], [(7,), (7, 2)]),
  'global_stick_trace_gradient': ([(5,), (7,), (7, 2), (6,)], [(11,)]),
  'global_stick_states': ([(5,), (7,), (6,)], [(5, 4)]),
  'global_stick_boundary_functions': ([(5,), (7,), (6,)], [(44,), (4,)]),
+ 'global_stick_flow_stick_stick': ([(5,), (7,), (), (4,)], [(4,)]),
+ 'global_stick_flow_slip_stick': ([(5,), (7,), (), (4,)], [(4,)]),
+ 'global_stick_flow_slip_slip': ([(5,), (7,), (), (4,)], [(4,)]),
+ 'global_stick_flow_stick_slip': ([(5,), (7,), (), (4,)], [(4,)]),
  'global_stick_reduced': ([(5,), (7,), (2,)], [(2,), (2, 2)]),
  'global_stick_expand': ([(5,), (7,), (2,)], [(6,)])}
 
@@ -711,7 +715,7 @@ def spectrum(parameters, lib):
 
 
 def flow_slip_slip(parameters, spectrum, time, state, lib):
-    """State after a time in slip-slip, in physical coordinates.
+    """State after a time in slip-slip.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -755,7 +759,7 @@ def flow_slip_slip(parameters, spectrum, time, state, lib):
 
 
 def flow_slip_stick(parameters, spectrum, time, state, lib):
-    """State after a time in slip-stick, in physical coordinates.
+    """State after a time in slip-stick.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -776,7 +780,7 @@ def flow_slip_stick(parameters, spectrum, time, state, lib):
 
 
 def flow_slip_overshoot(parameters, spectrum, time, state, lib):
-    """State after a time in slip-overshoot, in physical coordinates.
+    """State after a time in slip-overshoot.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -820,7 +824,7 @@ def flow_slip_overshoot(parameters, spectrum, time, state, lib):
 
 
 def flow_stick_slip(parameters, spectrum, time, state, lib):
-    """State after a time in stick-slip, in physical coordinates.
+    """State after a time in stick-slip.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -845,7 +849,7 @@ def flow_stick_slip(parameters, spectrum, time, state, lib):
 
 
 def flow_stick_stick(parameters, spectrum, time, state, lib):
-    """State after a time in stick-stick, in physical coordinates.
+    """State after a time in stick-stick.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -860,7 +864,7 @@ def flow_stick_stick(parameters, spectrum, time, state, lib):
 
 
 def flow_stick_overshoot(parameters, spectrum, time, state, lib):
-    """State after a time in stick-overshoot, in physical coordinates.
+    """State after a time in stick-overshoot.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -885,7 +889,7 @@ def flow_stick_overshoot(parameters, spectrum, time, state, lib):
 
 
 def flow_overshoot_slip(parameters, spectrum, time, state, lib):
-    """State after a time in overshoot-slip, in physical coordinates.
+    """State after a time in overshoot-slip.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -929,7 +933,7 @@ def flow_overshoot_slip(parameters, spectrum, time, state, lib):
 
 
 def flow_overshoot_stick(parameters, spectrum, time, state, lib):
-    """State after a time in overshoot-stick, in physical coordinates.
+    """State after a time in overshoot-stick.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -950,7 +954,7 @@ def flow_overshoot_stick(parameters, spectrum, time, state, lib):
 
 
 def flow_overshoot_overshoot(parameters, spectrum, time, state, lib):
-    """State after a time in overshoot-overshoot, in physical coordinates.
+    """State after a time in overshoot-overshoot.
 
     Takes parameters (7): chi, eta, V, us1, ur1, us2, ur2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -2295,6 +2299,98 @@ def global_stick_boundary_functions(parameters, spectrum, unknowns, lib):
         [-e1 - t12 + z10, -t15, -e1 + t12 - z10, t15, -e2 + t12 - t18, 0, -e2 - t12 + t18, 0, t15, 0, -t15, t20, -e2 + t19 - t22, -t23, -t24, -t25, -e2 - t19 + t22, t23, t24, t25, -V, 0, p1*v1_2 + t26, -t26 + t7*v1_2, -omega1*t28 - p1*t27, omega2*t28 - omega2*t7*z1_2, -V, 0, V*t7 + t29, V*p1 - t29, -omega1*t7*z2_2 - p3*t27, -omega2*p1*z2_2 + omega2*p3*z1_2, -e1 - t30 + z1_3, -t15, -t31, -t33, -e1 + t30 - z1_3, t15, t31, t33, 0, 0, -V + v2_3, omega3*z1_3 - omega3*z2_3],
         [1, omega1, omega2, omega3],
     )
+
+
+def global_stick_flow_stick_stick(parameters, spectrum, time, state, lib):
+    """State after a time in stick-stick.
+
+    Takes parameters (5): chi, eta, V, e1, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes time.
+    Takes state (4): z1, z2, v1, v2.
+    Gives state_after (4).
+    Operations: 4. Intermediate terms: 0.
+    """
+    t = time
+    [z1, z2, v1, v2] = state
+    return [t*v1 + z1, t*v2 + z2, v1, v2]
+
+
+def global_stick_flow_slip_stick(parameters, spectrum, time, state, lib):
+    """State after a time in slip-stick.
+
+    Takes parameters (5): chi, eta, V, e1, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes time.
+    Takes state (4): z1, z2, v1, v2.
+    Gives state_after (4).
+    Operations: 23. Intermediate terms: 4.
+    """
+    [chi, _, _, _, _] = parameters
+    t = time
+    [z1, z2, v1, v2] = state
+    # outputs
+    t0 = lib.sin(t)
+    t1 = chi*t0
+    t2 = lib.cos(t)
+    t3 = -chi*t2 + chi
+    return [t0*v1 + t2*z1 + t3*z2 + v2*(chi*t - t1), t*v2 + z2, -t0*z1 + t1*z2 + t2*v1 + t3*v2, v2]
+
+
+def global_stick_flow_slip_slip(parameters, spectrum, time, state, lib):
+    """State after a time in slip-slip.
+
+    Takes parameters (5): chi, eta, V, e1, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes time.
+    Takes state (4): z1, z2, v1, v2.
+    Gives state_after (4).
+    Operations: 82. Intermediate terms: 16.
+    """
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
+    t = time
+    [z1, z2, v1, v2] = state
+    # outputs
+    t0 = 1/omega1
+    t1 = omega1*t
+    t2 = lib.sin(t1)
+    t3 = t0*t2
+    t4 = 1 - p1
+    t5 = omega2*t
+    t6 = lib.sin(t5)
+    t7 = t6/omega2
+    t8 = lib.cos(t1)
+    t9 = lib.cos(t5)
+    t10 = p1*t8 + t4*t9
+    t11 = p2*t8 - p2*t9
+    t12 = p3*t8 - p3*t9
+    t13 = p1*t9 + t4*t8
+    t14 = omega2*t6
+    t15 = omega1*t2
+    return [t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15), t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4)]
+
+
+def global_stick_flow_stick_slip(parameters, spectrum, time, state, lib):
+    """State after a time in stick-slip.
+
+    Takes parameters (5): chi, eta, V, e1, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes time.
+    Takes state (4): z1, z2, v1, v2.
+    Gives state_after (4).
+    Operations: 23. Intermediate terms: 6.
+    """
+    [_, _, _, _, _, _, omega3] = spectrum
+    t = time
+    [z1, z2, v1, v2] = state
+    # outputs
+    t0 = omega3*t
+    t1 = lib.sin(t0)
+    t2 = t1/omega3
+    t3 = lib.cos(t0)
+    t4 = 1 - t3
+    t5 = omega3*t1
+    return [t*v1 + z1, t2*v2 + t3*z2 + t4*z1 + v1*(t - t2), v1, t3*v2 + t4*v1 + t5*z1 - t5*z2]
 
 
 def global_stick_reduced(parameters, spectrum, reduced, lib):
