@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-__all__ = ["EntireDifference", "EntirePair"]
+__all__ = ["Eigenvalue", "EntireDifference", "EntirePair"]
 
 
 class EntireDifference(sp.Function):
@@ -79,3 +79,11 @@ class EntirePair(sp.Function):
         if argindex == 6:
             return (level + 1) * at(1, part)
         raise sp.core.function.ArgumentIndexError(self, argindex)
+
+
+class Eigenvalue(sp.Function):
+    """One eigenvalue of a matrix without a closed form: Eigenvalue(i, n, L11, L12, ..., Lnn).
+
+    They are counted by real, then imaginary part. The arithmetic that runs the kernel finds
+    them; their derivatives follow from the characteristic polynomial.
+    """

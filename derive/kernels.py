@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from nonsmooth.derive.entire import Eigenvalue
 from nonsmooth.derive.equations import EquationSystem, spectral_derivative
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate, merged, prune
@@ -15,10 +16,23 @@ __all__ = ["flow_kernels", "orbit_kernels", "reduced_equations", "spectrum_kerne
 
 
 def spectrum_kernel(spectrum: Spectrum) -> Kernel:
-    """Spectrum of a system and its derivatives by the parameters it depends on."""
+    """Spectrum of a system and its derivatives by the parameters it depends on.
+
+    An eigenvalue without a closed form moves by -chi_p/chi_l, chi the characteristic
+    polynomial, as long as it is simple.
+    """
     parameters = spectrum.parameters
-    stage = Stage("spectrum", spectrum.entries)
-    stages, moving = differentiate([stage], {str(p): {p: sp.Integer(1)} for p in parameters})
+    found: list[tuple[sp.Symbol, sp.Expr]] = []
+    rates: dict[tuple[sp.Symbol, str], sp.Expr] = {}
+    for group, matrix in spectrum.eigenvalues:
+        for i, symbol in enumerate(group):
+            found.append((symbol, Eigenvalue(i, matrix.rows, *matrix)))
+            polynomial = (symbol * sp.eye(matrix.rows) - matrix).det()
+            slope = sp.diff(polynomial, symbol)
+            rates |= {(symbol, str(p)): -sp.diff(polynomial, p) / slope for p in parameters}
+    stage = Stage("spectrum", (*spectrum.entries, *found))
+    seeds = {str(p): {p: sp.Integer(1)} for p in parameters}
+    stages, moving = differentiate([stage], seeds, rates)
     derivatives = tuple(
         sp.sympify(moving[str(p)].get(s, 0)) for s in spectrum.symbols for p in parameters
     )

@@ -128,6 +128,14 @@ class Floats(_Entire):
         """Quotient of two integers."""
         return numerator / denominator
 
+    @staticmethod
+    def eigenvalue(index: int, matrix: _Matrix) -> Any:
+        """Eigenvalue of a matrix, counted by real, then imaginary part; complex if any is."""
+        entries = np.broadcast_arrays(*(entry for row in matrix for entry in row))
+        stacked = np.stack(entries, axis=-1).reshape(*entries[0].shape, len(matrix), len(matrix))
+        values = np.sort_complex(np.linalg.eigvals(stacked.astype(float)))
+        return (values.real if not values.imag.any() else values)[..., index]
+
     def _size(self, number: Any) -> float:
         largest = float(np.max(np.abs(number)))
         return largest if math.isfinite(largest) else 0.0
@@ -171,6 +179,12 @@ class Mpmath(_Entire):
     def rational(self, numerator: int, denominator: int) -> Any:
         """Quotient of two integers."""
         return self.mp.mpf(numerator) / denominator
+
+    def eigenvalue(self, index: int, matrix: _Matrix) -> Any:
+        """Eigenvalue of a matrix, counted by real, then imaginary part."""
+        values = self.mp.eig(self.mp.matrix(matrix), left=False, right=False)
+        value = sorted(values, key=lambda v: (self.mp.re(v), self.mp.im(v)))[index]
+        return value if self.mp.im(value) else self.mp.re(value)
 
     def solve(self, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
         """Solution of a square linear system."""
@@ -229,6 +243,19 @@ class Balls(_Entire):
     def rational(self, numerator: int, denominator: int) -> Any:
         """Quotient of two integers."""
         return self.flint.arb(numerator) / denominator
+
+    def eigenvalue(self, index: int, matrix: _Matrix) -> Any:
+        """Enclosure of a simple eigenvalue, counted by real, then imaginary part.
+
+        Raises
+        ------
+        ValueError
+            If eigenvalues cannot be told apart at the working precision.
+        """
+        values = self.flint.acb_mat([list(row) for row in matrix]).eig()
+        value = sorted(values, key=lambda v: (float(v.real), float(v.imag)))[index]
+        # the conjugate is an eigenvalue too: where the balls are apart, it is this one
+        return value.real if value.imag.contains(0) else value
 
     def solve(self, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
         """Enclosure of the solution of a square linear system."""

@@ -62,6 +62,12 @@ class _Printer(StrPrinter):
     def _print_Function(self, expr: sp.Expr) -> str:
         raise ValueError(f"no kernel for the function {type(expr).__name__}")
 
+    def _print_Eigenvalue(self, expr: sp.Expr) -> str:
+        index, size, *entries = expr.args
+        texts = [self._print(e) for e in entries]
+        rows = [f"[{', '.join(texts[i : i + size])}]" for i in range(0, len(texts), int(size))]
+        return f"lib.eigenvalue({index}, [{', '.join(rows)}])"
+
 
 def print_python(expression: sp.Expr) -> str:
     """An expression as Python source over ``lib``."""

@@ -11,6 +11,7 @@ from sympy.printing.precedence import PRECEDENCE
 from nonsmooth.derive.codegen.any_arithmetic import shape_text
 from nonsmooth.derive.codegen.body import Line, body_of
 from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.program import Argument, Kernel, Output
 
 __all__ = ["c_kernel", "c_prototype", "line_sources", "print_c"]
@@ -39,7 +40,7 @@ class _Printer(C99CodePrinter):
         return f"nonsmooth_angle({', '.join(self._print(a) for a in expr.args)})"
 
     def _print_Function(self, expr: sp.Expr) -> str:
-        raise ValueError(f"no C function for {type(expr).__name__}")
+        raise DerivationError(f"{type(expr).__name__} has no C: emit this system for Python only")
 
 
 def print_c(expression: sp.Expr) -> str:
