@@ -4,6 +4,7 @@ Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of t
 
 ===============  ==============================================================
 `parameter`      parameters with domains; what is positive on a whole domain
+`dynamics`       the linear motion inside a configuration
 `system`         Boundary, Configuration, Transition, System: the declaration
 `itinerary`      Itinerary: the phases of an orbit, and how it is presented
 `systems`        the systems of the source paper, declared
@@ -26,6 +27,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
     from nonsmooth.derive.equations import EquationSystem, derive_equations
     from nonsmooth.derive.errors import DeclarationError, DerivationError
     from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
@@ -34,8 +36,6 @@ if TYPE_CHECKING:
         Boundary,
         Condition,
         Configuration,
-        FirstOrder,
-        SecondOrder,
         System,
         Transition,
     )
@@ -74,8 +74,8 @@ _HOMES = {
     "Boundary": "system",
     "Condition": "system",
     "Configuration": "system",
-    "FirstOrder": "system",
-    "SecondOrder": "system",
+    "FirstOrder": "dynamics",
+    "SecondOrder": "dynamics",
     "System": "system",
     "Transition": "system",
 }

@@ -12,11 +12,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.modal import TIME, Flow
 from nonsmooth.derive.program import Stage, assign
-from nonsmooth.derive.system import SecondOrder, System
+from nonsmooth.derive.system import System
 
 __all__ = [
     "Chain",

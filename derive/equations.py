@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from html import escape
 
 import sympy as sp
 
@@ -124,14 +126,18 @@ class EquationSystem:
         """Stages (all that are needed) and expression of the trace.
 
         Zero where the orbit passes through a section that is a point, the slope of the map
-        in one variable where it passes through a line, otherwise the sum of the diagonal of
-        the Poincare map's Jacobian.
+        in one variable where it passes through a line and the unknowns give all it needs,
+        otherwise the sum of the diagonal of the Poincare map's Jacobian.
         """
         if self.reduction.rank == 0:
             return (), sp.Integer(0)
-        if self.reduction.start is not None:
+        # a coordinate that stays unknown in the reduction has a name of its own there
+        own = [u for u in self.reduction.unknowns if u not in self.unknowns]
+        if self.reduction.start is not None and (not own or self.reduction.rotation == 0):
+            coordinates = self.chain.section.coordinates[: len(own)]
+            begin = Stage("start on the section", tuple(zip(own, coordinates, strict=True)))
             stages, slope = self.reduction.slope()
-            return prune((*self.reduction.stages, *stages), [slope]), slope
+            return prune((begin, *self.reduction.stages, *stages), [slope]), slope
         stages, matrix = self.poincare_jacobian
         trace = sp.sympify(matrix.trace())
         return prune((*self.chain.stages, *stages), [trace]), trace
@@ -180,6 +186,34 @@ class EquationSystem:
                     )
                 )
         return tuple(found)
+
+    def _repr_latex_(self) -> str:
+        rows = [f"& {latex} && \\text{{{note.replace('*', '')}}}" for latex, note in self._shown]
+        body = " \\\\\n".join(rows)
+        return f"$$\\begin{{aligned}}\n{body}\n\\end{{aligned}}$$"
+
+    def _repr_html_(self) -> str | None:
+        try:
+            from latex2mathml.converter import convert
+        except ImportError:
+            return None  # a notebook then takes the LaTeX
+        rows = ""
+        for number, (latex, note) in enumerate(self._shown, start=1):
+            parts = re.split(r"\$([^$]+)\$", note.replace("*", ""))
+            text = "".join(convert(p) if i % 2 else escape(p) for i, p in enumerate(parts))
+            rows += f"<tr><td>({number})</td><td>{convert(latex)}</td><td>{text}</td></tr>"
+        name = escape(f"{self.itinerary.system.name}/{self.itinerary.name}")
+        caption = f"{name}; (k) marks the state behind phase k"
+        return f"<table><caption>{caption}</caption>{rows}</table>"
+
+    @cached_property
+    def _shown(self) -> list[tuple[str, str]]:
+        """LaTeX and meaning of each equation, as the document has them."""
+        from nonsmooth.derive.document.blocks import Formula
+        from nonsmooth.derive.document.describe import describe_orbit
+
+        blocks = describe_orbit(self).section("The equations")
+        return [(b.lines[0].latex, b.note or "") for b in blocks if isinstance(b, Formula)]
 
 
 def _frequencies(flow: Flow) -> tuple[sp.Expr, ...]:

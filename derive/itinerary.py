@@ -9,17 +9,10 @@ from keyword import iskeyword
 
 import sympy as sp
 
+from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.parameter import Parameter, exact
-from nonsmooth.derive.system import (
-    Boundary,
-    Condition,
-    Configuration,
-    FirstOrder,
-    SecondOrder,
-    System,
-    Transition,
-)
+from nonsmooth.derive.system import Boundary, Condition, Configuration, System, Transition
 
 __all__ = ["Itinerary", "Phase", "Presentation", "Reference"]
 

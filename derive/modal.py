@@ -22,10 +22,11 @@ from itertools import count
 
 import sympy as sp
 
+from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.entire import EntireDifference, EntirePair
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.parameter import Parameter, is_positive
-from nonsmooth.derive.system import TIME, Configuration, SecondOrder, System
+from nonsmooth.derive.system import TIME, Configuration, System
 
 __all__ = ["TIME", "Flow", "Spectrum", "derive_flows"]
 

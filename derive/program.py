@@ -117,6 +117,9 @@ def differentiate(
                     derivative = rates[symbol, direction]
                 elif expression.is_Pow and expression.exp == sp.Rational(1, 2):
                     derivative = derivative_of(expression.base, moving) / (2 * symbol)
+                elif isinstance(expression, sp.Abs):
+                    inner = expression.args[0]
+                    derivative = inner * derivative_of(inner, moving) / symbol
                 else:
                     derivative = derivative_of(expression, moving)
                 if derivative == 0:

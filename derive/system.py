@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.parameter import Parameter, exact
 
@@ -20,8 +21,6 @@ __all__ = [
     "Boundary",
     "Condition",
     "Configuration",
-    "FirstOrder",
-    "SecondOrder",
     "System",
     "Transition",
 ]
@@ -56,126 +55,6 @@ class Boundary:
                 f"boundary {self.name!r}: acts_when is {self.acts_when!r},"
                 " not 'reached' or 'exceeded'"
             )
-
-
-@dataclass(frozen=True)
-class SecondOrder:
-    """Linear motion ``mass x'' + damping x' + stiffness x = load``, some coordinates held.
-
-    Parameters
-    ----------
-    mass, stiffness, damping : n x n matrices
-        `damping` is zero when omitted. Units are the user's own, consistent.
-    load : n values
-        Constant forces; zero when omitted.
-    held : mapping of position symbol to velocity
-        Coordinates that keep a constant velocity (stick); their rows of the equation give
-        the reaction and are not integrated.
-    """
-
-    mass: sp.Matrix
-    stiffness: sp.Matrix
-    load: Any = ()
-    damping: Any = None
-    held: Any = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        mass = _square(self.mass, "mass")
-        size = mass.rows
-        stiffness = _square(self.stiffness, "stiffness", size)
-        damping = (
-            sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
-        )
-        load = _column(self.load, size)
-        if load.shape != (size, 1):
-            raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
-        if mass.det() == 0:
-            raise DeclarationError("mass is singular")
-        for attribute, value in (
-            ("mass", mass),
-            ("stiffness", stiffness),
-            ("damping", damping),
-            ("load", load),
-        ):
-            object.__setattr__(self, attribute, sp.ImmutableMatrix(value))
-        object.__setattr__(self, "held", sp.Dict({s: exact(v) for s, v in self.held.items()}))
-
-    def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
-        """Indices of the held coordinates and their velocities."""
-        return {list(states).index(symbol): velocity for symbol, velocity in self.held.items()}
-
-    def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
-        """Matrix A and offset b of the first-order form ``y' = A y + b``.
-
-        Held coordinates keep the velocity that the state carries: x' = v, v' = 0.
-        """
-        size = self.mass.rows
-        held = self.held_at(states)
-        free = [i for i in range(size) if i not in held]
-        matrix, offset = sp.zeros(2 * size, 2 * size), sp.zeros(2 * size, 1)
-        for i in range(size):
-            matrix[i, size + i] = 1
-        if free:
-            inverse = self.mass.extract(free, free).inv()
-            rows = [size + i for i in free]
-            columns = list(range(size))
-            stiffness = inverse * self.stiffness.extract(free, columns)
-            damping = inverse * self.damping.extract(free, columns)
-            load = inverse * self.load.extract(free, [0])
-            for k, row in enumerate(rows):
-                matrix[row, :size] = -stiffness[k, :]
-                matrix[row, size:] = -damping[k, :]
-                offset[row, 0] = load[k]
-        return sp.ImmutableMatrix(matrix), sp.ImmutableMatrix(offset)
-
-    def shifted(self, origin: sp.Matrix) -> SecondOrder:
-        """The same motion in coordinates ``z = x - origin``."""
-        load = (self.load - self.stiffness * origin).applyfunc(sp.cancel)
-        return SecondOrder(self.mass, self.stiffness, tuple(load), self.damping, self.held)
-
-    def substituted(self, values: Mapping[sp.Symbol, sp.Expr]) -> SecondOrder:
-        """The same motion with symbols replaced."""
-        return SecondOrder(
-            self.mass.subs(values),
-            self.stiffness.subs(values),
-            tuple(self.load.subs(values)),
-            self.damping.subs(values),
-            {s.subs(values): v.subs(values) for s, v in self.held.items()},
-        )
-
-    def free_symbols(self) -> set[sp.Symbol]:
-        """Symbols of the matrices, the load and the held velocities."""
-        matrices = (self.mass, self.stiffness, self.damping, self.load)
-        return set().union(*(m.free_symbols for m in (*matrices, *self.held.values())))
-
-
-@dataclass(frozen=True)
-class FirstOrder:
-    """Affine motion ``y' = matrix y + offset``, matrix N x N, offset N values."""
-
-    matrix: sp.Matrix
-    offset: Any = ()
-
-    def __post_init__(self) -> None:
-        matrix = _square(self.matrix, "matrix")
-        offset = _column(self.offset, matrix.rows)
-        if offset.shape != (matrix.rows, 1):
-            raise DeclarationError(
-                f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
-            )
-        object.__setattr__(self, "matrix", sp.ImmutableMatrix(matrix))
-        object.__setattr__(self, "offset", sp.ImmutableMatrix(offset))
-
-    def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
-        """Matrix A and offset b of ``y' = A y + b``."""
-        return self.matrix, self.offset
-
-    def free_symbols(self) -> set[sp.Symbol]:
-        """Symbols of the matrix and the offset."""
-        return set(self.matrix.free_symbols | self.offset.free_symbols)
-
-
-Dynamics = SecondOrder | FirstOrder
 
 
 @dataclass(frozen=True)
@@ -388,19 +267,6 @@ class System:
                 if states_allowed
                 else f"{where}: symbol {unknown[0]} is not a parameter"
             )
-
-
-def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
-    matrix = sp.Matrix(matrix).applyfunc(exact)
-    if matrix.rows != matrix.cols or (size is not None and matrix.rows != size):
-        expected = "square" if size is None else f"{size} x {size}"
-        raise DeclarationError(f"{what} is {matrix.rows} x {matrix.cols}, not {expected}")
-    return matrix
-
-
-def _column(values: Any, size: int) -> sp.Matrix:
-    """Column of the values; zeros where none are given."""
-    return sp.Matrix([exact(v) for v in values]) if len(values) else sp.zeros(size, 1)
 
 
 def _unique(names: Sequence[str], what: str) -> None:

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 3188b31f4607ae9a */
+ * SymPy 1.14.0, derivation ae6f2baf7aec83c1 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -723,7 +723,7 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "8277ae5096b3ef20") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "589b5b148a78a35d") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 8277ae5096b3ef20 */
+ * SymPy 1.14.0, derivation 589b5b148a78a35d */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
+from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation
 from nonsmooth.derive.parameter import Parameter, is_positive
@@ -25,8 +26,6 @@ from nonsmooth.derive.system import (
     Boundary,
     Condition,
     Configuration,
-    FirstOrder,
-    SecondOrder,
     System,
     Transition,
 )

@@ -30,11 +30,12 @@ from nonsmooth.derive.document.latex import LatexMissing, compile_pdf, to_latex
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.markdown import to_markdown
 from nonsmooth.derive.document.symbols import Notation
+from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.equations import EquationSystem, derive_equations
 from nonsmooth.derive.itinerary import Itinerary, Phase
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.reduction import Angle
-from nonsmooth.derive.system import TIME, Boundary, Configuration, SecondOrder, System, Transition
+from nonsmooth.derive.system import TIME, Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import dry_friction
 
 VOID = {"meta", "br", "hr", "img", "link"}

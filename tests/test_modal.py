@@ -19,13 +19,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.entire import EntireDifference, EntirePair
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.kernels import flow_kernels, spectrum_kernel
 from nonsmooth.derive.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate
-from nonsmooth.derive.system import Configuration, FirstOrder, SecondOrder, System
+from nonsmooth.derive.system import Configuration, System
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.arithmetic import FLOATS, Balls, Mpmath
 
@@ -196,7 +197,7 @@ def mp_spectrum(name: str, mp: Any) -> list[Any]:
 
 
 @cache
-def reference(name: str, time: Fraction, dps: int = 2 * DIGITS) -> Any:
+def reference(name: str, time: Fraction, dps: int = 110) -> Any:
     """The flow as the exponential of the augmented matrix (A b; 0 0), at many digits."""
     system, _, flow, _ = derived(name)
     size = len(system.states)
@@ -255,7 +256,7 @@ def test_the_flow_is_a_matrix_exponential_in_doubles(name: str) -> None:
     size = len(system.states)
     augmented = np.zeros((size + 1, size + 1))
     augmented[:size, :size], augmented[:size, size:] = matrix, offset
-    for t in (F(1, 3), F(11, 4)):
+    for t in (F(11, 4), F(-7, 5)):
         found = np.array(columns(name, float, spectrum, t, FLOATS), dtype=float).T
         expected = np.array(reference(name, t).tolist(), dtype=float)[:size]
         scale = np.max(np.abs(expected))
@@ -281,7 +282,7 @@ def test_balls_enclose_the_matrix_exponential(name: str) -> None:
             needed = [parameters[names.index(str(s))] for s in spectrum.parameters]
             numbers = list(executed(spectrum_kernel(spectrum))(needed, lib=lib)[0])
         for t in (F(0), F(11, 4)):
-            found, expected = columns(name, arb_number, numbers, t, lib), reference(name, t, 110)
+            found, expected = columns(name, arb_number, numbers, t, lib), reference(name, t)
             for j, column in enumerate(found):
                 for i, entry in enumerate(column):
                     ball = flint.arb(entry)
@@ -480,14 +481,14 @@ def test_derivatives_of_divided_differences(k: int, nodes: tuple[int, ...]) -> N
 
 
 @pytest.mark.parametrize(
-    ("level", "d"), [(0, "2"), (0, "0"), (0, "-3"), (0, "1e-9"), (1, "0"), (1, "-3"), (2, "2")]
+    ("level", "d"), [(0, "1e-9"), (0, "0"), (0, "-3"), (1, "0"), (1, "2"), (2, "-3")]
 )
 def test_derivatives_of_pairs(level: int, d: str) -> None:
     lib = Mpmath(60)
     mp = lib.mp
     m, spread = sp.symbols("m spread", real=True)
     values = {TIME: mp.mpf("1.3"), m: mp.mpf("0.8"), spread: mp.mpf(d)}
-    for k in range(4) if level < 2 else (0, 3):
+    for k in (range(4), (0, 3), (0,))[level]:
         for part in (0, 1):
             expression = EntirePair(k, level, part, TIME, m, spread)
             for symbol in values:
@@ -545,12 +546,12 @@ def test_total_derivatives_by_parameters_where_eigenvalues_meet(name: str) -> No
         return mp.expm(matrix * time) * mp.matrix([*state, 1])
 
     for place, column in enumerate(found):
-        for i in range(4):
 
-            def along(x: Any, place: int = place, i: int = i) -> Any:
-                return shot([x if j == place else v for j, v in enumerate(numbers)])[i]
+        def along(x: Any, place: int = place) -> Any:
+            return shot([x if j == place else v for j, v in enumerate(numbers)])[:4]
 
-            assert abs(column[i] - slope_of(mp, along, numbers[place])) < mp.mpf(10) ** -30
+        slope = slope_of(mp, along, numbers[place])
+        assert mp.mnorm(mp.matrix(column) - slope) < mp.mpf(10) ** -30
 
 
 # --- names and refusals -----------------------------------------------------------------
@@ -595,9 +596,3 @@ def test_what_has_no_closed_form_here_is_refused_by_name(dynamics: Any) -> None:
     system = System("case", "", states, (), (fine, Configuration("murky", dynamics, ())))
     with pytest.raises(DerivationError, match="configuration 'murky': the closed form covers"):
         derive_flows(system)
-
-
-def test_a_spectrum_without_closed_form_is_not_emitted() -> None:
-    _, spectrum, _, _ = derived("three")
-    with pytest.raises(DerivationError, match="lambda1 has no value"):
-        python_kernel(spectrum_kernel(spectrum), None)

@@ -9,6 +9,7 @@ import sympy as sp
 from nonsmooth.derive.codegen.c import print_c
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["admissible_prototype", "admissible_source"]
 
@@ -36,7 +37,7 @@ $prototype
         for (int i = 0; i < $n; ++i)
             noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
         noise *= 32.0 * DBL_EPSILON;
-        double least[$open_size], most = 0.0, when = 0.0;
+        double least[$open_count], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < $open_count; ++i)
@@ -88,7 +89,15 @@ def admissible_prototype(orbit: EquationSystem) -> str:
 
 
 def admissible_source(orbit: EquationSystem) -> str:
-    """Definition of the compiled admissibility test of an orbit."""
+    """Definition of the compiled admissibility test of an orbit.
+
+    Raises
+    ------
+    DerivationError
+        If the orbit leaves no parameter open: its bounds would be arrays of no length.
+    """
+    if not orbit.open_parameters:
+        raise DerivationError(f"orbit {orbit.itinerary.name!r} leaves no parameter open")
     functions, spectrum = orbit.boundary_functions, orbit.spectrum
     sums = [sum(b.phase == k for b in functions) for k in range(len(orbit.chain.links))]
     terms = [len(w) for w in orbit.frequencies]
@@ -99,7 +108,7 @@ def admissible_source(orbit: EquationSystem) -> str:
     return _ADMISSIBLE.substitute(
         p=len(orbit.parameters),
         n=len(orbit.unknowns),
-        open=", ".join(map(str, orbit.open_parameters)) or "none",
+        open=", ".join(map(str, orbit.open_parameters)),
         prototype=admissible_prototype(orbit),
         phases=len(sums),
         sums=", ".join(map(str, sums)),
@@ -116,7 +125,6 @@ def admissible_source(orbit: EquationSystem) -> str:
             f"p[{orbit.parameters.index(q)}]" for q in spectrum.parameters
         ),
         open_count=len(orbit.open_parameters),
-        open_size=max(len(orbit.open_parameters), 1),
         most_sums=max(sums),
         spectrum=c_function(orbit.system.name, "spectrum", None),
         functions=c_function(orbit.system.name, "boundary_functions", orbit.itinerary.name),

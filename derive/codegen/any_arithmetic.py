@@ -50,8 +50,13 @@ class _Printer(StrPrinter):
     def _print_cos(self, expr: sp.Expr) -> str:
         return f"lib.cos({self._print(expr.args[0])})"
 
+    def _print_Abs(self, expr: sp.Expr) -> str:
+        return f"abs({self._print(expr.args[0])})"
+
     def _print_Angle(self, expr: sp.Expr) -> str:
-        return f"lib.angle({self.stringify(expr.args, ', ')})"
+        # not every arithmetic has the angle of plain integers
+        arguments = (f"lib.rational({a}, 1)" if a.is_Integer else self._print(a) for a in expr.args)
+        return f"lib.angle({', '.join(arguments)})"
 
     def _print_EntireDifference(self, expr: sp.Expr) -> str:
         return f"lib.entire_difference({self.stringify(expr.args, ', ')})"

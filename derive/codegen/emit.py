@@ -48,7 +48,7 @@ class EmittedSystem:
     name, source : str
         Name of the system and module that declares it.
     derivation : str
-        Hash of all that was derived; equal derivations give equal files.
+        Hash of all tables and kernels as emitted; equal derivations give equal files.
     files : dict of file name to text
     wrapped : tuple of Wrapped
     """
@@ -88,13 +88,19 @@ def emit_system(
         derived.append(derive_equations(orbit))
         kernels += [(k, orbit.name) for k in orbit_kernels(derived[-1])]
     tables = system_tables(system, spectrum, derived, kernels)
-    derivation = _hash(tables, *(f"{orbit} {kernel}" for kernel, orbit in kernels))
-    stamp = _Stamp(source, derivation)
     progress(f"{name}: Python")
-    emitted = {module_file(name, ".py"): _python_file(stamp, name, tables, kernels)}
+    functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
     progress(f"{name}: C")
-    emitted[module_file(name, ".h")] = _header_file(stamp, name, kernels, derived)
-    emitted[module_file(name, ".c")] = _c_file(stamp, name, kernels, derived)
+    definitions = [c_kernel(kernel, name, orbit) for kernel, orbit in kernels]
+    for orbit_equations in derived:
+        definitions += [solve_source(orbit_equations), admissible_source(orbit_equations)]
+    derivation = _hash(tables, *functions, *definitions)
+    stamp = _Stamp(source, derivation)
+    emitted = {
+        module_file(name, ".py"): _python_file(stamp, name, tables, functions),
+        module_file(name, ".h"): _header_file(stamp, name, kernels, derived),
+        module_file(name, ".c"): _c_file(stamp, name, definitions),
+    }
     progress(f"{name}: equations in LaTeX")
     emitted[module_file(name, ".md")] = _markdown_file(stamp, system, derived)
     wrapped = wrapped_functions(name, kernels)
@@ -123,7 +129,7 @@ def emit_package(systems: Sequence[EmittedSystem]) -> dict[str, str]:
         [function for system in systems for function in system.wrapped],
         [(s.name, s.derivation) for s in systems],
     )
-    origins[EXTENSION] = (package, overall)
+    origins[EXTENSION] = (stamp.source, overall)
     emitted[SUPPORT] = _Stamp(f"{package}/{SUPPORT}", _hash(support)).c() + "\n" + support
     origins[SUPPORT] = (package, _hash(support))
     record = {
@@ -168,14 +174,12 @@ def _hash(*parts: str) -> str:
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 
-def _python_file(
-    stamp: _Stamp, name: str, tables: str, kernels: Sequence[tuple[Kernel, str | None]]
-) -> str:
-    functions = "\n\n\n".join(python_kernel(kernel, orbit) for kernel, orbit in kernels)
+def _python_file(stamp: _Stamp, name: str, tables: str, functions: Sequence[str]) -> str:
+    body = "\n\n\n".join(functions)
     return (
         f"{stamp.python()}\n"
         f'"""Kernels and tables of the system {name}, over any arithmetic ``lib``."""\n\n'
-        f'DERIVATION = "{stamp.derivation}"\n\n{tables}\n\n{functions}\n'
+        f'DERIVATION = "{stamp.derivation}"\n\n{tables}\n\n{body}\n'
     )
 
 
@@ -198,15 +202,7 @@ def _header_file(
     )
 
 
-def _c_file(
-    stamp: _Stamp,
-    name: str,
-    kernels: Sequence[tuple[Kernel, str | None]],
-    orbits: Sequence[EquationSystem],
-) -> str:
-    definitions = [c_kernel(kernel, name, orbit) for kernel, orbit in kernels]
-    for orbit in orbits:
-        definitions += [solve_source(orbit), admissible_source(orbit)]
+def _c_file(stamp: _Stamp, name: str, definitions: Sequence[str]) -> str:
     body = "\n\n".join(definitions)
     return (
         f'{stamp.c()}\n#include "{module_file(name, ".h")}"\n\n'

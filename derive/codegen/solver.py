@@ -16,6 +16,7 @@ from nonsmooth.derive.codegen.body import Line, body_of, hoisted, needed, split
 from nonsmooth.derive.codegen.c import line_sources, print_c
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.kernels import reduced_equations
 
 __all__ = ["MOST_REDUCED", "solve_prototype", "solve_source"]
@@ -94,7 +95,19 @@ def solve_prototype(orbit: EquationSystem) -> str:
 
 
 def solve_source(orbit: EquationSystem) -> str:
-    """Definition of the compiled solver of an orbit."""
+    """Definition of the compiled solver of an orbit.
+
+    Raises
+    ------
+    DerivationError
+        If the reduction leaves no unknown, or more than `MOST_REDUCED`.
+    """
+    count = len(orbit.reduction.unknowns)
+    if not 1 <= count <= MOST_REDUCED:
+        raise DerivationError(
+            f"orbit {orbit.itinerary.name!r}: {count} reduced unknowns,"
+            f" the compiled solver takes 1 to {MOST_REDUCED}"
+        )
     body = body_of(reduced_equations(orbit))
     residual, jacobian, values, (trace,) = body.outputs
     unknowns = orbit.reduction.unknowns

@@ -10,10 +10,11 @@ from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Ta
 from nonsmooth.derive.document.flows import flow_blocks
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.document.wording import Naming, enumeration
+from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.modal import Flow, Spectrum
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Configuration, FirstOrder, SecondOrder
+from nonsmooth.derive.system import Configuration
 
 __all__ = [
     "Naming",

@@ -10,7 +10,8 @@ import sympy as sp
 
 from nonsmooth.derive.document.blocks import Formula, Line
 from nonsmooth.derive.document.symbols import Notation
-from nonsmooth.derive.system import SecondOrder, System
+from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.system import System
 
 __all__ = ["Naming", "count", "enumeration", "numbered"]
 

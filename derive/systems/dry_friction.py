@@ -18,17 +18,11 @@ from itertools import product
 
 import sympy as sp
 
+from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import (
-    Boundary,
-    Condition,
-    Configuration,
-    SecondOrder,
-    System,
-    Transition,
-)
+from nonsmooth.derive.system import Boundary, Condition, Configuration, System, Transition
 
 __all__ = ["PhysicalData", "from_physical", "global_stick", "orbits", "system"]
 
