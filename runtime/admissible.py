@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.crossing import TrigonometricSum, maximum
+from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbit import Orbit
 
@@ -189,13 +190,16 @@ def admissible_points(
     -------
     allowed : array (count,) of bool
     bounds : array (count, open parameters)
-        What each open parameter has to exceed.
+        What each open parameter has to exceed; NaN where nothing is allowed.
     """
-    if kernels.admissible is not None:
+    if kernels.admissible is None:
+        allowed, bounds = _admissible_numpy(kernels, points, unknowns)
+    else:
         with np.errstate(all="ignore"):  # points without an orbit are NaN
             bounds, boundary, _, _ = kernels.admissible(points, unknowns)
-        return np.asarray(boundary == -1), np.asarray(bounds)
-    return _admissible_numpy(kernels, points, unknowns)
+        allowed, bounds = np.asarray(boundary == -1), np.asarray(bounds)
+    bounds[~allowed] = np.nan
+    return allowed, bounds
 
 
 def _admissible_numpy(
@@ -214,15 +218,21 @@ def _admissible_numpy(
         "boundary_functions", points[sound], spectrum, unknowns[sound]
     )
     for row, point in enumerate(sound):
-        allowed[point] = True
-        for boundary, function in sums_of(kernels, coefficients[row], frequencies[row]):
-            duration = unknowns[point, dwell[boundary.phase]]
-            if boundary.open_parameter is None:
-                floor = function.rounding(duration) + _noise([*points[point], *unknowns[point]])
-                allowed[point] &= maximum(function, duration, floor).value <= floor
+        noise = _noise([*points[point], *unknowns[point]])
+        try:
+            for boundary, function in sums_of(kernels, coefficients[row], frequencies[row]):
+                duration = unknowns[point, dwell[boundary.phase]]
+                if boundary.open_parameter is None:
+                    floor = function.rounding(duration) + noise
+                    if maximum(function, duration, floor).value > floor:
+                        break
+                else:
+                    place = opened.index(boundary.open_parameter)
+                    unit = -boundary.open_coefficient
+                    found = maximum(function, duration, unit * bounds[point, place])
+                    bounds[point, place] = found.value / unit
             else:
-                place = opened.index(boundary.open_parameter)
-                unit = -boundary.open_coefficient
-                found = maximum(function, duration, unit * bounds[point, place])
-                bounds[point, place] = found.value / unit
+                allowed[point] = True
+        except InputError:  # overflow, or a phase too long for any guarantee
+            continue
     return allowed, bounds

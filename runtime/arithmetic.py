@@ -8,18 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from threading import RLock
+from contextlib import AbstractContextManager, contextmanager
 from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.values import Value
+from nonsmooth.runtime.values import Value, flint_precision
 
 __all__ = ["FLOATS", "Balls", "Floats", "Mpmath"]
 
 _Matrix = list[list[Any]]
-_FLINT_LOCK = RLock()  # python-flint's precision is one for the whole process
 
 
 class _Entire:
@@ -202,15 +200,10 @@ class Balls(_Entire):
 
         self.flint = flint
 
-    @contextmanager
-    def working(self, bits: int) -> Iterator[None]:
+    @staticmethod
+    def working(bits: int) -> AbstractContextManager[None]:
         """Compute with that many bits inside the block; other threads wait."""
-        with _FLINT_LOCK:
-            before, self.flint.ctx.prec = self.flint.ctx.prec, bits
-            try:
-                yield
-            finally:
-                self.flint.ctx.prec = before
+        return flint_precision(bits)
 
     def number(self, value: Value) -> Any:
         """A ball around a parameter, at the working precision."""

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -41,7 +42,7 @@ class Orbits:
         Whether the orbit is a motion of the real system for large enough open parameters;
         None when switched off.
     bounds : dict of str to array, or None
-        What each open parameter has to exceed.
+        What each open parameter has to exceed; NaN where no orbit is admissible.
     """
 
     name: str
@@ -111,10 +112,9 @@ def solve_many(
     >>> found.converged.all(), found.trace.shape
     (np.True_, (5,))
     """
-    if threads is not None and threads < 1:
-        raise InputError(f"threads = {threads} is not positive")
-    if chunk < 1:
-        raise InputError(f"chunk = {chunk} is not positive")
+    _check_positive("chunk", chunk)
+    if threads is not None:
+        _check_positive("threads", threads)
     kernels = load_orbit(orbit)
     arrays = check_arrays(kernels, parameters)
     try:
@@ -135,6 +135,11 @@ def solve_many(
         for part in _parts(count, chunk):
             work(part)
     return results.shaped(orbit, kernels, arrays, shape)
+
+
+def _check_positive(name: str, number: object) -> None:
+    if not isinstance(number, Integral) or int(number) < 1:
+        raise InputError(f"{name} = {number} is not a positive integer")
 
 
 @dataclass(frozen=True)
@@ -212,7 +217,13 @@ def _fill(kernels: OrbitKernels, points: np.ndarray, results: _Results, part: sl
 def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
     """Solve from the prediction, and what is lost from each further start in turn."""
     predictor = _predictor(kernels)
-    guess = predictor.reduced + (points - predictor.parameters) @ predictor.slopes
+    # summed in a fixed order: a matrix product rounds differently for other numbers of points
+    distances = (points - predictor.parameters).T
+    columns = [
+        sum((d * slope for d, slope in zip(distances, slopes, strict=True)), start)
+        for slopes, start in zip(predictor.slopes.T, predictor.reduced, strict=True)
+    ]
+    guess = np.stack(columns, axis=-1)
     guess = np.clip(guess, 0.25 * predictor.reduced, 4.0 * predictor.reduced)
     valid = _inside(kernels, points)
     solved = solve_reduced(kernels, np.where(valid[:, None], points, np.nan), guess)

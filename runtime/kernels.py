@@ -323,8 +323,11 @@ def _orbit(system: str, orbit: str, chosen: str) -> OrbitKernels:
 def _system(name: str, chosen: str) -> SystemKernels:
     stem = name.replace("-", "_")
     file = f"{stem}.py"
-    expected = _provenance()["files"].get(file, {}).get("sha256")
-    found = hashlib.sha256(files(_PACKAGE).joinpath(file).read_bytes()).hexdigest()
+    try:
+        expected = _provenance()["files"][file]["sha256"]
+        found = hashlib.sha256(files(_PACKAGE).joinpath(file).read_bytes()).hexdigest()
+    except (OSError, KeyError, TypeError):
+        raise InputError(f"generated/{file} is missing or unrecorded: {_REMEDY}") from None
     if found != expected:
         raise InputError(f"generated/{file} is not the file that {_PROVENANCE} records: {_REMEDY}")
     module = import_module(f"{_PACKAGE}.{stem}")
@@ -343,7 +346,8 @@ def _system(name: str, chosen: str) -> SystemKernels:
 def _provenance() -> dict[str, Any]:
     try:
         record = json.loads(files(_PACKAGE).joinpath(_PROVENANCE).read_text(encoding="utf-8"))
-        if not (isinstance(record["systems"], list) and isinstance(record["files"], dict)):
+        named = isinstance(record["systems"], list) and isinstance(record["files"], dict)
+        if not named or not all(isinstance(name, str) for name in record["systems"]):
             raise TypeError
     except (OSError, ValueError, KeyError, TypeError):
         raise InputError(f"generated/{_PROVENANCE} is missing, cut or foreign: {_REMEDY}") from None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -62,7 +63,7 @@ def resolve(
     known = [*kernels.parameter_names, *_extra_names(kernels)]
     for name in values:
         if name not in known:
-            raise unknown_name("parameter", name, known)
+            raise unknown_name("parameter", str(name), known)
         if name in without:
             raise InputError(f"parameter {name} is both given and to be solved for")
     for name, terms in kernels.combined.items():
@@ -105,7 +106,10 @@ def check_arrays(kernels: OrbitKernels, arrays: Mapping[str, Any]) -> dict[str, 
         try:
             if isinstance(value, str | Value):
                 value = float(as_value(value))
-            found[name] = np.asarray(value, dtype=float)
+            array = np.asarray(value)
+            if array.dtype.kind in "bcmM":
+                raise TypeError(f"{array.dtype} is no type of real numbers")
+            found[name] = array.astype(float)
         except (TypeError, ValueError) as error:
             raise InputError(f"parameter {name}: {error}") from None
     return found
@@ -136,7 +140,7 @@ def _combine(
     """Complete ``name = sum of terms``: derive the one that is missing, or check all."""
     absent = [term for term in terms if term not in values]
     if not absent:
-        total = parse(" + ".join(f"({factor})*({values[t].text})" for t, factor in terms.items()))
+        total = _sum((Fraction(factor), values[term]) for term, factor in terms.items())
         if name in without:
             raise InputError(f"parameter {name} is to be solved for, but {', '.join(terms)} fix it")
         if name in values and not _same(values[name], total):
@@ -151,14 +155,30 @@ def _combine(
                 f" outside its domain {_domain(table)}"
             )
         values[name] = values.get(name, total)
-    elif len(absent) == 1 and len(terms) > 1 and name not in without:
+    elif name in without:
+        opened = {p.name for p in kernels.open_parameters}
+        for term in terms.keys() & values.keys() - opened:
+            raise InputError(
+                f"parameter {term} decides nothing while {name} is to be solved for:"
+                f" give {' or '.join(opened & terms.keys())} instead"
+            )
+    elif len(absent) == 1 and len(terms) > 1:
         # of e, us and ur two are known (e perhaps by default): the third follows
         default = default_parameters(kernels).get(name)
         combined = values.get(name) or (parse(default) if default else None)
         if combined is not None:
-            rest = [(t, f) for t, f in terms.items() if t != absent[0]]
-            text = f"({combined.text})" + "".join(f" - ({f})*({values[t].text})" for t, f in rest)
-            values[absent[0]] = parse(f"({text})/({terms[absent[0]]})")
+            unit = Fraction(1, terms[absent[0]])
+            rest = [(-unit * f, values[t]) for t, f in terms.items() if t != absent[0]]
+            values[absent[0]] = _sum([(unit, combined), *rest])
+
+
+def _sum(terms: Iterable[tuple[Fraction, Value]]) -> Value:
+    """Sum of multiples of values: an exact fraction where all of them are."""
+    terms = list(terms)
+    exact = [factor * value.exact for factor, value in terms if value.exact is not None]
+    if len(exact) == len(terms):
+        return as_value(sum(exact, Fraction(0)))
+    return parse(" + ".join(f"({factor})*({value.text})" for factor, value in terms))
 
 
 def _same(first: Value, second: Value) -> bool:

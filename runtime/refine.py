@@ -114,7 +114,8 @@ def _with_mpmath(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
             x = [v - s for v, s in zip(x, step, strict=True)]
     if not correction <= lib.mp.mpf(10) ** -(digits - _MARGIN):
         raise _lost(orbit, digits)
-    return x, max(abs(r) for r in residual), len(steps)
+    mp = Mpmath(digits + _MARGIN).mp  # a context rounds to its own precision when it computes
+    return [mp.mpf(v) for v in x], mp.mpf(max(abs(r) for r in residual)), len(steps)
 
 
 def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:

@@ -79,7 +79,9 @@ def solve(
         else _ordinary(kernels, point, start, searching=guess is None)
     )
     if throw and not found.converged:
-        raise NoConvergence(f"{orbit}: {found.message} (tried: {', '.join(tried)})")
+        searched = guess is None and not swapped
+        reason = "no orbit was found at these parameters" if searched else found.message
+        raise NoConvergence(f"{orbit}: {reason} (tried: {', '.join(tried)})")
     return found
 
 

@@ -66,8 +66,8 @@ def assess_stability(orbit: Orbit) -> Stability:
     largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
     margin = 1 - largest
     # what is carried beyond the digits asked for decides too
-    carried = orbit.digits + (GUARD - 5 if orbit.precise else -2)
-    uncertain = abs(margin) <= 10.0**-carried
+    ten = orbit.arithmetic.mp.mpf(10) if orbit.precise else 10.0
+    uncertain = abs(margin) <= ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
     verdict = "undecided" if uncertain else "stable" if margin > 0 else "unstable"
     return Stability(tuple(found), trace, rank, margin, verdict)
 

@@ -9,11 +9,13 @@ import ast
 import math
 import operator
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from decimal import MAX_EMAX, MIN_EMIN, Decimal, localcontext
 from fractions import Fraction
 from numbers import Rational, Real
+from threading import RLock
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.errors import InputError, unknown_name
@@ -38,6 +40,21 @@ _TOKEN = re.compile(
     r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE](?P<exponent>[+-]?\d+))?|[^\W\d]\w*|\*\*|[-+*/()])\s*",
     re.ASCII,
 )
+
+
+_FLINT_LOCK = RLock()
+
+
+@contextmanager
+def flint_precision(bits: int) -> Iterator[None]:
+    """Compute with python-flint at that many bits inside the block.
+
+    Its precision is one for the whole process: other threads wait.
+    """
+    from flint import ctx
+
+    with _FLINT_LOCK, ctx.workprec(bits):
+        yield
 
 
 @dataclass(frozen=True)
@@ -274,9 +291,7 @@ def _lift(number: "Fraction | arb") -> "arb":
 
 def _ball(number: str | Fraction, precision_bits: int) -> "arb":
     """Enclose a fraction, or the value of a text."""
-    from flint import ctx
-
-    with ctx.workprec(precision_bits):
+    with flint_precision(precision_bits):
         return _lift(number if isinstance(number, Fraction) else _evaluate(*_tree(number), 0))
 
 

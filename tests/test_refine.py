@@ -1,0 +1,344 @@
+"""Digits that are true: at twice the precision, by another arithmetic, by another route."""
+
+import threading
+from dataclasses import replace
+from itertools import pairwise
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+
+from nonsmooth.runtime import values
+from nonsmooth.runtime.arithmetic import Balls, Mpmath
+from nonsmooth.runtime.errors import InputError, NoConvergence
+from nonsmooth.runtime.kernels import load_orbit
+from nonsmooth.runtime.refine import refine
+from nonsmooth.runtime.report import orbit_json
+from nonsmooth.runtime.solve import solve
+from nonsmooth.runtime.values import as_value, parse
+
+ORBIT = "dry-friction/global-stick"
+PARAMETERS = ("chi", "eta", "V", "e1", "e2")
+UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
+DWELL_TIMES = UNKNOWNS[2:]
+ARITHMETICS = ("flint", "mpmath")
+
+
+@pytest.fixture(scope="module")
+def orbit():
+    return solve(ORBIT)
+
+
+@pytest.fixture(scope="module")
+def orbits():
+    """Ordinary and exchanged problems with rational and irrational data."""
+    return [
+        solve(ORBIT),
+        solve(ORBIT, {"chi": "2*pi/13", "eta": "1/3 + 1/2", "V": "sqrt(2)/1.3"}),
+        solve(ORBIT, unknown=("e1", "e2"), given={"ta": 1, "tau": 2}),
+        solve(ORBIT, unknown=("chi", "eta"), given={"tau1": "pi/2", "z20": "-27/10"}),
+    ]
+
+
+def error(first, second):
+    """Largest error in units of max(1, |x|), in the arithmetic of the second."""
+    mp = second.arithmetic.mp
+    return max(
+        abs(mp.mpf(x) - second.unknowns[name]) / max(1, abs(second.unknowns[name]))
+        for name, x in first.unknowns.items()
+    )
+
+
+# --- true digits
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+@pytest.mark.parametrize("digits", [1, 16, 50, 200])
+def test_digits_are_true(orbits, digits, arithmetic):
+    for orbit in orbits:
+        found = refine(orbit, digits, arithmetic=arithmetic)
+        check = refine(orbit, 2 * digits + 30, arithmetic=arithmetic)
+        assert found.digits == digits
+        assert list(found.unknowns) == list(orbit.unknowns)
+        assert error(found, check) <= mpmath.mpf(10) ** -digits
+        assert abs(found.period - check.period) <= mpmath.mpf(10) ** -digits * check.period
+        assert found.residual < mpmath.mpf(10) ** -digits
+        assert found.given == orbit.given
+        assert found.converged
+
+
+@pytest.mark.parametrize("digits", [5, 40, 120])
+def test_balls_and_mpmath_agree(orbits, digits):
+    for orbit in orbits:
+        balls, numbers = (refine(orbit, digits, arithmetic=a) for a in ARITHMETICS)
+        assert error(numbers, balls) <= mpmath.mpf(10) ** -digits
+        assert abs(numbers.trace - balls.trace) <= mpmath.mpf(10) ** -(digits - 3)
+        assert abs(numbers.period - balls.period) <= mpmath.mpf(10) ** -(digits - 2)
+
+
+def test_the_double_precision_orbit_has_the_digits_it_claims(orbits):
+    for orbit in orbits:
+        assert 10 <= orbit.digits <= 15
+        assert error(orbit, refine(orbit, 30)) <= mpmath.mpf(10) ** -orbit.digits
+
+
+def test_refining_again_goes_on_or_back(orbit):
+    precise = refine(orbit, 60)
+    for digits in (20, 150):
+        assert error(refine(precise, digits), refine(orbit, 200)) <= mpmath.mpf(10) ** -digits
+
+
+def test_exchanged_unknowns_keep_what_was_given(orbits):
+    for orbit in orbits[2:]:
+        found = refine(orbit, 60)
+        mp = found.arithmetic.mp
+        for name, value in orbit.given.items():
+            assert abs(found.values[name] - mp.mpf(value.mpf(70))) < mp.mpf(10) ** -65
+        ordinary = solve(
+            ORBIT,
+            {name: found.values[name] for name in PARAMETERS},
+            [float(found.values[name]) for name in UNKNOWNS],
+        )
+        back = refine(ordinary, 50)
+        for name in UNKNOWNS:
+            assert abs(back.values[name] - found.values[name]) < mp.mpf(10) ** -48
+
+
+def test_a_float_means_its_shortest_decimal():
+    as_float, as_text = solve(ORBIT, {"e2": 0.1 + 0.4}), solve(ORBIT, {"e2": "0.5"})
+    one, other = solve(ORBIT, {"chi": 0.45}), solve(ORBIT, {"chi": "0.45"})
+    exact = solve(ORBIT, {"chi": "9/20"})
+    for first, second in ((as_float, as_text), (one, other), (other, exact)):
+        assert refine(first, 60).unknowns == refine(second, 60).unknowns
+    third = refine(solve(ORBIT, {"chi": "1/3"}), 60)
+    rounded = refine(solve(ORBIT, {"chi": 1 / 3}), 60)
+    assert 1e-18 < error(rounded, third) < 1e-14
+
+
+def test_numbers_carry_their_digits_into_arithmetic(orbit):
+    """mpmath numbers round to the precision of the context they come from."""
+    for arithmetic in ARITHMETICS:
+        found = refine(orbit, 80, arithmetic=arithmetic)
+        for number in (*found.unknowns.values(), found.period, found.trace):
+            assert abs(number / 3 * 3 - number) < mpmath.mpf(10) ** -80
+            assert len(str(number)) > 80
+
+
+# --- the derivatives and the stability of a refined orbit
+
+
+def chain_rule(values, mp):
+    """Jacobian on the section, by matrix exponentials and (I - f n'/(n'f)) at each boundary."""
+    chi, eta = values["chi"], values["eta"]
+    first, second = [-1, chi, 0, 0], [chi * eta, -chi * eta, 0, 0]
+    none = [0, 0, 0, 0]
+    phases = (
+        (none, none, [1, -chi, 0, 0]),
+        (first, none, [-chi, chi, 0, 0]),
+        (first, second, [0, 0, 1, 0]),
+        (none, second, [0, 0, 0, 1]),
+    )
+    state = mp.matrix([values["z10"], values["z20"], values["V"], values["V"]])
+    product = mp.eye(4)
+    for (one, two, normal), name in zip(phases, DWELL_TIMES, strict=True):
+        generator = mp.matrix([[0, 0, 1, 0], [0, 0, 0, 1], one, two])
+        flow = mp.expm(generator * values[name], method="taylor")
+        state = flow * state
+        field, row = generator * state, mp.matrix([normal])
+        product = (mp.eye(4) - field * row / (row * field)[0]) * flow * product
+    return product[:2, :2]
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_the_trace_is_that_of_matrix_exponentials(orbits, arithmetic):
+    for orbit in orbits:
+        found = refine(orbit, 50, arithmetic=arithmetic)
+        lib = Mpmath(80)
+        values = {n: lib.mp.mpf(v) for n, v in found.values.items()}
+        jacobian = chain_rule(values, lib.mp)
+        assert abs(found.trace - (jacobian[0, 0] + jacobian[1, 1])) < mpmath.mpf(10) ** -50
+        assert abs(lib.mp.det(jacobian)) < mpmath.mpf(10) ** -50
+        emitted = found.evaluate("poincare_jacobian")
+        for i in range(2):
+            for j in range(2):
+                assert abs(emitted[i][j] - jacobian[i, j]) < mpmath.mpf(10) ** -50
+
+
+def test_one_multiplier_is_exactly_zero_and_the_other_is_the_trace(orbits):
+    for orbit in (*orbits, *(refine(o, 50) for o in orbits)):
+        stability = orbit.stability
+        large, zero = stability.multipliers
+        assert stability.rank_one
+        assert (zero.real, zero.imaginary, large.imaginary) == (0, 0, 0)
+        assert large.real == stability.trace == orbit.trace
+        assert stability.margin == 1 - abs(stability.trace)
+        assert stability.verdict == ("stable" if stability.margin > 0 else "unstable")
+
+
+def test_sensitivities_keep_their_digits():
+    base = {"chi": "0.45", "eta": "1.1"}
+    found = refine(solve(ORBIT, base), 40)
+    step = "1e-25"
+    sides = [refine(solve(ORBIT, base | {"eta": f"1.1 {sign} {step}"}), 80) for sign in ("+", "-")]
+    mp = sides[0].arithmetic.mp
+    sensitivity = found.sensitivity("eta")
+    for name in UNKNOWNS:
+        slope = (sides[0].unknowns[name] - sides[1].unknowns[name]) / (2 * mp.mpf(step))
+        assert abs(slope - sensitivity.unknowns[name]) < mp.mpf(10) ** -35
+    for name in ("period", "trace"):
+        slope = (getattr(sides[0], name) - getattr(sides[1], name)) / (2 * mp.mpf(step))
+        assert abs(slope - getattr(sensitivity, name)) < mp.mpf(10) ** -35
+
+
+def test_printed_digits_are_true(orbits):
+    for orbit in orbits:
+        short, long = orbit_json(refine(orbit, 30)), orbit_json(refine(orbit, 90))
+        tolerance = mpmath.mpf(10) ** -30
+        with mpmath.workdps(120):
+            pairs = [(short[k], long[k]) for k in ("period", "trace", "margin")]
+            pairs += [(short["unknowns"][k], long["unknowns"][k]) for k in orbit.unknowns]
+            pairs += [(short["parameters"][k], long["parameters"][k]) for k in orbit.given]
+            for text, longer in pairs:
+                size = max(1, abs(mpmath.mpf(longer)))
+                assert abs(mpmath.mpf(text) - mpmath.mpf(longer)) <= tolerance * size
+
+
+# --- convergence
+
+
+def test_newton_converges_quadratically(orbit):
+    """e_(k+1) <= C e_k^2 on the any-arithmetic kernels, from 1e-2 to 1e-600."""
+    kernels, lib = load_orbit(ORBIT), Mpmath(700)
+    exact = refine(orbit, 650)
+    root = [lib.mp.mpf(exact.unknowns[name]) for name in UNKNOWNS]
+    parameters = [lib.number(orbit.given[name]) for name in PARAMETERS]
+    spectrum, _ = kernels.spectrum(parameters, lib)
+    x, errors = [v * (1 + lib.mp.mpf(10) ** -3) for v in root], []
+    for _ in range(9):
+        errors.append(max(abs(a - b) for a, b in zip(x, root, strict=True)))
+        residual, jacobian = kernels.source("residual_and_jacobian")(
+            parameters, spectrum, x, lib=lib
+        )
+        x = [v - s for v, s in zip(x, lib.solve(jacobian, residual), strict=True)]
+    errors = [e for e in errors if e > lib.mp.mpf(10) ** -600]
+    assert len(errors) >= 8
+    pairs = list(pairwise(errors))
+    constants = [float(b / a**2) for a, b in pairs]
+    assert 1e-3 < min(constants) < max(constants) < 100  # order two, no more and no less
+    orders = [float(lib.mp.log(b) / lib.mp.log(a)) for a, b in pairs]
+    assert orders[-1] == pytest.approx(2, abs=0.02)
+
+
+def test_iterations_grow_with_the_logarithm_of_the_digits(orbit):
+    iterations = [refine(orbit, digits).iterations for digits in (100, 400, 1600)]
+    assert np.all(np.diff(iterations) == 2)
+
+
+# --- refusals
+
+
+@pytest.mark.parametrize("digits", [0, -1, True, False, 2.5, 50.0, 10**9, "50", None, float("nan")])
+def test_absurd_digits_are_refused(orbit, digits):
+    with pytest.raises(InputError, match="digits = ") as caught:
+        refine(orbit, digits)
+    assert "\n" not in str(caught.value)
+
+
+def test_an_unknown_arithmetic_is_refused(orbit):
+    with pytest.raises(InputError, match="'float'"):
+        refine(orbit, 20, arithmetic="float")
+
+
+def test_what_has_not_converged_is_not_refined():
+    lost = solve(ORBIT, {"e2": 1e4}, throw=False)
+    with pytest.raises(InputError, match="cannot be refined"):
+        refine(lost, 30)
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_singular_equations_do_not_converge(orbit, arithmetic):
+    # the dwell times fix V, e1, e2 only up to a factor
+    known = {name: as_value(orbit.values[name]) for name in ("chi", "eta", "ta", "tau", "tau1")}
+    unknowns = {n: orbit.values[n] for n in ("z10", "z20", "tau2", "V", "e1", "e2")}
+    with pytest.raises(NoConvergence, match="singular"):
+        refine(replace(orbit, given=known, unknowns=unknowns), 30, arithmetic=arithmetic)
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_a_start_that_is_no_orbit_never_gives_digits(orbit, arithmetic):
+    for factor in (0.5, 0.9, 0.99, 1.5, 1e6):
+        far = replace(orbit, unknowns={n: x * factor for n, x in orbit.unknowns.items()})
+        try:
+            found = refine(far, 30, arithmetic=arithmetic)
+        except NoConvergence:
+            continue
+        assert error(found, refine(orbit, 40)) < mpmath.mpf(10) ** -30
+
+
+# --- nobody else's precision
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+@pytest.mark.parametrize("bits", [24, 53, 2000])
+def test_precision_elsewhere_is_neither_used_nor_changed(orbit, arithmetic, bits):
+    expected = refine(orbit, 70, arithmetic=arithmetic)
+    before = flint.ctx.prec, mpmath.mp.prec
+    try:
+        flint.ctx.prec = mpmath.mp.prec = bits
+        found = refine(orbit, 70, arithmetic=arithmetic)
+        assert (flint.ctx.prec, mpmath.mp.prec) == (bits, bits)
+        for name, x in found.unknowns.items():
+            assert x._mpf_ == expected.unknowns[name]._mpf_
+        assert found.trace._mpf_ == expected.trace._mpf_
+        with pytest.raises(NoConvergence):
+            refine(replace(orbit, unknowns=dict.fromkeys(UNKNOWNS, 1.0)), 30)
+        assert (flint.ctx.prec, mpmath.mp.prec) == (bits, bits)
+    finally:
+        flint.ctx.prec, mpmath.mp.prec = before
+
+
+def test_threads_may_refine_to_different_digits(orbits):
+    expected = {d: refine(orbits[0], d + 20) for d in (20, 90, 400)}
+    wrong = []
+
+    def work(digits):
+        for _ in range(15):
+            found = refine(orbits[0], digits)
+            if not error(found, expected[digits]) <= mpmath.mpf(10) ** -digits:
+                wrong.append(digits)
+
+    threads = [threading.Thread(target=work, args=(digits,)) for digits in expected]
+    before = flint.ctx.prec
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+    assert flint.ctx.prec == before
+
+
+def test_evaluating_a_value_leaves_balls_of_other_threads_alone(monkeypatch):
+    inside, leave = threading.Event(), threading.Event()
+    evaluate = values._evaluate
+
+    def slow(*arguments):
+        inside.set()
+        leave.wait(0.5)
+        return evaluate(*arguments)
+
+    number = parse("2*pi/13")
+    monkeypatch.setattr(values, "_evaluate", slow)
+    other = threading.Thread(target=number.ball, args=(64,))
+    before = flint.ctx.prec
+    other.start()
+    try:
+        assert inside.wait(5)
+        with Balls().working(300):
+            leave.set()
+            other.join()
+            assert flint.ctx.prec == 300
+    finally:
+        leave.set()
+        other.join()
+        flint.ctx.prec = before
