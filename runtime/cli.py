@@ -49,6 +49,17 @@ class Format(StrEnum):
     PDF = "pdf"
 
 
+class Kind(StrEnum):
+    """What `plot` draws."""
+
+    TIME = "time"
+    VELOCITY = "velocity"
+    PHASE = "phase"
+    STRIP = "strip"
+    MULTIPLIERS = "multipliers"
+    ALL = "all"
+
+
 class Requirement(StrEnum):
     """Verdicts that can be required."""
 
@@ -91,6 +102,10 @@ Digits = Annotated[
     typer.Option(
         "--digits", metavar="N", help="The error of a number x is at most 10^-N max(1, |x|)."
     ),
+]
+Save = Annotated[
+    Path | None,
+    typer.Option("--save", metavar="FILE", help="Save the orbit with all its digits, as JSON."),
 ]
 AsJson = Annotated[
     bool, typer.Option("--json", help="One JSON document on stdout, numbers as decimal strings.")
@@ -218,7 +233,8 @@ def equations(
     epilog="Examples:\n\n"
     "nonsmooth solve dry-friction/global-stick eta=0.98 V=1.01\n\n"
     "nonsmooth solve dry-friction/global-stick us2=0.8 us1=1 --require admissible\n\n"
-    "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2"
+    "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2\n\n"
+    "nonsmooth solve dry-friction/global-stick --save orbit.json"
 )
 @_answering
 def solve(
@@ -229,11 +245,12 @@ def solve(
     guess: Guess = None,
     digits: Digits = 15,
     require: Require = None,
+    save: Save = None,
     as_json: AsJson = False,
 ) -> int:
     """Find a periodic orbit: unknowns, multipliers, stability, admissibility."""
     problem = (orbit, parameters, unknown, given, guess, digits)
-    return _report(*problem, require=require, as_json=as_json, trace_first=False)
+    return _report(*problem, require=require, save=save, as_json=as_json, trace_first=False)
 
 
 @app.command(
@@ -250,11 +267,52 @@ def verify(
     guess: Guess = None,
     digits: Digits = 50,
     require: Require = None,
+    save: Save = None,
     as_json: AsJson = False,
 ) -> int:
     """Decide stability by the trace criterion, to any number of digits."""
     problem = (orbit, parameters, unknown, given, guess, digits)
-    return _report(*problem, require=require, as_json=as_json, trace_first=True)
+    return _report(*problem, require=require, save=save, as_json=as_json, trace_first=True)
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth plot orbit.json\n\n"
+    "nonsmooth plot orbit.json --kind phase --out phase.svg\n\n"
+    "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
+)
+@_answering
+def plot(
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="An orbit that `solve --save` wrote.")
+    ],
+    kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
+    periods: Annotated[
+        int, typer.Option("--periods", metavar="N", help="How many to draw against time.")
+    ] = 1,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A PNG, SVG or PDF; FILE.png by default."),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Draw a saved orbit: time histories, phase portraits, configurations, multipliers."""
+    from nonsmooth.runtime.deriving import check_target
+    from nonsmooth.runtime.display import show_written
+    from nonsmooth.runtime.plot import orbit_figure, save_figure
+    from nonsmooth.runtime.saved import load_orbit_file
+
+    target = file.parent / f"{file.stem}.png" if out is None else out
+    if target.resolve() == file.resolve():
+        raise InputError(f"cannot write {target}: it is the saved orbit")
+    check_target(target)
+    orbit = load_orbit_file(file)
+    save_figure(orbit_figure(orbit, kind.value, periods=periods), target)
+    if as_json:
+        _print_json({"orbit": orbit.name, "kind": kind.value, "file": str(target)})
+    else:
+        show_written([f"{target} written"], "")
+    return ANSWERED
 
 
 @app.command(
@@ -319,10 +377,12 @@ def _report(
     digits: int,
     *,
     require: list[Requirement] | None,
+    save: Path | None,
     as_json: bool,
     trace_first: bool,
 ) -> int:
-    """Solve, refine and report."""
+    """Solve, refine, save and report."""
+    from nonsmooth.runtime.deriving import check_target
     from nonsmooth.runtime.refine import MOST_DIGITS, refine
     from nonsmooth.runtime.report import orbit_json
     from nonsmooth.runtime.solve import solve as find_orbit
@@ -330,6 +390,8 @@ def _report(
 
     if not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+    if save is not None:
+        check_target(save)
     assigned = _assignments("parameter", parameters or [])
     found = find_orbit(
         name,
@@ -342,12 +404,17 @@ def _report(
     told = orbit_json(orbit, digits)
     for parameter, value in assigned.items():  # also those that others stand for
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
+    if save is not None:
+        orbit.save(save)
+        told["file"] = str(save)
     if as_json:
         _print_json(told)
     else:
         from nonsmooth.runtime.display import show_report
 
         show_report(orbit, told, assigned, trace_first=trace_first)
+        if save is not None:
+            print(f"\n{save} written")
     return _judged(told, require or [])
 
 

@@ -16,7 +16,10 @@ from nonsmooth.runtime.newton import CONVERGED, INVALID, NEGATIVE, OUTSIDE, STAL
 from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
+    import os
+
     from nonsmooth.runtime.admissible import Admissibility
+    from nonsmooth.runtime.motion import Motion
     from nonsmooth.runtime.stability import Stability
 
 __all__ = ["STATUS", "Orbit", "Sensitivity"]
@@ -223,3 +226,31 @@ class Orbit:
         from nonsmooth.runtime.report import orbit_json
 
         return orbit_json(self)
+
+    def motion(self) -> Motion:
+        """The motion along the orbit: its state at any time, in double precision."""
+        from nonsmooth.runtime.motion import orbit_motion
+
+        return orbit_motion(self)
+
+    def plot(self, kind: str = "time", axes: Any = None, **options: Any) -> Any:
+        """Draw the orbit; see `nonsmooth.runtime.plot.plot_orbit`."""
+        from nonsmooth.runtime.plot import plot_orbit
+
+        return plot_orbit(self, kind, axes, **options)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the orbit to a file with every digit; `nonsmooth.load` reads it."""
+        from nonsmooth.runtime.saved import save_orbit
+
+        save_orbit(self, path)
+
+    def _repr_html_(self) -> str:
+        from nonsmooth.runtime.notebook import orbit_html
+
+        return orbit_html(self)
+
+    def _repr_latex_(self) -> str:
+        from nonsmooth.runtime.notebook import orbit_latex
+
+        return orbit_latex(self)

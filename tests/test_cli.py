@@ -18,8 +18,8 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 import nonsmooth
-from nonsmooth.derive.document import describe, latex
 from nonsmooth.derive.codegen import regenerate as generation
+from nonsmooth.derive.document import describe, latex
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime import solve, stability
 from nonsmooth.runtime.cli import app
@@ -139,6 +139,9 @@ def test_every_command_has_help_with_examples_and_json(name: str) -> None:
 @pytest.mark.usefixtures("derived")
 def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    if example.startswith("nonsmooth plot"):
+        pytest.importorskip("matplotlib")
+        nonsmooth.solve(ORBIT).save("orbit.json")
     if "pdf" in example:
         monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
     if "--check" in example:
@@ -284,6 +287,104 @@ def test_piped_output_has_no_colours_and_whole_numbers(environment: dict[str, st
     assert told("verify", ORBIT)["trace"] in done.stdout.split()
 
 
+# --- save, plot
+
+
+@pytest.mark.parametrize("command", ["solve", "verify"])
+def test_save(command: str, tmp_path: Path) -> None:
+    target = tmp_path / "orbit.json"
+    arguments = (command, ORBIT, "eta=0.98", "us2=0.8", "--digits", "30")
+    plain, found = told(*arguments), told(*arguments, "--save", str(target))
+    assert found == plain | {"file": str(target)}
+    orbit = nonsmooth.load(target)
+    assert orbit.digits == 30
+    assert orbit.to_json()["unknowns"] == plain["unknowns"]
+    assert orbit.opened["us2"].text == "0.8"
+    code, out, err = run(*arguments, "--save", str(target))
+    assert (code, err) == (0, "")
+    assert out.endswith(f"\n{target} written\n")
+
+
+def test_an_orbit_that_misses_a_requirement_is_saved(tmp_path: Path) -> None:
+    target = tmp_path / "orbit.json"
+    code, _, _ = run("solve", ORBIT, "us2=0.7", "--require", "admissible", "--save", str(target))
+    assert code == 3
+    assert nonsmooth.load(target).admissibility.verdict is False
+
+
+def test_saving_into_no_folder_is_2(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solve, "solve", None)  # refused before the work is done
+    target = tmp_path / "missing" / "orbit.json"
+    code, out, err = run("solve", ORBIT, "--save", str(target))
+    assert (code, out) == (2, "")
+    assert err == (f"nonsmooth: error: cannot write {target}: there is no folder {target.parent}\n")
+
+
+@pytest.fixture
+def saved(tmp_path: Path) -> Path:
+    """A saved orbit, for pictures."""
+    pytest.importorskip("matplotlib")
+    path = tmp_path / "orbit.json"
+    nonsmooth.solve(ORBIT).save(path)
+    return path
+
+
+@pytest.mark.parametrize("kind", ["time", "velocity", "phase", "strip", "multipliers", "all"])
+@pytest.mark.parametrize(("ending", "start"), [("png", b"\x89PNG"), ("SVG", b"<?xml")])
+def test_plot(kind: str, ending: str, start: bytes, saved: Path) -> None:
+    target = saved.with_suffix(f".{ending}")
+    options = ("plot", str(saved), "--kind", kind, "--out", str(target))
+    assert run(*options) == (0, f"{target} written\n", "")
+    written = target.read_bytes()
+    assert written.startswith(start)
+    assert told(*options) == {"orbit": ORBIT, "kind": kind, "file": str(target)}
+    assert target.read_bytes() == written
+
+
+def test_plot_names_its_file(saved: Path) -> None:
+    target = saved.with_suffix(".png")
+    assert run("plot", str(saved)) == (0, f"{target} written\n", "")
+    assert target.read_bytes().startswith(b"\x89PNG")
+
+
+def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
+    cut = tmp_path / "cut.json"
+    cut.write_bytes(saved.read_bytes()[:300])
+    picture = tmp_path / "orbit.png"
+    picture.write_bytes(saved.read_bytes())
+    missing = tmp_path / "missing" / "orbit.png"
+    for arguments, part in (
+        ((cut,), f"{cut}: cut, or not JSON"),
+        ((tmp_path / "none.json",), "none.json: cannot be read: no such file or directory"),
+        ((tmp_path,), "cannot be read: "),
+        ((picture,), f"cannot write {picture}: it is the saved orbit"),
+        ((saved, "--out", saved), f"cannot write {saved}: it is the saved orbit"),
+        ((saved, "--out", tmp_path / "a.gif"), "a.gif does not end in .png, .svg, .pdf"),
+        ((saved, "--out", missing), f"cannot write {missing}: there is no folder"),
+        ((saved, "--periods", "0"), "periods = 0 is not a positive integer"),
+    ):
+        code, out, err = run("plot", *map(str, arguments))
+        assert (code, out) == (2, "")
+        assert err.startswith("nonsmooth: error: ")
+        assert part in err
+        assert err.count("\n") == 1
+    assert nonsmooth.load(saved) == nonsmooth.load(picture)
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        *("cut.json", "orbit.json", "orbit.png")
+    ]
+
+
+def test_plot_without_matplotlib_names_its_extra(
+    saved: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert run("plot", str(saved)) == (
+        2,
+        "",
+        'nonsmooth: error: matplotlib is not installed: pip install "nonsmooth[plot]"\n',
+    )
+
+
 # --- exit codes
 
 
@@ -393,6 +494,8 @@ def test_wrong_input_is_2_with_one_line(command: str, arguments: str, part: str)
         ["solve"],
         ["solve", ORBIT, "--digits", "many"],
         ["solve", ORBIT, "--require", "proved"],
+        ["plot"],
+        ["plot", "orbit.json", "--kind", "phases"],
         ["solve", ORBIT, "--digts", "3"],
         ["equations", "dry-friction", "--format", "word"],
     ],

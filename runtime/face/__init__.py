@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from nonsmooth.runtime.batch import Orbits, solve_many
     from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
+    from nonsmooth.runtime.motion import Motion
     from nonsmooth.runtime.orbit import Orbit
     from nonsmooth.runtime.refine import refine
+    from nonsmooth.runtime.saved import load_orbit_file as load
     from nonsmooth.runtime.solve import solve
 
     __version__: str
@@ -19,11 +21,13 @@ if TYPE_CHECKING:
 __all__ = [
     "InputError",
     "MissingExtra",
+    "Motion",
     "NoConvergence",
     "NonsmoothError",
     "Orbit",
     "Orbits",
     "__version__",
+    "load",
     "refine",
     "solve",
     "solve_many",
@@ -32,10 +36,12 @@ __all__ = [
 _HOMES = {
     "InputError": "errors",
     "MissingExtra": "errors",
+    "Motion": "motion",
     "NoConvergence": "errors",
     "NonsmoothError": "errors",
     "Orbit": "orbit",
     "Orbits": "batch",
+    "load": "saved:load_orbit_file",
     "refine": "refine",
     "solve": "solve",
     "solve_many": "batch",
@@ -49,7 +55,8 @@ def __getattr__(name: str) -> object:
 
         value: object = version("nonsmooth")
     elif name in _HOMES:
-        value = getattr(import_module(f"nonsmooth.runtime.{_HOMES[name]}"), name)
+        home, _, its_name = _HOMES[name].partition(":")
+        value = getattr(import_module(f"nonsmooth.runtime.{home}"), its_name or name)
     else:
         raise AttributeError(f"module 'nonsmooth' has no attribute {name!r}")
     globals()[name] = value

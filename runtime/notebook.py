@@ -1,0 +1,101 @@
+"""How an orbit shows itself in a notebook: a table, and formulas."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from html import escape
+from typing import TYPE_CHECKING
+
+from nonsmooth.runtime.values import decimal_string
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbit import Orbit
+
+__all__ = ["orbit_html", "orbit_latex", "symbol"]
+
+_GREEK = re.compile(
+    "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
+    "|upsilon|phi|chi|psi|omega"
+)
+_MOST_DIGITS = 50  # of a number in a formula
+
+
+def symbol(name: str) -> str:
+    r"""LaTeX of a name: Greek names are letters, what follows the letter is an index.
+
+    Examples
+    --------
+    >>> symbol("z10"), symbol("tau1"), symbol("ta"), symbol("V")
+    ('z_{10}', '\\tau_{1}', 't_{a}', 'V')
+    """
+    match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
+    if match is None:
+        return rf"\mathrm{{{name}}}".replace("_", r"\_")
+    stem, index = match.groups()
+    if _GREEK.fullmatch(stem):
+        base = f"\\{stem}"
+    elif len(stem) <= 2:
+        base, index = stem[0], stem[1:] + index
+    else:
+        base = rf"\mathrm{{{stem}}}"
+    return f"{base}_{{{index}}}" if index else base
+
+
+def orbit_html(orbit: Orbit) -> str:
+    """Show an orbit as a compact table, for a notebook."""
+    given = [f"{name} = {value}" for name, value in {**orbit.given, **orbit.opened}.items()]
+    if not orbit.converged:
+        return _table(orbit.name, [("given", given), ("status", [orbit.message])])
+    from nonsmooth.runtime.report import orbit_json
+
+    found = orbit_json(orbit, min(orbit.digits, 15))
+    unknowns = [f"{name} = {text}" for name, text in found["unknowns"].items()]
+    multipliers = [
+        m["re"] + (f" + {m['im']} i" if float(m["im"]) else "") + " (trivial)" * m["trivial"]
+        for m in found["multipliers"]
+    ]
+    admissible = [{True: "yes", False: "no"}.get(found["admissible"], "conditional, it takes")]
+    admissible += [
+        f"{bound['parameter']} > {float(bound['greater_than']):.10g}"
+        for bound in found.get("requires", ())
+    ]
+    admissible += [
+        f"{v['boundary']} is crossed in phase {v['phase']}, {v['configuration']},"
+        f" at t = {float(v['time']):.6g} by {float(v['excess']):.6g}"
+        for v in found.get("violations", ())
+    ]
+    return _table(
+        f"{orbit.name}, {orbit.digits} digits",
+        [
+            ("given", given),
+            ("unknowns", unknowns),
+            ("period", [found["period"]]),
+            ("multipliers", multipliers),
+            ("stability", [found["stability"]]),
+            ("admissible", admissible),
+        ],
+    )
+
+
+def orbit_latex(orbit: Orbit) -> str:
+    """Show the unknowns of an orbit as aligned equations, for a notebook."""
+    if not orbit.converged:
+        return rf"$$\text{{{orbit.name}: {orbit.message}}}$$"
+    rows = []
+    for name, value in orbit.unknowns.items():
+        text = decimal_string(value, min(orbit.digits, _MOST_DIGITS))
+        mantissa, _, exponent = text.partition("e")
+        power = rf" \cdot 10^{{{int(exponent)}}}" if exponent else ""
+        rows.append(f"{symbol(name)} &= {mantissa}{power}")
+    body = " \\\\\n".join(rows)
+    return f"$$\\begin{{aligned}}\n{body}\n\\end{{aligned}}$$"
+
+
+def _table(caption: str, rows: Iterable[tuple[str, Iterable[str]]]) -> str:
+    left = 'style="text-align: left"'
+    body = "".join(
+        f"<tr><th {left}>{escape(name)}</th><td {left}>{'<br>'.join(map(escape, lines))}</td></tr>"
+        for name, lines in rows
+    )
+    return f"<table><caption>{escape(caption)}</caption>{body}</table>"
