@@ -12,6 +12,7 @@ Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of t
 `modal`          flow of a configuration in closed form, and the spectrum
 `program`        stages of assignments and their derivatives
 `chain`          section, phases, transitions; Jacobians and Poincare map on it
+`explicit`       dwell times in closed form
 `reduction`      elimination of what is linear or explicit; the map in one variable
 `equations`      EquationSystem, the frozen record handed to every emitter
 `appendix`       the source paper's own route to the global stick orbit

@@ -18,29 +18,18 @@ multiplier that can differ from zero, hence the trace.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
 from nonsmooth.derive.chain import dwell_symbol, name_functions, section_of
-from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.explicit import LINEAR, ExplicitTime, explicit_time
+from nonsmooth.derive.itinerary import Itinerary, Phase
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Stage, assign, derivative_of, differentiate, merged, prune
 from nonsmooth.derive.system import System
 
-__all__ = ["Angle", "Elimination", "Reduction", "reduce_itinerary"]
-
-
-class Angle(sp.Function):
-    """Angle in [0, 2 pi) of a point (cosine, sine): written Angle(sine, cosine)."""
-
-    nargs = 2
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """Derivative by the sine (1) or the cosine (2)."""
-        sine, cosine = self.args
-        square = sine**2 + cosine**2
-        return cosine / square if argindex == 1 else -sine / square
+__all__ = ["Elimination", "Reduction", "reduce_itinerary"]
 
 
 @dataclass(frozen=True)
@@ -142,6 +131,47 @@ class Reduction:
         return prune(self.stages, expressions)
 
 
+@dataclass
+class _Draft:
+    """What one turn along the itinerary has collected so far."""
+
+    constants: set[sp.Symbol]
+    unsolved: list[sp.Symbol]
+    stages: list[Stage] = field(default_factory=list)
+    equations: list[tuple[str, sp.Expr]] = field(default_factory=list)
+    unknowns: list[sp.Symbol] = field(default_factory=list)
+    eliminations: list[Elimination] = field(default_factory=list)
+    values: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    linear_times: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    rates: dict[tuple[sp.Symbol, str], sp.Expr] = field(default_factory=dict)
+    solved: list[Stage] = field(default_factory=list)
+
+    def settle(self) -> None:
+        """Assign the solved coordinates, the last one first: the others contain it."""
+        self.stages += reversed(self.solved)
+        self.solved = []
+
+
+@dataclass(frozen=True)
+class _Exit:
+    """A phase, its flow, its dwell time and the boundary that ends it."""
+
+    phase: Phase
+    flow: Flow
+    dwell: sp.Symbol
+    gradient: tuple[sp.Matrix, sp.Expr]
+
+    @property
+    def meaning(self) -> str:
+        """What its exit condition says."""
+        return f"{self.phase.boundary} ends {self.phase.configuration}"
+
+    def condition(self, state: sp.Matrix) -> sp.Expr:
+        """Boundary's function at a state."""
+        row, constant = self.gradient
+        return sp.expand((row * state)[0] + constant)
+
+
 def reduce_itinerary(
     itinerary: Itinerary, system: System, flows: Mapping[str, Flow], spectrum: Spectrum
 ) -> Reduction:
@@ -154,105 +184,118 @@ def reduce_itinerary(
     # the states behind phase k carry the index k; so do the coordinates of this section
     coordinates = [sp.Symbol(f"{system.states[i]}_{rotation}", real=True) for i in section.places]
     constants = {p.symbol for p in system.parameters} | set(spectrum.symbols)
-    unsolved = list(coordinates)
+    draft = _Draft(constants, list(coordinates))
     state = section.start.subs(dict(zip(section.coordinates, coordinates, strict=True)))
-    stages: list[Stage] = []
-    equations: list[tuple[str, sp.Expr]] = []
-    unknowns: list[sp.Symbol] = []
-    eliminations: list[Elimination] = []
-    values: dict[sp.Symbol, sp.Expr] = {}
-    explicit_times: dict[sp.Symbol, sp.Expr] = {}
-    rates: dict[tuple[sp.Symbol, str], sp.Expr] = {}
-    solved: list[Stage] = []
-
     for index, phase in enumerate(turned.phases):
         if (index + rotation) % count == 0:
-            values |= dict(
-                zip(original.coordinates, (state[i] for i in original.places), strict=True)
-            )
-        chosen: sp.Symbol | None = None
-        flow, dwell = flows[phase.configuration], dwell_symbol(phase.dwell_time)
+            start = [state[i] for i in original.places]
+            draft.values |= dict(zip(original.coordinates, start, strict=True))
         boundary = system.configuration(phase.configuration).boundary(phase.boundary)
-        coefficients = dict(
-            zip(flow.basis, flow.along(*system.gradient(boundary.function), state), strict=True)
+        leaving = _Exit(
+            phase,
+            flows[phase.configuration],
+            dwell_symbol(phase.dwell_time),
+            system.gradient(boundary.function),
         )
-        explicit = _linear_time(coefficients) or _first_return(coefficients, dwell, constants)
-        naming, functions = name_functions(flow, dwell)
-        if explicit is not None:
-            # the dwell time depends on these: no later condition is linear in them
-            entering = set().union(*(sp.expand(c).free_symbols for c in coefficients.values()))
-            hidden = [q for q in unsolved if q in entering]
-            unsolved = [q for q in unsolved if q not in hidden]
-            unknowns += hidden
-            functions = [explicit.functions.get(f, f.subs(TIME, dwell)) for f in flow.basis]
-            stages += explicit.stages
-            stages.append(Stage(f"{dwell}: {explicit.rule}", ((dwell, explicit.time),)))
-            eliminations.append(Elimination(dwell, explicit.rule))
-            if explicit.rule == LINEAR:
-                explicit_times[dwell] = explicit.time
-        else:
-            unknowns.append(dwell)
-            stages.append(naming)
-        values[dwell] = dwell
-        after = flow.matrix(functions) * state + flow.offset(functions)
-        if explicit is not None:
-            after = after.applyfunc(lambda e, rule=explicit: _canonical(rule.shorten(e), constants))
-        elif unsolved:
-            condition = _affine_value(system.gradient(boundary.function), after)
-            chosen = next((q for q in unsolved if sp.diff(condition, q) != 0), None)
-            if chosen is None:
-                equations.append((f"{phase.boundary} ends {phase.configuration}", condition))
-            else:
-                slope = sp.diff(condition, chosen)
-                solution = _canonical(-sp.expand(condition - slope * chosen) / slope, constants)
-                rule = f"linear in {phase.boundary}"
-                eliminations.append(Elimination(chosen, rule))
-                solved.append(Stage(f"{chosen}: {rule}", ((chosen, solution),)))
-                unsolved.remove(chosen)
-                if unsolved:  # the solution contains them: later conditions must see them
-                    step, after = _affine_in(unsolved, after.subs(chosen, solution), dwell)
-                    stages.append(step)
-        if not unsolved:
-            # each solution contains coordinates that were solved for after it
-            stages += reversed(solved)
-            solved = []
-        if explicit is None and not unsolved:
-            # beyond the last phase the count goes on: the return is not the start
-            names = [f"{s}_{index + rotation + 1}" for s in system.states]
-            step, named = assign(f"{phase.configuration} for {dwell}", names, after)
-            stages.append(step)
-            after = sp.Matrix(named)
-            if chosen is None:
-                velocity = flow.velocity(after)
-                rates |= {(s, str(dwell)): v for s, v in zip(after, velocity, strict=True)}
-                condition = _affine_value(system.gradient(boundary.function), after)
-                equations.append((f"{phase.boundary} ends {phase.configuration}", condition))
-        transition = turned.transition_after(system, index)
-        state = transition.reset_of(after, system.states)
+        # beyond the last phase the count goes on: the return is not the start
+        names = [f"{s}_{index + rotation + 1}" for s in system.states]
+        after = _through(draft, leaving, state, names)
+        state = turned.transition_after(system, index).reset_of(after, system.states)
 
-    stages += reversed(solved)
-    unknowns = unsolved + unknowns
-    images = [_canonical(state[place].subs(explicit_times), constants) for place in section.places]
+    draft.settle()
+    images = [
+        _canonical(state[place].subs(draft.linear_times), constants) for place in section.places
+    ]
     for coordinate, image in zip(coordinates, images, strict=True):
-        equations.append((f"{coordinate} returns", image - coordinate))
+        draft.equations.append((f"{coordinate} returns", image - coordinate))
+    wanted = [e for _, e in draft.equations] + list(draft.values.values())
     one = section.dimension == 1
     return Reduction(
         rotation,
         section.dimension,
-        tuple(unknowns),
-        tuple(equations),
-        prune(stages, [e for _, e in equations] + list(values.values())),
-        values,
-        tuple(eliminations),
-        rates,
+        tuple(draft.unsolved + draft.unknowns),
+        tuple(draft.equations),
+        prune(draft.stages, wanted),
+        draft.values,
+        tuple(draft.eliminations),
+        draft.rates,
         coordinates[0] if one else None,
         images[0] if one else None,
     )
 
 
-def _affine_value(gradient: tuple[sp.Matrix, sp.Expr], state: sp.Matrix) -> sp.Expr:
-    row, constant = gradient
-    return sp.expand((row * state)[0] + constant)
+def _through(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
+    """Follow one phase, use its exit condition as far as it goes, and give the state at its end."""
+    flow, dwell = leaving.flow, leaving.dwell
+    draft.values[dwell] = dwell
+    coefficients = dict(zip(flow.basis, flow.along(*leaving.gradient, state), strict=True))
+    explicit = explicit_time(coefficients, dwell, draft.constants)
+    if explicit is not None:
+        after = _at_explicit_time(draft, leaving, explicit, coefficients, state)
+        if not draft.unsolved:
+            draft.settle()
+        return after
+    draft.unknowns.append(dwell)
+    naming, functions = name_functions(flow, dwell)
+    draft.stages.append(naming)
+    after = flow.matrix(functions) * state + flow.offset(functions)
+    used = bool(draft.unsolved)
+    if used:
+        after = _use_for_coordinate(draft, leaving, after)
+    if draft.unsolved:
+        return after
+    draft.settle()
+    step, values = assign(f"{leaving.phase.configuration} for {dwell}", names, after)
+    draft.stages.append(step)
+    after = sp.Matrix(values)
+    if not used:
+        velocity = flow.velocity(after)
+        draft.rates |= {(s, str(dwell)): v for s, v in zip(after, velocity, strict=True)}
+        draft.equations.append((leaving.meaning, leaving.condition(after)))
+    return after
+
+
+def _at_explicit_time(
+    draft: _Draft,
+    leaving: _Exit,
+    explicit: ExplicitTime,
+    coefficients: Mapping[sp.Expr, sp.Expr],
+    state: sp.Matrix,
+) -> sp.Matrix:
+    """End of a phase whose dwell time is explicit."""
+    flow, dwell = leaving.flow, leaving.dwell
+    # the dwell time depends on these coordinates: no later condition is linear in them
+    entering = set().union(*(sp.expand(c).free_symbols for c in coefficients.values()))
+    draft.unknowns += [q for q in draft.unsolved if q in entering]
+    draft.unsolved = [q for q in draft.unsolved if q not in entering]
+    draft.stages += explicit.stages
+    draft.stages.append(Stage(f"{dwell}: {explicit.rule}", ((dwell, explicit.time),)))
+    draft.eliminations.append(Elimination(dwell, explicit.rule))
+    if explicit.rule == LINEAR:
+        draft.linear_times[dwell] = explicit.time
+    functions = [explicit.functions.get(f, f.subs(TIME, dwell)) for f in flow.basis]
+    after = flow.matrix(functions) * state + flow.offset(functions)
+    return after.applyfunc(lambda e: _canonical(explicit.shorten(e), draft.constants))
+
+
+def _use_for_coordinate(draft: _Draft, leaving: _Exit, after: sp.Matrix) -> sp.Matrix:
+    """Solve an exit condition for a section coordinate; without one it stays an equation."""
+    condition = leaving.condition(after)
+    chosen = next((q for q in draft.unsolved if sp.diff(condition, q) != 0), None)
+    if chosen is None:
+        draft.equations.append((leaving.meaning, condition))
+        return after
+    slope = sp.diff(condition, chosen)
+    solution = _canonical(-sp.expand(condition - slope * chosen) / slope, draft.constants)
+    rule = f"linear in {leaving.phase.boundary}"
+    draft.eliminations.append(Elimination(chosen, rule))
+    draft.solved.append(Stage(f"{chosen}: {rule}", ((chosen, solution),)))
+    draft.unsolved.remove(chosen)
+    if draft.unsolved:  # the solution contains them: later conditions must see them
+        substituted = after.subs(chosen, solution)
+        step, after = _affine_in(draft.unsolved, substituted, leaving.dwell)
+        draft.stages.append(step)
+    return after
 
 
 def _affine_in(
@@ -269,96 +312,6 @@ def _affine_in(
     for k, (q, _) in enumerate(parts):
         total += q * sp.Matrix(values[k * size : (k + 1) * size])
     return step, total
-
-
-LINEAR, RETURN = "linear in time", "first return"
-
-
-@dataclass(frozen=True)
-class _Explicit:
-    """A dwell time in closed form: the rule, its stages, the functions it fixes, the time."""
-
-    rule: str
-    stages: tuple[Stage, ...]
-    functions: Mapping[sp.Expr, sp.Expr]
-    time: sp.Expr
-    identities: tuple[Mapping[sp.Expr, sp.Expr], ...] = ()
-
-    def shorten(self, expression: sp.Expr) -> sp.Expr:
-        """Apply what the rule knows about its own symbols."""
-        for identity in self.identities:
-            expression = sp.expand(expression.subs(identity, simultaneous=True))
-        return expression
-
-
-def _linear_time(coefficients: Mapping[sp.Expr, sp.Expr]) -> _Explicit | None:
-    """Dwell time of an exit condition ``c + s t = 0``."""
-    present = {f: c for f, c in coefficients.items() if sp.expand(c) != 0}
-    if TIME not in present or set(present) - {sp.Integer(1), TIME}:
-        return None
-    constant = sp.expand(present.get(sp.Integer(1), sp.Integer(0)))
-    return _Explicit(LINEAR, (), {}, -constant / sp.factor(present[TIME]))
-
-
-def _first_return(
-    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, constants: set[sp.Symbol]
-) -> _Explicit | None:
-    """Dwell time of an exit condition ``a cos(w t) + b sin(w t) + c = 0``, rising.
-
-    Rising through zero the derivative is w s with s = sqrt(a^2 + b^2 - c^2), which fixes
-    cosine and sine; the angle in (0, 2 pi) is the first return.
-    """
-    present = {f: sp.expand(c) for f, c in coefficients.items()}
-    present = {f: c for f, c in present.items() if c != 0}
-    oscillating = [f for f in present if isinstance(f, sp.cos | sp.sin)]
-    arguments = {f.args[0] for f in oscillating}
-    if len(arguments) != 1 or set(present) - {sp.Integer(1), *oscillating}:
-        return None
-    (argument,) = arguments
-    cosine, sine = sp.cos(argument), sp.sin(argument)
-    title = f"first return of {dwell}"
-    parts, (a, b, c) = assign(
-        title,
-        [f"{part}_{dwell}" for part in ("cosine_part", "sine_part", "constant_part")],
-        [present.get(f, sp.Integer(0)) for f in (cosine, sine, sp.Integer(1))],
-    )
-    square = a**2 + b**2
-    identities: tuple[Mapping[sp.Expr, sp.Expr], ...] = ()
-    if c == 0:
-        scale, (r,) = assign(title, [f"amplitude_{dwell}"], [sp.sqrt(square)])
-        at = (b / r, -a / r)
-        if a.is_Symbol and b.is_Symbol:
-            parts_of = ((present[cosine], a), (present[sine], b))
-            identities = _amplitude_identities(parts_of, r, constants)
-    else:
-        scale, (s,) = assign(title, [f"rate_{dwell}"], [sp.sqrt(square - c**2)])
-        at = ((b * s - a * c) / square, -(b * c + a * s) / square)
-    naming, values = assign(title, [f"cos_{dwell}_return", f"sin_{dwell}_return"], at)
-    if identities:
-        identities = ({**identities[0], **dict(zip(values, at, strict=True))}, identities[1])
-    stages = tuple(s for s in (parts, scale, naming) if s.assignments)
-    time = Angle(values[1], values[0]) / (argument / TIME)
-    return _Explicit(RETURN, stages, {cosine: values[0], sine: values[1]}, time, identities)
-
-
-def _amplitude_identities(
-    parts: Sequence[tuple[sp.Expr, sp.Symbol]], r: sp.Expr, constants: set[sp.Symbol]
-) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr]]:
-    """State symbols in terms of a and b, and a^2 = r^2 - b^2: the state shrinks to r."""
-    states = sorted(set().union(*(e.free_symbols for e, _ in parts)) - constants, key=str)
-    solution = _linear_solution([e - s for e, s in parts], states)
-    solved = {x: v for x, v in zip(states, solution, strict=True) if x != v}
-    (_, a), (_, b) = parts
-    return solved, {a**2: r**2 - b**2}
-
-
-def _linear_solution(
-    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
-) -> Sequence[sp.Expr]:
-    """Solution of linear equations; the unknowns themselves where there is none."""
-    if any(sp.diff(e, x, y) != 0 for e in equations for x in unknowns for y in unknowns):
-        return unknowns
-    return next(iter(sp.linsolve(equations, unknowns)), unknowns)
 
 
 def _canonical(expression: sp.Expr, constants: set[sp.Symbol]) -> sp.Expr:

@@ -32,9 +32,9 @@ from nonsmooth.derive.codegen.emit import COMMAND
 from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.equations import EquationSystem, derive_equations
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.explicit import Angle
 from nonsmooth.derive.kernels import orbit_kernels
 from nonsmooth.derive.program import Argument, Kernel, Output, Stage, evaluate
-from nonsmooth.derive.reduction import Angle
 from nonsmooth.derive.systems import SYSTEMS, dry_friction
 from nonsmooth.runtime import kernels as door
 from nonsmooth.runtime.arithmetic import FLOATS, Balls, Mpmath

@@ -32,9 +32,9 @@ from nonsmooth.derive.document.markdown import to_markdown
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.explicit import Angle
 from nonsmooth.derive.itinerary import Itinerary, Phase
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.reduction import Angle
 from nonsmooth.derive.system import TIME, Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import dry_friction
 

@@ -9,8 +9,9 @@ import sympy as sp
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.wording import Naming, count, enumeration, numbered
 from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.explicit import LINEAR, RETURN
 from nonsmooth.derive.program import Stage
-from nonsmooth.derive.reduction import LINEAR, RETURN, Elimination
+from nonsmooth.derive.reduction import Elimination
 
 __all__ = ["reduction_section", "trace_section"]
 

@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
 from nonsmooth.derive.document.layout import width
-from nonsmooth.derive.reduction import Angle
+from nonsmooth.derive.explicit import Angle
 
 if TYPE_CHECKING:
     from nonsmooth.derive.document.symbols import Notation
