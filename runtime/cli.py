@@ -342,7 +342,7 @@ def regenerate(
 
     if system is not None and system not in SYSTEMS:
         raise unknown_name("system", system, SYSTEMS)
-    folder = generation.find_generated() if out is None else out
+    folder = generation.find_generated(writing=not check) if out is None else out
     told: dict[str, Any] = {"folder": str(folder), "system": system}
     if check:
         with steps() as begin:

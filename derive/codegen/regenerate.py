@@ -29,17 +29,24 @@ class Check:
         return not self.differences
 
 
-def find_generated() -> Path:
-    """Folder generated/ of the checkout that this code runs from.
+def find_generated(*, writing: bool = True) -> Path:
+    """Folder of the generated files beside this code.
+
+    Parameters
+    ----------
+    writing : bool
+        Whether it has to be that of a checkout; an installed package is only read.
 
     Raises
     ------
     DerivationError
-        If it does not run from a checkout.
+        If it has to be, but is not.
     """
     # in an editable install this file is a link into the checkout
     root = Path(__file__).resolve().parents[2]
     project = root / "pyproject.toml"
+    if not writing:
+        return root / "generated"
     if project.is_file() and 'name = "nonsmooth"' in project.read_text(encoding="utf-8"):
         return root / "generated"
     raise DerivationError("this is not a checkout of nonsmooth: say where to write with --out DIR")
@@ -97,7 +104,7 @@ def check(
     DerivationError
         If the files were made under another SymPy, whose output may differ for no fault.
     """
-    target = find_generated() if folder is None else folder
+    target = find_generated(writing=False) if folder is None else folder
     made_with = _sympy_of(target / PROVENANCE)
     if made_with != sp.__version__:
         raise DerivationError(
