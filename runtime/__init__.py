@@ -22,6 +22,7 @@ The map of the house:
 `report`       results as JSON
 `display`      results for people
 `deriving`     the commands' way into the derivation
+`options`      arguments and options that commands share
 `cli`          the command line
 `errors`       the exceptions, under one root
 =============  ================================================================

@@ -478,7 +478,7 @@ def both(kernel: str, arrays: Sequence[np.ndarray]) -> tuple[list[np.ndarray], l
     inputs, outputs = KERNELS[kernel]
     plain = door._vectorised(getattr(MODULE, kernel), inputs, outputs)(*arrays)
     built = getattr(extension(), f"dry_friction_{kernel}")(*arrays)
-    return [list(r) if isinstance(r, tuple) else [np.asarray(r)] for r in (plain, built)]  # type: ignore[return-value]
+    return [list(r) if isinstance(r, tuple) else [np.asarray(r)] for r in (plain, built)]
 
 
 def close_in_ulps(plain: np.ndarray, built: np.ndarray) -> None:
@@ -551,7 +551,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The emitted C, compiled as strict C99 without one warning."""
     target = tmp_path_factory.mktemp("c") / "dry_friction.o"
     command = [compiler, *FLAGS, "-O1", "-c", str(GENERATED / "dry_friction.c"), "-o", str(target)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)  # type: ignore[arg-type]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return target
 
@@ -563,7 +563,7 @@ def test_a_c_program_gives_the_residual_and_the_trace(library: Path, tmp_path: P
     subprocess.run(
         [compiler, *FLAGS, f"-I{GENERATED}", str(source), str(library), "-o", str(program), "-lm"],
         check=True,
-    )  # type: ignore[list-item]
+    )
     words = [*DATA.values(), *(PRINTED[n] for n in PRINTED)]
     done = subprocess.run([str(program), *words], capture_output=True, text=True, check=True)
     *residual, trace = map(float, done.stdout.split())

@@ -1,0 +1,96 @@
+"""Arguments and options that several commands share."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+__all__ = [
+    "AsJson",
+    "Assignments",
+    "Digits",
+    "Format",
+    "Given",
+    "Guess",
+    "Kind",
+    "OrbitName",
+    "Require",
+    "Requirement",
+    "Save",
+    "Unknown",
+]
+
+
+class Format(StrEnum):
+    """What `equations` writes."""
+
+    LATEX = "latex"
+    MARKDOWN = "markdown"
+    HTML = "html"
+    PDF = "pdf"
+
+
+class Kind(StrEnum):
+    """What `plot` draws."""
+
+    TIME = "time"
+    VELOCITY = "velocity"
+    PHASE = "phase"
+    STRIP = "strip"
+    MULTIPLIERS = "multipliers"
+    ALL = "all"
+
+
+class Requirement(StrEnum):
+    """Verdicts that can be required."""
+
+    STABLE = "stable"
+    ADMISSIBLE = "admissible"
+
+
+OrbitName = Annotated[
+    str,
+    typer.Argument(metavar="SYSTEM/ORBIT", help="An orbit that `nonsmooth list` shows."),
+]
+Assignments = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="NAME=VALUE",
+        help="Parameters: eta=0.98, chi=1/3, V=pi/3. Absent ones take their defaults.",
+        show_default=False,
+    ),
+]
+Unknown = Annotated[
+    list[str] | None,
+    typer.Option("--unknown", metavar="NAME,...", help="Parameters to be solved for."),
+]
+Given = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--given", metavar="NAME=VALUE,...", help="Unknowns that are given in their place."
+    ),
+]
+Guess = Annotated[
+    list[str] | None,
+    typer.Option("--guess", metavar="NAME=VALUE,...", help="Start of some or all unknowns."),
+]
+Require = Annotated[
+    list[Requirement] | None,
+    typer.Option("--require", help="Exit with 3 unless the orbit is so; may be repeated."),
+]
+Digits = Annotated[
+    int,
+    typer.Option(
+        "--digits", metavar="N", help="The error of a number x is at most 10^-N max(1, |x|)."
+    ),
+]
+Save = Annotated[
+    Path | None,
+    typer.Option("--save", metavar="FILE", help="Save the orbit with all its digits, as JSON."),
+]
+AsJson = Annotated[
+    bool, typer.Option("--json", help="One JSON document on stdout, numbers as decimal strings.")
+]
