@@ -62,7 +62,7 @@ def main(command: str | None = None) -> None:
     if command is None:
         group(prog_name="nonsmooth")
     else:
-        group.commands[command](prog_name=sys.argv[0])
+        group.commands[command](prog_name=Path(sys.argv[0]).name)
 
 
 def _answering(command: Callable[..., int]) -> Callable[..., None]:
