@@ -73,8 +73,9 @@ def batch(quick: bool) -> Iterator[Row]:
     yield Row("lambdify(cse), NumPy Newton", timed(lambdified(eta), len(eta), 3), against=ours)
     few = eta[:: 2500 if quick else 1000]
     yield Row("scipy.optimize.root, expm", timed(expm_root(few), len(few), 3), against=ours)
-    if (peer := casadi_newton(eta)) is not None:
-        yield Row("CasADi fast_newton", timed(peer, len(eta), 3), against=ours)
+    for label, make in (("CasADi fast_newton", casadi_newton), ("heyoka cfunc", heyoka_newton)):
+        if (peer := make(eta)) is not None:
+            yield Row(label, timed(peer, len(eta), 3), against=ours)
 
 
 def expanded() -> tuple[list, list, list, list]:
@@ -95,29 +96,63 @@ def lambdified(eta: np.ndarray) -> Callable[[], object]:
     """Vectorised Newton on SymPy's own NumPy code of the six equations."""
     import sympy as sp
 
-    from nonsmooth.runtime.kernels import load_orbit
-
     inputs, unknowns, residual, jacobian = expanded()
     # a flat list: nested ones silently lose the common subexpressions
     function = sp.lambdify([*inputs, *unknowns], [*residual, *jacobian], "numpy", cse=True)
-    kernels = load_orbit(NAME)
+
+    def evaluate(points: np.ndarray, spectrum: np.ndarray, x: np.ndarray) -> np.ndarray:
+        values = function(*points, *spectrum, *x)
+        return np.array([np.broadcast_to(v, eta.shape) for v in values])
+
+    return numpy_newton(eta, evaluate)
+
+
+def numpy_newton(eta: np.ndarray, evaluate: Callable[..., np.ndarray]) -> Callable[[], object]:
+    """Vectorised Newton on a function that gives 6 residuals and 36 derivatives a point."""
+    points, spectrum = data_of(eta)
 
     def work() -> np.ndarray:
-        points = np.array([np.broadcast_to(POINT[n], eta.shape) for n in kernels.parameter_names])
-        points[1] = eta
-        spectrum, _ = kernels.spectrum(points.T)
         x = np.repeat(np.array(GUESS)[:, None], len(eta), axis=1)
         for _ in range(10):
-            values = function(*points, *spectrum.T, *x)
-            flat = np.array([np.broadcast_to(v, eta.shape) for v in values])
-            matrices = flat[6:].reshape(6, 6, -1).transpose(2, 0, 1)
-            step = np.linalg.solve(matrices, flat[:6].T[..., None])
+            values = evaluate(points, spectrum, x)
+            matrices = values[6:].reshape(6, 6, -1).transpose(2, 0, 1)
+            step = np.linalg.solve(matrices, values[:6].T[..., None])
             x = x - step[..., 0].T
             if np.abs(step).max() < 1e-9:
                 break
         return x
 
     return work
+
+
+def data_of(eta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Parameters (5, n) and spectrum (7, n) of points that differ in eta."""
+    from nonsmooth.runtime.kernels import load_orbit
+
+    kernels = load_orbit(NAME)
+    points = np.array([np.broadcast_to(POINT[n], eta.shape) for n in kernels.parameter_names])
+    points[1] = eta
+    return points, kernels.spectrum(points.T)[0].T
+
+
+def heyoka_newton(eta: np.ndarray) -> Callable[[], object] | None:
+    """Vectorised Newton on heyoka's compiled function of the same staged equations."""
+    try:
+        import heyoka
+    except ImportError:
+        return None
+    from nonsmooth.runtime.kernels import load_orbit
+
+    symbols = heyoka.make_vars(*(f"v{i}" for i in range(18)))
+    residual, jacobian = load_orbit(NAME).source("residual_and_jacobian")(
+        symbols[:5], symbols[5:12], symbols[12:], lib=heyoka
+    )
+    entries = [*residual, *(entry for row in jacobian for entry in row)]
+    constant = heyoka.expression
+    function = heyoka.cfunc(
+        [e if isinstance(e, constant) else constant(float(e)) for e in entries], vars=symbols
+    )
+    return numpy_newton(eta, lambda *arrays: function(np.concatenate(arrays)))
 
 
 def expm_root(points: np.ndarray) -> Callable[[], object]:
@@ -169,10 +204,7 @@ def casadi_newton(eta: np.ndarray) -> Callable[[], object] | None:
     )
     problem = {"x": unknowns, "p": inputs, "g": casadi.vertcat(*residual)}
     solver = casadi.rootfinder("solve", "fast_newton", problem)
-    points = np.array([np.broadcast_to(POINT[n], eta.shape) for n in kernels.parameter_names])
-    points[1] = eta
-    spectrum, _ = kernels.spectrum(points.T)
-    data = np.vstack([points, spectrum.T])
+    data = np.vstack(data_of(eta))
     mapped = solver.map(len(eta))
     guess = np.repeat(np.array(GUESS)[:, None], len(eta), axis=1)
     return lambda: mapped(guess, data)
