@@ -1,0 +1,1 @@
+"""The source paper reproduced: every number and figure beside ours."""
