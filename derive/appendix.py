@@ -52,7 +52,7 @@ def appendix_kernel(orbit: EquationSystem, printed: Collection[str] = ()) -> Ker
     """
     links, states = orbit.chain.links, orbit.system.states
     size = len(states) // 2
-    start = orbit.chain.section.start
+    start = orbit.chain.section.state
     velocity = start[size]
     if any(start[size + i] != velocity for i in range(size)) or velocity.free_symbols & set(
         orbit.unknowns

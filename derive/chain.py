@@ -14,7 +14,7 @@ import sympy as sp
 
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.modal import TIME, Flow
 from nonsmooth.derive.program import Stage, assign
 from nonsmooth.derive.system import System
@@ -23,13 +23,14 @@ __all__ = [
     "Chain",
     "Link",
     "Section",
-    "dwell_symbol",
+    "derived_time",
     "follow",
     "name_functions",
     "poincare_jacobian",
     "reset_matrix",
     "section_of",
     "sensitivities",
+    "start_of",
 ]
 
 
@@ -58,9 +59,20 @@ class Section:
         return len(self.coordinates)
 
     @property
-    def start(self) -> sp.Matrix:
+    def state(self) -> sp.Matrix:
         """State at the start in terms of the coordinates."""
         return self.embedding * sp.Matrix(self.dimension, 1, self.coordinates) + self.constant
+
+    def without(self, coordinates: Iterable[sp.Symbol]) -> Section:
+        """The part of the set on which some coordinates are zero."""
+        dropped = set(coordinates)
+        kept = [i for i, q in enumerate(self.coordinates) if q not in dropped]
+        return Section(
+            tuple(self.coordinates[i] for i in kept),
+            tuple(self.places[i] for i in kept),
+            self.embedding.extract(list(range(self.embedding.rows)), kept),
+            self.constant,
+        )
 
 
 def section_of(itinerary: Itinerary, system: System) -> Section:
@@ -69,6 +81,7 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
     It collects what the end of the last phase enforces: the velocities held through that
     phase and its exit boundary, carried through the reset, and what the reset assigns.
     Closing the section's own coordinates then closes the orbit, with no equation twice.
+    States without a name of their own in the itinerary are eliminated first.
     """
     states = system.states
     last = itinerary.phases[-1]
@@ -90,20 +103,56 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
         after = _image(sp.Matrix.vstack(*rows), sp.Matrix(constants), jump, shift)
     matrix = sp.Matrix.vstack(*(row for row, _ in after))
     right = -sp.Matrix([constant for _, constant in after])
-    reduced, pivots = sp.Matrix.hstack(matrix, right).applyfunc(sp.cancel).rref(simplify=True)
+    # elimination takes the first columns: those of the states without a name
+    order = sorted(range(len(states)), key=lambda i: (str(states[i]) in itinerary.start, i))
+    augmented = sp.Matrix.hstack(matrix.extract(list(range(matrix.rows)), order), right)
+    reduced, pivots = augmented.applyfunc(sp.cancel).rref(simplify=True)
     if len(states) in pivots:
         raise DerivationError(f"itinerary {itinerary.name!r}: its start satisfies no state")
-    places = tuple(i for i in range(len(states)) if i not in pivots)
-    coordinates = tuple(sp.Symbol(f"{states[i]}0", real=True) for i in places)
+    solved = {order[pivot]: row for row, pivot in enumerate(pivots)}
+    places = tuple(i for i in range(len(states)) if i not in solved)
     embedding = sp.zeros(len(states), len(places))
     constant = sp.zeros(len(states), 1)
     for column, place in enumerate(places):
         embedding[place, column] = 1
-    for row, pivot in enumerate(pivots):
-        constant[pivot] = sp.factor(reduced[row, len(states)])
+    for state, row in solved.items():
+        constant[state] = sp.factor(reduced[row, len(states)])
         for column, place in enumerate(places):
-            embedding[pivot, column] = -sp.factor(reduced[row, place])
-    return Section(coordinates, places, sp.ImmutableMatrix(embedding), sp.ImmutableMatrix(constant))
+            embedding[state, column] = -sp.factor(reduced[row, order.index(place)])
+    return Section(
+        _coordinates(itinerary, states, places),
+        places,
+        sp.ImmutableMatrix(embedding),
+        sp.ImmutableMatrix(constant),
+    )
+
+
+def start_of(itinerary: Itinerary, system: System, section: Section) -> Section:
+    """The set on which the start is sought: the section, larger where more states are named."""
+    states = system.states
+    named = {i for i, s in enumerate(states) if str(s) in itinerary.start}
+    places = tuple(sorted(named | set(section.places)))
+    embedding, constant = sp.zeros(len(states), len(places)), sp.Matrix(section.constant)
+    for row in range(len(states)):
+        if row in places:
+            embedding[row, places.index(row)], constant[row] = 1, 0
+            continue
+        for column, place in enumerate(section.places):
+            embedding[row, places.index(place)] = section.embedding[row, column]
+    return Section(
+        _coordinates(itinerary, states, places),
+        places,
+        sp.ImmutableMatrix(embedding),
+        sp.ImmutableMatrix(constant),
+    )
+
+
+def _coordinates(
+    itinerary: Itinerary, states: Sequence[sp.Symbol], places: Iterable[int]
+) -> tuple[sp.Symbol, ...]:
+    """Symbols of states at the start."""
+    names = (str(states[i]) for i in places)
+    return tuple(sp.Symbol(itinerary.start.get(n, f"{n}0"), real=True) for n in names)
 
 
 def reset_matrix(
@@ -145,6 +194,9 @@ class Link:
     flow : Flow
     dwell : symbol
         Its dwell time.
+    duration : expression
+        The dwell time in terms of the unknowns and parameters: the symbol itself, zero, or
+        what the others leave of a given period.
     functions : tuple of expressions
         Values of the flow's basis functions at the end of the phase.
     before, after, following : N x 1 matrices
@@ -159,6 +211,7 @@ class Link:
 
     flow: Flow
     dwell: sp.Symbol
+    duration: sp.Expr
     functions: tuple[sp.Expr, ...]
     before: sp.Matrix
     after: sp.Matrix
@@ -180,9 +233,14 @@ class Link:
 
 @dataclass(frozen=True)
 class Chain:
-    """Section, links and the stages that compute their states."""
+    """The start, links and the stages that compute their states.
+
+    `section` is the set on which the end of the last phase lands, `start` the one in whose
+    coordinates the start is sought; they differ only where an itinerary names more states.
+    """
 
     section: Section
+    start: Section
     links: tuple[Link, ...]
     stages: tuple[Stage, ...]
 
@@ -193,15 +251,21 @@ class Chain:
 
 
 def follow(
-    itinerary: Itinerary, system: System, flows: Mapping[str, Flow], section: Section
+    itinerary: Itinerary,
+    system: System,
+    flows: Mapping[str, Flow],
+    section: Section,
+    start: Section,
 ) -> Chain:
-    """Follow an itinerary from its section through all phases and transitions."""
+    """Follow an itinerary from its start through all phases and transitions."""
     states = system.states
-    start, values = assign("start on the section", [f"{s}_0" for s in states], section.start)
-    stages, state, links = [start], sp.Matrix(values), []
+    begin, values = assign("start on the section", [f"{s}_0" for s in states], start.state)
+    stages, state, links = [begin], sp.Matrix(values), []
     for index, phase in enumerate(itinerary.phases):
         flow, dwell = flows[phase.configuration], dwell_symbol(phase.dwell_time)
-        naming, functions = name_functions(flow, dwell)
+        duration = itinerary.duration(index)
+        stages.append(derived_time(dwell, duration))
+        naming, functions = name_functions(flow, dwell, duration if duration == 0 else dwell)
         end = flow.matrix(functions) * state + flow.offset(functions)
         names = [f"{s}_{index + 1}" for s in states]
         title = f"{phase.configuration} for {dwell}, until {phase.boundary}"
@@ -221,6 +285,7 @@ def follow(
             Link(
                 flow,
                 dwell,
+                duration,
                 tuple(functions),
                 state,
                 after,
@@ -231,7 +296,7 @@ def follow(
             )
         )
         state = following
-    return Chain(section, tuple(links), tuple(s for s in stages if s.assignments))
+    return Chain(section, start, tuple(links), tuple(s for s in stages if s.assignments))
 
 
 def sensitivities(
@@ -239,17 +304,19 @@ def sensitivities(
 ) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
     """Derivatives of the state at each phase's end, and behind the last transition.
 
-    Columns follow `unknowns` (section coordinates, then dwell times). By the chain rule
-    S' = Phi S + f e^T, with f the vector field at the end and e the phase's dwell time.
+    Columns follow `unknowns` (coordinates of the start, then dwell times). By the chain rule
+    S' = Phi S + f e^T, with f the vector field at the end and e the derivatives of the
+    phase's dwell time.
     """
     columns = len(unknowns)
     matrix = sp.Matrix.hstack(
-        chain.section.embedding, sp.zeros(len(states), columns - chain.section.dimension)
+        chain.start.embedding, sp.zeros(len(states), columns - chain.start.dimension)
     )
     stages, ends = [], []
     for index, link in enumerate(chain.links):
         moved = sp.Matrix(link.transfer * matrix)
-        moved[:, list(unknowns).index(link.dwell)] += link.velocity
+        for column, unknown in enumerate(unknowns):
+            moved[:, column] += sp.diff(link.duration, unknown) * link.velocity
         names = [f"{s}_{index + 1}_by_{u}" for s in states for u in unknowns]
         step, values = assign(f"derivatives of the state after {link.dwell}", names, moved)
         ends.append(sp.Matrix(len(states), columns, values))
@@ -294,17 +361,23 @@ def poincare_jacobian(
     return tuple(stages), matrix.extract(list(chain.section.places), list(range(len(columns))))
 
 
-def dwell_symbol(name: str) -> sp.Symbol:
-    """Symbol of a dwell time."""
-    return sp.Symbol(name, positive=True)
+def derived_time(dwell: sp.Symbol, duration: sp.Expr) -> Stage:
+    """Stage that assigns a dwell time which is not an unknown; empty for one that is."""
+    derived = duration not in (dwell, 0)
+    return Stage(f"{dwell} completes the period", ((dwell, duration),) if derived else ())
 
 
-def name_functions(flow: Flow, dwell: sp.Symbol) -> tuple[Stage, list[sp.Expr]]:
-    """Name the values at the end of a phase of the functions of time in its flow."""
+def name_functions(
+    flow: Flow, dwell: sp.Symbol, time: sp.Expr | None = None
+) -> tuple[Stage, list[sp.Expr]]:
+    """Name the values at the end of a phase of the functions of time in its flow.
+
+    The names are those of the dwell time; `time`, if given, is when the values are taken.
+    """
     names: list[str] = []
     for position, function in enumerate(flow.basis):
         frequency = [str(s) for s in sorted(function.free_symbols - {TIME}, key=str)]
         name = "_".join([type(function).__name__.lower(), *frequency, str(dwell)])
         names.append(f"{name}_{position}" if name in names else name)
-    values = [function.subs(TIME, dwell) for function in flow.basis]
+    values = [function.subs(TIME, dwell if time is None else time) for function in flow.basis]
     return assign(f"functions of {dwell} in {flow.configuration}", names, values)

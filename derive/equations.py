@@ -10,12 +10,22 @@ from html import escape
 
 import sympy as sp
 
-from nonsmooth.derive.chain import Chain, follow, poincare_jacobian, section_of, sensitivities
+from nonsmooth.derive.chain import (
+    Chain,
+    follow,
+    poincare_jacobian,
+    section_of,
+    sensitivities,
+    start_of,
+)
+from nonsmooth.derive.elimination import eliminate_coordinates, reference_values
+from nonsmooth.derive.energy import is_conservative
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.program import Stage, derivative_of, differentiate, prune
 from nonsmooth.derive.reduction import Reduction, reduce_itinerary
+from nonsmooth.derive.symmetry import half_phases, required_values, vanishing_coordinates
 from nonsmooth.derive.system import System
 
 __all__ = ["BoundaryFunction", "EquationSystem", "derive_equations"]
@@ -57,7 +67,9 @@ class EquationSystem:
     chain : Chain
         States from the section through all phases.
     unknowns : tuple of symbols
-        Section coordinates, then dwell times.
+        Coordinates of the start, dwell times, then parameters that are solved for.
+    stages : tuple of Stage
+        What the equations are written in: the chain's, or those halfway through the phases.
     equations : tuple of (meaning, expression)
         As many as unknowns; each vanishes at the orbit.
     parameters : tuple of symbols
@@ -65,6 +77,12 @@ class EquationSystem:
     open_parameters : tuple of symbols
         Those that only admissibility depends on.
     reduction : Reduction
+    required : mapping of symbol to number
+        Values of parameters without which there is no such orbit; they are inserted.
+    vanishing : tuple of symbols
+        Coordinates of the start that the closure makes zero.
+    conservative : bool
+        Whether energy is a first integral along the itinerary.
     """
 
     itinerary: Itinerary
@@ -73,10 +91,14 @@ class EquationSystem:
     flows: Mapping[str, Flow]
     chain: Chain
     unknowns: tuple[sp.Symbol, ...]
+    stages: tuple[Stage, ...]
     equations: tuple[tuple[str, sp.Expr], ...]
     parameters: tuple[sp.Symbol, ...]
     open_parameters: tuple[sp.Symbol, ...]
     reduction: Reduction
+    required: Mapping[sp.Symbol, sp.Expr]
+    vanishing: tuple[sp.Symbol, ...]
+    conservative: bool
 
     @property
     def residual(self) -> list[sp.Expr]:
@@ -86,10 +108,16 @@ class EquationSystem:
     @cached_property
     def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
         """Stages and entries of the derivatives of the equations by the unknowns."""
+        if self.itinerary.reversor or self.itinerary.solved_for:
+            seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
+            stages, moving = differentiate(self.stages, seeds)
+            return stages, sp.Matrix(
+                [[derivative_of(e, moving[str(u)]) for u in self.unknowns] for e in self.residual]
+            )
         stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
-        section = self.chain.section
+        start = self.chain.start
         rows = [link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)]
-        for column, place in enumerate(section.places):
+        for column, place in enumerate(start.places):
             closure = sp.Matrix(ends[-1][place, :])
             closure[column] -= 1
             rows.append(closure)
@@ -98,7 +126,7 @@ class EquationSystem:
     @cached_property
     def parameter_jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
         """Stages and entries of the total derivatives of the equations by the parameters."""
-        stages, moving = differentiate(self.chain.stages, self.parameter_seeds)
+        stages, moving = differentiate(self.stages, self.parameter_seeds)
         return stages, sp.Matrix(
             [[derivative_of(e, moving[str(p)]) for p in self.parameters] for e in self.residual]
         )
@@ -165,7 +193,7 @@ class EquationSystem:
             basis = (sp.Integer(1), TIME, *oscillations)
             for boundary in configuration.boundaries:
                 row, constant = self.system.gradient(boundary.function)
-                opened = sorted(constant.free_symbols - set(self.parameters), key=str)
+                opened = sorted(constant.free_symbols & set(self.open_parameters), key=str)
                 if len(opened) > 1:
                     raise DerivationError(
                         f"boundary {boundary.name!r}: {opened[0]} and {opened[1]} are both open"
@@ -238,9 +266,10 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
 
     * the **presented system**: the declaration in the itinerary's coordinates;
     * its **flows**: closed form inside each configuration, over one common spectrum;
-    * the **section** of the start, with coordinates of its own;
-    * the **chain** of states: section, phases, transitions;
-    * the **equations**: one exit condition a phase, and the closure of the section;
+    * the **section** that the end of the last phase enforces, and the **start** on it;
+    * the **chain** of states: start, phases, transitions;
+    * the **equations**: one exit condition a phase, and the closure of the start; for a
+      reversible orbit, conditions halfway through the phases;
     * the **reduction**: whatever is linear or explicit, eliminated.
 
     Jacobians, Poincare map, trace and boundary functions are derived from these when an
@@ -249,25 +278,55 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     Raises
     ------
     DerivationError
-        If a configuration has no closed form, or the start satisfies no state.
+        If a configuration has no closed form, the start satisfies no state, or the
+        itinerary gives more or fewer equations than unknowns.
     """
+    required = _required(itinerary)
+    itinerary = itinerary.specialised(required)
     system = itinerary.presented_system
     spectrum, flows = derive_flows(system)
     section = section_of(itinerary, system)
-    chain = follow(itinerary, system, flows, section)
-    equations = [
-        (f"{phase.boundary} ends {phase.configuration}", sp.expand(link.exit))
-        for phase, link in zip(itinerary.phases, chain.links, strict=True)
-    ]
-    for coordinate, place in zip(section.coordinates, section.places, strict=True):
-        equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
-    reduction = reduce_itinerary(itinerary, system, flows, spectrum)
+    start = start_of(itinerary, system, section)
+    vanishing = vanishing_coordinates(itinerary, system, start) if itinerary.reversor else ()
+    start = start.without(vanishing)
+    chain = follow(itinerary, system, flows, section, start)
+    ordered = [p.symbol for p in system.parameters]
+    dwell_times = tuple(
+        link.dwell
+        for link in chain.links
+        if link.duration == link.dwell and link.dwell not in ordered
+    )
+    swapped = tuple(s for s in ordered if str(s) in itinerary.solved_for)
+    if itinerary.reversor:
+        halves = half_phases(itinerary, system, flows, start)
+        stages, equations = halves.stages, halves.equations
+        reduction = eliminate_coordinates(
+            stages,
+            equations,
+            start.coordinates,
+            dwell_times,
+            {*ordered, *spectrum.symbols},
+            reference_values(itinerary.reference, spectrum, ordered),
+            min(
+                section_of(itinerary.rotated(k), system).dimension
+                for k in range(len(itinerary.phases))
+            ),
+        )
+    else:
+        stages, equations = chain.stages, _full_turn(itinerary, chain)
+        reduction = reduce_itinerary(itinerary, system, flows, spectrum)
+    unknowns = start.coordinates + dwell_times + swapped
+    if len(equations) != len(unknowns):
+        raise DerivationError(
+            f"itinerary {itinerary.name!r}: {len(equations)} equations for {len(unknowns)} unknowns"
+        )
+    _check_solvable(itinerary, swapped, spectrum, flows)
     used = set().union(
         *(e.free_symbols for _, e in equations),
-        *(e.free_symbols for stage in chain.stages for _, e in stage.assignments),
+        *(e.free_symbols for stage in (*stages, *chain.stages) for _, e in stage.assignments),
         spectrum.parameters,
     )
-    contained = {p.symbol for p in system.parameters if p.symbol in used}
+    contained = set(ordered) & used - set(swapped)
     admissibility = set().union(
         *(
             boundary.function.free_symbols
@@ -275,16 +334,57 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
             for boundary in system.configuration(phase.configuration).boundaries
         )
     )
-    ordered = [p.symbol for p in system.parameters]
     return EquationSystem(
         itinerary,
         system,
         spectrum,
         flows,
         chain,
-        section.coordinates + tuple(link.dwell for link in chain.links),
-        tuple(equations),
+        unknowns,
+        stages,
+        equations,
         tuple(s for s in ordered if s in contained),
-        tuple(s for s in ordered if s in admissibility - contained),
+        tuple(s for s in ordered if s in admissibility - contained - set(swapped)),
         reduction,
+        required,
+        vanishing,
+        is_conservative(itinerary, system),
     )
+
+
+def _required(itinerary: Itinerary) -> dict[sp.Symbol, sp.Expr]:
+    """Values of parameters that a reversible orbit needs."""
+    if not itinerary.reversor:
+        return {}
+    system = itinerary.presented_system
+    start = start_of(itinerary, system, section_of(itinerary, system))
+    return required_values(itinerary, system, start)
+
+
+def _full_turn(itinerary: Itinerary, chain: Chain) -> tuple[tuple[str, sp.Expr], ...]:
+    """One exit condition a phase, and the closure of the start's coordinates."""
+    equations = [
+        (f"{phase.boundary} ends {phase.configuration}", sp.expand(link.exit))
+        for phase, link in zip(itinerary.phases, chain.links, strict=True)
+    ]
+    for coordinate, place in zip(chain.start.coordinates, chain.start.places, strict=True):
+        equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
+    return tuple(equations)
+
+
+def _check_solvable(
+    itinerary: Itinerary,
+    swapped: tuple[sp.Symbol, ...],
+    spectrum: Spectrum,
+    flows: Mapping[str, Flow],
+) -> None:
+    """Refuse to solve for a parameter on which the flows depend."""
+    moving = set(spectrum.parameters).union(
+        *(m.free_symbols for f in flows.values() for m in (*f.matrices, *f.offsets, *f.field))
+    )
+    for symbol in swapped:
+        if symbol in moving:
+            raise DerivationError(
+                f"itinerary {itinerary.name!r}: {symbol} changes the flows, so it cannot be"
+                " solved for in place of a dwell time"
+            )

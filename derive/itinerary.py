@@ -14,7 +14,7 @@ from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.parameter import Parameter, exact
 from nonsmooth.derive.system import Boundary, Condition, Configuration, System, Transition
 
-__all__ = ["Itinerary", "Phase", "Presentation", "Reference"]
+__all__ = ["Itinerary", "Phase", "Presentation", "Reference", "dwell_symbol"]
 
 
 @dataclass(frozen=True)
@@ -144,12 +144,27 @@ class Itinerary:
         Coordinates and parameters for the equations; the system's own when omitted.
     reference : Reference, optional
         Default parameters and a guess to start from.
+    start : mapping of state name to unknown name, optional
+        Names of states at the start that are unknowns. By default those that the end of the
+        last phase leaves free, ``x1`` as ``x10``; naming more adds their conditions to the
+        equations.
+    reversor : mapping of presented state to expression, optional
+        A symmetry R under which every phase is its own time reversal: R y(-t) is a motion
+        when y(t) is. The orbit is then sought among those that R maps to themselves, by
+        conditions halfway through each phase. States that are not named stay.
+    period : Parameter, optional
+        The period is given: the last phase's dwell time is what the others leave of it.
+    vanishing : tuple of str
+        Dwell times that are zero (border collision); as many `solved_for`.
+    solved_for : tuple of str
+        Parameters that are unknowns in place of the vanishing dwell times.
 
     Raises
     ------
     DeclarationError
         For an unknown configuration, a boundary that its configuration does not have,
-        a phase after which no transition leads to the next, or a repeated dwell time.
+        a phase after which no transition leads to the next, or a name that is unknown or
+        used twice.
     """
 
     name: str
@@ -157,44 +172,102 @@ class Itinerary:
     phases: tuple[Phase, ...]
     presentation: Presentation | None = None
     reference: Reference | None = None
+    start: Mapping[str, str] = field(default_factory=dict)
+    reversor: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    period: Parameter | None = None
+    vanishing: tuple[str, ...] = ()
+    solved_for: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         phases = tuple(p if isinstance(p, Phase) else Phase(*p) for p in self.phases)
         object.__setattr__(self, "phases", phases)
+        object.__setattr__(self, "start", dict(self.start))
+        reversor = {s: exact(e) for s, e in self.reversor.items()}
+        object.__setattr__(self, "reversor", sp.Dict(reversor))
+        for attribute in ("vanishing", "solved_for"):
+            object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
         if not phases:
             raise DeclarationError(f"itinerary {self.name!r} has no phases")
-        dwell_times = [p.dwell_time for p in phases]
-        for dwell_time in dwell_times:
-            if dwell_times.count(dwell_time) > 1:
-                raise DeclarationError(
-                    f"itinerary {self.name!r}: dwell time {dwell_time!r} is named twice"
-                )
-        taken = {*map(str, self.system.states), *(p.name for p in self.system.parameters)}
-        if self.presentation is not None:
-            taken |= {*map(str, self.presentation.states)}
-            taken |= {p.name for p in self.presentation.parameters}
-        for dwell_time in dwell_times:
-            where = f"itinerary {self.name!r}: dwell time {dwell_time!r}"
-            if not dwell_time.isidentifier() or iskeyword(dwell_time):
-                raise DeclarationError(f"{where} is not an identifier")
-            if dwell_time in taken:
-                raise DeclarationError(f"{where} has the name of a state or parameter")
+        self._check_names()
         for phase, following in zip(phases, phases[1:] + phases[:1], strict=True):
             self.system.configuration(phase.configuration).boundary(phase.boundary)
             self.system.configuration(following.configuration)
             self.system.transition(phase.configuration, phase.boundary, following.configuration)
 
+    def _check_names(self) -> None:
+        where = f"itinerary {self.name!r}"
+        parameters, states = set(), [*map(str, self.system.states)]
+        parameters |= {p.name for p in self.system.parameters}
+        if self.presentation is not None:
+            states = [*map(str, self.presentation.states)]
+            parameters |= {p.name for p in self.presentation.parameters}
+        taken = {*map(str, self.system.states), *states, *parameters}
+        dwell_times = [p.dwell_time for p in self.phases]
+        named = [("dwell time", name) for name in dwell_times]
+        named += [("unknown", name) for name in self.start.values()]
+        if self.period is not None and dwell_times != [self.period.name]:
+            named.append(("period", self.period.name))
+        for place, (kind, name) in enumerate(named):
+            if (kind, name) in named[:place]:
+                raise DeclarationError(f"{where}: {kind} {name!r} is named twice")
+            if not name.isidentifier() or iskeyword(name):
+                raise DeclarationError(f"{where}: {kind} {name!r} is not an identifier")
+            if name in taken or name in [n for _, n in named[:place]]:
+                raise DeclarationError(f"{where}: {kind} {name!r} has the name of something else")
+        for kind, names, known in (
+            ("start of", self.start, states),
+            ("reversor of", map(str, self.reversor), states),
+            ("vanishing dwell time", self.vanishing, dwell_times),
+            ("parameter to solve for", self.solved_for, parameters),
+        ):
+            for name in names:
+                if name not in known:
+                    raise DeclarationError(f"{where}: {kind} {name!r}, which is not declared")
+        if len(self.vanishing) != len(self.solved_for):
+            raise DeclarationError(
+                f"{where}: {len(self.vanishing)} vanishing dwell times,"
+                f" but {len(self.solved_for)} parameters to solve for"
+            )
+
     def rotated(self, by: int) -> Itinerary:
-        """The same cycle started `by` phases later."""
+        """The same cycle started `by` phases later; its start has names of its own."""
         by %= len(self.phases)
-        return replace(self, phases=self.phases[by:] + self.phases[:by])
+        start = {} if by else self.start
+        return replace(self, phases=self.phases[by:] + self.phases[:by], start=start)
+
+    def specialised(self, values: Mapping[sp.Symbol, sp.Expr]) -> Itinerary:
+        """The same itinerary with parameters replaced by values."""
+        if not values:
+            return self
+        states = self.system.states
+        shown = self.presentation or Presentation(states, (0,) * len(states))
+        substitution = {**dict(shown.substitution.items()), **values}
+        return replace(self, presentation=replace(shown, substitution=substitution))
 
     @property
     def presented_system(self) -> System:
-        """The system in the coordinates and parameters of the presentation."""
-        return self.presentation.present(self.system) if self.presentation else self.system
+        """The system in the coordinates and parameters of the presentation, and the period."""
+        system = self.presentation.present(self.system) if self.presentation else self.system
+        if self.period is None:
+            return system
+        return replace(system, parameters=(*system.parameters, self.period))
 
     def transition_after(self, system: System, index: int) -> Transition:
         """The transition of `system` that ends phase `index`."""
         phase, following = self.phases[index], self.phases[(index + 1) % len(self.phases)]
         return system.transition(phase.configuration, phase.boundary, following.configuration)
+
+    def duration(self, index: int) -> sp.Expr:
+        """Dwell time of a phase: its symbol, zero, or what the others leave of the period."""
+        symbols = [dwell_symbol(p.dwell_time) for p in self.phases]
+        if self.phases[index].dwell_time in self.vanishing:
+            return sp.Integer(0)
+        if self.period is not None and index == len(symbols) - 1:
+            others = (self.duration(k) for k in range(index))
+            return self.period.symbol - sp.Add(*others)
+        return symbols[index]
+
+
+def dwell_symbol(name: str) -> sp.Symbol:
+    """Symbol of a dwell time."""
+    return sp.Symbol(name, positive=True)

@@ -10,6 +10,8 @@ from nonsmooth.derive.entire import Eigenvalue
 from nonsmooth.derive.equations import EquationSystem, spectral_derivative
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate, merged, prune
+from nonsmooth.derive.reduction import Reduction
+from nonsmooth.derive.saltation import monodromy, saltation_matrices
 from nonsmooth.derive.system import System
 
 __all__ = ["flow_kernels", "orbit_kernels", "reduced_equations", "spectrum_kernel"]
@@ -86,13 +88,16 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     unknowns = _vector("unknowns", orbit.unknowns)
     point = (parameters, spectrum, unknowns)
     moved = (parameters, spectrum, derivatives, unknowns)
-    chain = orbit.chain.stages
+    stages, chain = orbit.stages, orbit.chain.stages
 
     jacobian_stages, jacobian = orbit.jacobian
     moved_stages, parameter_jacobian = orbit.parameter_jacobian
     poincare_stages, poincare = orbit.poincare_jacobian
     trace_stages, trace = orbit.trace
     gradient_stages, gradient = orbit.trace_gradient
+    names = orbit.system.states
+    saltation_stages, saltations = saltation_matrices(orbit.chain, names)
+    monodromy_stages, full = monodromy(orbit.chain, names)
     residual = _flat("residual", orbit.residual)
     coefficients = [c for b in orbit.boundary_functions for c in b.coefficients]
     states = [orbit.chain.links[0].before, *(link.following for link in orbit.chain.links)]
@@ -108,27 +113,27 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
         return Kernel(name, title, tuple(arguments), tuple(outputs), prune(stages, wanted))
 
     kernels = [
-        kernel("residual", "Switching and periodicity equations.", point, [residual], chain),
+        kernel("residual", "Switching and periodicity equations.", point, [residual], stages),
         kernel(
             "jacobian",
             "Derivatives of the equations by the unknowns.",
             point,
             [_table("jacobian", jacobian)],
-            (*chain, *jacobian_stages),
+            (*stages, *jacobian_stages),
         ),
         kernel(
             "residual_and_jacobian",
             "Equations and their derivatives by the unknowns, sharing all intermediate terms.",
             point,
             [residual, _table("jacobian", jacobian)],
-            (*chain, *jacobian_stages),
+            (*stages, *jacobian_stages),
         ),
         kernel(
             "parameter_jacobian",
             "Total derivatives of the equations by the parameters, through the spectrum too.",
             moved,
             [_table("parameter_jacobian", parameter_jacobian)],
-            (*chain, *moved_stages),
+            (*stages, *moved_stages),
         ),
         kernel(
             "poincare_jacobian",
@@ -136,6 +141,20 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
             point,
             [_table("poincare_jacobian", poincare)],
             (*chain, *poincare_stages),
+        ),
+        kernel(
+            "saltations",
+            "Saltation matrices of the transitions, one below the other.",
+            point,
+            [_table("saltations", sp.Matrix.vstack(*saltations))],
+            (*chain, *saltation_stages),
+        ),
+        kernel(
+            "monodromy",
+            "Monodromy matrix: the product of flows and saltation matrices over a period.",
+            point,
+            [_table("monodromy", full)],
+            (*chain, *monodromy_stages),
         ),
         kernel(
             "trace",
@@ -178,11 +197,26 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
 def _reduced_kernels(
     orbit: EquationSystem, parameters: Argument, spectrum: Argument
 ) -> tuple[Kernel, ...]:
+    """Kernels on the reduced unknowns; of the first there is none where all is explicit."""
     reduction = orbit.reduction
-    point = (parameters, spectrum, _vector("reduced", reduction.unknowns))
+    values = [reduction.values[u] for u in orbit.unknowns]
+    explicit = [_flat("unknowns", values)]
+    if reduction.determinants:
+        explicit.append(_determinants(reduction))
+    wanted = [e for output in explicit for e in output.expressions]
+    title = "All unknowns from the reduced ones."
+    if not reduction.unknowns:
+        title = "All unknowns: they are explicit."
+    if reduction.determinants:
+        title = title[:-1] + ", and how singular the linear equations for them are: 0 if they are."
+    point: tuple[Argument, ...] = (parameters, spectrum)
+    if reduction.unknowns:
+        point = (*point, _vector("reduced", reduction.unknowns))
+    expand = Kernel("expand", title, point, tuple(explicit), prune(reduction.stages, wanted))
+    if not reduction.unknowns:
+        return (expand,)
     equations = [e for _, e in reduction.equations]
     stages, jacobian = reduction.jacobian()
-    values = [reduction.values[u] for u in orbit.unknowns]
     return (
         Kernel(
             "reduced",
@@ -191,21 +225,20 @@ def _reduced_kernels(
             (_flat("residual", equations), _table("jacobian", jacobian)),
             prune((*reduction.stages, *stages), [*equations, *jacobian]),
         ),
-        Kernel(
-            "expand",
-            "All unknowns from the reduced ones.",
-            point,
-            (_flat("unknowns", values),),
-            prune(reduction.stages, values),
-        ),
+        expand,
     )
+
+
+def _determinants(reduction: Reduction) -> Output:
+    """Determinants in units of their bounds."""
+    return _flat("determinants", [value / bound for value, bound in reduction.determinants])
 
 
 def reduced_equations(orbit: EquationSystem) -> Kernel:
     """All that a solver on the reduced unknowns computes, in one kernel.
 
-    Outputs are the reduced residual and its Jacobian (for the steps), then all unknowns and
-    the trace (for the result).
+    Outputs are the reduced residual and its Jacobian (for the steps), then all unknowns, the
+    trace and the determinants (for the result).
     """
     reduction = orbit.reduction
     stages, jacobian = reduction.jacobian()
@@ -217,6 +250,7 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
     back = Stage("all unknowns", tuple(given))
     known = merged(merged(reduction.stages, stages), [back])
     everything = merged(known, trace_stages, reduction.unknowns)
+    determinants = _determinants(reduction)
     return Kernel(
         "solve",
         "Newton's method on the reduced equations.",
@@ -226,8 +260,9 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
             _table("jacobian", jacobian),
             _flat("unknowns", values),
             _scalar("trace", trace),
+            determinants,
         ),
-        prune(everything, [*equations, *jacobian, *values, trace]),
+        prune(everything, [*equations, *jacobian, *values, trace, *determinants.expressions]),
     )
 
 

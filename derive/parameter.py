@@ -33,8 +33,8 @@ class Parameter:
         Meaning, with units or "nondimensional".
     lower, upper : sympy expression or number
         Ends of the domain; infinite where unbounded.
-    closed : bool
-        Whether `lower` itself belongs to the domain. `upper` never does.
+    closed, upper_closed : bool
+        Whether `lower` itself, and `upper` itself, belong to the domain.
     """
 
     name: str
@@ -42,6 +42,7 @@ class Parameter:
     lower: Any = 0
     upper: Any = sp.oo
     closed: bool = False
+    upper_closed: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "lower", exact(self.lower))
@@ -72,6 +73,8 @@ class Parameter:
         """Value of the parameter as a map of a positive (or nonnegative) free symbol."""
         free = sp.Symbol(f"free_{self.name}", nonnegative=True, zero=None if self.closed else False)
         lower, upper = self.lower, self.upper
+        if self.upper_closed:
+            return self.symbol
         if lower.is_finite and upper.is_finite:
             return (lower + upper * free) / (1 + free)
         if lower.is_finite:

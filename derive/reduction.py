@@ -22,9 +22,9 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from nonsmooth.derive.chain import dwell_symbol, name_functions, section_of
+from nonsmooth.derive.chain import name_functions, section_of
 from nonsmooth.derive.explicit import LINEAR, ExplicitTime, explicit_time
-from nonsmooth.derive.itinerary import Itinerary, Phase
+from nonsmooth.derive.itinerary import Itinerary, Phase, dwell_symbol
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Stage, assign, derivative_of, differentiate, merged, prune
 from nonsmooth.derive.system import System
@@ -64,6 +64,9 @@ class Reduction:
         The single section coordinate q at the start, where the section has dimension one.
     image : expression, or None
         The same coordinate after one turn.
+    determinants : tuple of (determinant, bound)
+        Of linear equations that were solved: where one is far below its bound, the orbit is
+        not determined.
     """
 
     rotation: int
@@ -76,6 +79,7 @@ class Reduction:
     rates: Mapping[tuple[sp.Symbol, str], sp.Expr]
     start: sp.Expr | None
     image: sp.Expr | None
+    determinants: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
 
     def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
         """Stages and entries of the derivatives of the equations by the unknowns."""
@@ -175,7 +179,10 @@ class _Exit:
 def reduce_itinerary(
     itinerary: Itinerary, system: System, flows: Mapping[str, Flow], spectrum: Spectrum
 ) -> Reduction:
-    """Derive the reduced system of an itinerary; see the module's description."""
+    """Derive the reduced system of an itinerary; see the module's description.
+
+    With parameters to solve for there is no map in one variable: they stay along it.
+    """
     count = len(itinerary.phases)
     sections = [section_of(itinerary.rotated(k), system) for k in range(count)]
     rotation = min(range(count), key=lambda k: (sections[k].dimension, k))
@@ -185,7 +192,7 @@ def reduce_itinerary(
     coordinates = [sp.Symbol(f"{system.states[i]}_{rotation}", real=True) for i in section.places]
     constants = {p.symbol for p in system.parameters} | set(spectrum.symbols)
     draft = _Draft(constants, list(coordinates))
-    state = section.start.subs(dict(zip(section.coordinates, coordinates, strict=True)))
+    state = section.state.subs(dict(zip(section.coordinates, coordinates, strict=True)))
     for index, phase in enumerate(turned.phases):
         if (index + rotation) % count == 0:
             start = [state[i] for i in original.places]
@@ -199,7 +206,8 @@ def reduce_itinerary(
         )
         # beyond the last phase the count goes on: the return is not the start
         names = [f"{s}_{index + rotation + 1}" for s in system.states]
-        after = _through(draft, leaving, state, names)
+        follow = _at_once if phase.dwell_time in itinerary.vanishing else _through
+        after = follow(draft, leaving, state, names)
         state = turned.transition_after(system, index).reset_of(after, system.states)
 
     draft.settle()
@@ -208,12 +216,14 @@ def reduce_itinerary(
     ]
     for coordinate, image in zip(coordinates, images, strict=True):
         draft.equations.append((f"{coordinate} returns", image - coordinate))
+    swapped = [p.symbol for p in system.parameters if p.name in itinerary.solved_for]
+    draft.values |= {s: s for s in swapped}
     wanted = [e for _, e in draft.equations] + list(draft.values.values())
-    one = section.dimension == 1
+    one = section.dimension == 1 and not swapped
     return Reduction(
         rotation,
         section.dimension,
-        tuple(draft.unsolved + draft.unknowns),
+        tuple(draft.unsolved + draft.unknowns + swapped),
         tuple(draft.equations),
         prune(draft.stages, wanted),
         draft.values,
@@ -253,6 +263,16 @@ def _through(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) 
         draft.rates |= {(s, str(dwell)): v for s, v in zip(after, velocity, strict=True)}
         draft.equations.append((leaving.meaning, leaving.condition(after)))
     return after
+
+
+def _at_once(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
+    """A phase that takes no time: its exit condition is one on the state at its start."""
+    if draft.unsolved:
+        return _use_for_coordinate(draft, leaving, state)
+    step, values = assign(f"{leaving.phase.configuration} for no time", names, state)
+    draft.stages.append(step)
+    draft.equations.append((leaving.meaning, leaving.condition(sp.Matrix(values))))
+    return sp.Matrix(values)
 
 
 def _at_explicit_time(

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 589b5b148a78a35d */
+ * SymPy 1.14.0, derivation 68d803b4e44d6dee */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -418,6 +418,1647 @@ void dry_friction_flow_overshoot_overshoot(
     state_after[1] = t10*(-t23 + t24) + t18 + t21*x1 + t22*x2 + t9*(t16*t17*t4 - t24) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4);
     state_after[2] = t1*(omega1*t19 + omega1*t20) + t11*v1 + t12*v2 + t7*(-omega2*t13*t14*t4 - omega2*t19) + x1*(-p1*t26 + t25*t4) + x2*(omega2*p2*t7 - p2*t26);
     state_after[3] = t1*(-omega1*t18*t4 + omega1*t24) + t21*v1 + t22*v2 + t7*(omega2*t23 - omega2*t24) + x1*(omega2*p3*t7 - p3*t26) + x2*(-p1*t25 + t26*t4);
+}
+
+/* Switching and periodicity equations.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives residual (5), row by row.
+ * Operations: 60. Intermediate terms: 19. */
+void dry_friction_symmetric_residual(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double residual[5])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in slip-slip */
+    const double t0 = half_tau*omega1;
+    const double cos_omega1_half_tau = cos(t0);
+    const double sin_omega1_half_tau = sin(t0);
+    const double t1 = half_tau*omega2;
+    const double cos_omega2_half_tau = cos(t1);
+    const double sin_omega2_half_tau = sin(t1);
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* functions of half_tau1 in slip-stick */
+    const double cos_half_tau1 = cos(half_tau1);
+    const double sin_half_tau1 = sin(half_tau1);
+    /* outputs */
+    const double t2 = p1*z10 + p2*z20;
+    const double t4 = V*p2 + p1*v10;
+    const double t5 = sin_omega1_half_tau/omega1;
+    const double t7 = sin_omega2_half_tau/omega2;
+    const double t8 = p3*z10;
+    const double t9 = p1*z20;
+    const double t10 = p3*v10;
+    const double t11 = chi*z20;
+    const double t12 = V*chi;
+    residual[0] = cos_omega1_half_tau*t2 + cos_omega2_half_tau*(-t2 + z10) + t4*t5 - t7*(t4 - v10);
+    residual[1] = cos_omega1_half_tau*(t8 - t9 + z20) + cos_omega2_half_tau*(-t8 + t9) - t5*(V*p1 - V - t10) + t7*(V*p1 - t10);
+    residual[2] = cos_half_tau1*(t11 - z10) + half_tau1*t12 + sin_half_tau1*(-t12 + v10) - t11;
+    residual[3] = V*half_tau1 - z20;
+    residual[4] = -chi*z10 - e2 + t11;
+}
+
+/* Derivatives of the equations by the unknowns.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives jacobian (5, 5), row by row.
+ * Operations: 95. Intermediate terms: 30. */
+void dry_friction_symmetric_jacobian(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double jacobian[25])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in slip-slip */
+    const double t0 = half_tau*omega1;
+    const double cos_omega1_half_tau = cos(t0);
+    const double sin_omega1_half_tau = sin(t0);
+    const double t3 = half_tau*omega2;
+    const double cos_omega2_half_tau = cos(t3);
+    const double sin_omega2_half_tau = sin(t3);
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* functions of half_tau1 in slip-stick */
+    const double cos_half_tau1 = cos(half_tau1);
+    const double sin_half_tau1 = sin(half_tau1);
+    /* d/dtau of: functions of half_tau in slip-slip */
+    const double t8 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t8;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t8;
+    const double t9 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t9;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t9;
+    /* d/dtau1 of: functions of half_tau1 in slip-stick */
+    const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
+    const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
+    /* outputs */
+    const double t10 = p1 - 1;
+    const double t12 = (1.0/(omega2));
+    const double t13 = sin_omega2_half_tau*t12;
+    const double t14 = (1.0/(omega1));
+    const double t15 = p1*z10 + p2*z20;
+    const double t17 = V*p2 + p1*v10;
+    const double t18 = sin_omega1_half_tau_by_tau*t14;
+    const double t20 = sin_omega2_half_tau_by_tau*t12;
+    const double t21 = p3*z10;
+    const double t22 = p1*z20;
+    const double t23 = p3*v10;
+    const double t25 = V*chi;
+    jacobian[0] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t10;
+    jacobian[1] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
+    jacobian[2] = p1*sin_omega1_half_tau*t14 - t10*t13;
+    jacobian[3] = cos_omega1_half_tau_by_tau*t15 + cos_omega2_half_tau_by_tau*(-t15 + z10) + t17*t18 - t20*(t17 - v10);
+    jacobian[4] = 0;
+    jacobian[5] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
+    jacobian[6] = -cos_omega1_half_tau*t10 + cos_omega2_half_tau*p1;
+    jacobian[7] = p3*sin_omega1_half_tau*t14 - p3*t13;
+    jacobian[8] = cos_omega1_half_tau_by_tau*(t21 - t22 + z20) + cos_omega2_half_tau_by_tau*(-t21 + t22) - t18*(V*p1 - V - t23) + t20*(V*p1 - t23);
+    jacobian[9] = 0;
+    jacobian[10] = -cos_half_tau1;
+    jacobian[11] = chi*cos_half_tau1 - chi;
+    jacobian[12] = sin_half_tau1;
+    jacobian[13] = 0;
+    jacobian[14] = cos_half_tau1_by_tau1*(chi*z20 - z10) + sin_half_tau1_by_tau1*(-t25 + v10) + (1.0/2.0)*t25;
+    jacobian[15] = 0;
+    jacobian[16] = -1;
+    jacobian[17] = 0;
+    jacobian[18] = 0;
+    jacobian[19] = (1.0/2.0)*V;
+    jacobian[20] = -chi;
+    jacobian[21] = chi;
+    jacobian[22] = 0;
+    jacobian[23] = 0;
+    jacobian[24] = 0;
+}
+
+/* Equations and their derivatives by the unknowns, sharing all intermediate terms.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives residual (5), jacobian (5, 5), row by row.
+ * Operations: 121. Intermediate terms: 40. */
+void dry_friction_symmetric_residual_and_jacobian(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double residual[5], double jacobian[25])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in slip-slip */
+    const double t0 = half_tau*omega1;
+    const double cos_omega1_half_tau = cos(t0);
+    const double sin_omega1_half_tau = sin(t0);
+    const double t3 = half_tau*omega2;
+    const double cos_omega2_half_tau = cos(t3);
+    const double sin_omega2_half_tau = sin(t3);
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* functions of half_tau1 in slip-stick */
+    const double cos_half_tau1 = cos(half_tau1);
+    const double sin_half_tau1 = sin(half_tau1);
+    /* d/dtau of: functions of half_tau in slip-slip */
+    const double t8 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t8;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t8;
+    const double t9 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t9;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t9;
+    /* d/dtau1 of: functions of half_tau1 in slip-stick */
+    const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
+    const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
+    /* outputs */
+    const double t10 = p1*z10 + p2*z20;
+    const double t12 = -t10 + z10;
+    const double t13 = V*p2 + p1*v10;
+    const double t14 = (1.0/(omega1));
+    const double t15 = sin_omega1_half_tau*t14;
+    const double t17 = t13 - v10;
+    const double t18 = (1.0/(omega2));
+    const double t19 = sin_omega2_half_tau*t18;
+    const double t20 = p3*z10;
+    const double t21 = p1*z20;
+    const double t22 = t20 - t21 + z20;
+    const double t23 = -t20 + t21;
+    const double t24 = p3*v10;
+    const double t25 = V*p1 - t24;
+    const double t26 = V*p1 - V - t24;
+    const double t27 = chi*z20;
+    const double t28 = t27 - z10;
+    const double t29 = V*chi;
+    const double t30 = -t29 + v10;
+    const double t32 = p1 - 1;
+    const double t34 = sin_omega1_half_tau_by_tau*t14;
+    const double t35 = sin_omega2_half_tau_by_tau*t18;
+    residual[0] = cos_omega1_half_tau*t10 + cos_omega2_half_tau*t12 + t13*t15 - t17*t19;
+    residual[1] = cos_omega1_half_tau*t22 + cos_omega2_half_tau*t23 - t15*t26 + t19*t25;
+    residual[2] = cos_half_tau1*t28 + half_tau1*t29 + sin_half_tau1*t30 - t27;
+    residual[3] = V*half_tau1 - z20;
+    residual[4] = -chi*z10 - e2 + t27;
+    jacobian[0] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t32;
+    jacobian[1] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
+    jacobian[2] = p1*sin_omega1_half_tau*t14 - t19*t32;
+    jacobian[3] = cos_omega1_half_tau_by_tau*t10 + cos_omega2_half_tau_by_tau*t12 + t13*t34 - t17*t35;
+    jacobian[4] = 0;
+    jacobian[5] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
+    jacobian[6] = -cos_omega1_half_tau*t32 + cos_omega2_half_tau*p1;
+    jacobian[7] = p3*sin_omega1_half_tau*t14 - p3*t19;
+    jacobian[8] = cos_omega1_half_tau_by_tau*t22 + cos_omega2_half_tau_by_tau*t23 + t25*t35 - t26*t34;
+    jacobian[9] = 0;
+    jacobian[10] = -cos_half_tau1;
+    jacobian[11] = chi*cos_half_tau1 - chi;
+    jacobian[12] = sin_half_tau1;
+    jacobian[13] = 0;
+    jacobian[14] = cos_half_tau1_by_tau1*t28 + sin_half_tau1_by_tau1*t30 + (1.0/2.0)*t29;
+    jacobian[15] = 0;
+    jacobian[16] = -1;
+    jacobian[17] = 0;
+    jacobian[18] = 0;
+    jacobian[19] = (1.0/2.0)*V;
+    jacobian[20] = -chi;
+    jacobian[21] = chi;
+    jacobian[22] = 0;
+    jacobian[23] = 0;
+    jacobian[24] = 0;
+}
+
+/* Total derivatives of the equations by the parameters, through the spectrum too.
+ * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (5); gives parameter_jacobian (5, 4), row by row.
+ * Operations: 155. Intermediate terms: 49. */
+void dry_friction_symmetric_parameter_jacobian(
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[5], double parameter_jacobian[20])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega1_by_chi = spectrum_derivatives[2];
+    const double omega1_by_eta = spectrum_derivatives[3];
+    const double omega2_by_chi = spectrum_derivatives[4];
+    const double omega2_by_eta = spectrum_derivatives[5];
+    const double p1_by_chi = spectrum_derivatives[6];
+    const double p1_by_eta = spectrum_derivatives[7];
+    const double p2_by_chi = spectrum_derivatives[8];
+    const double p2_by_eta = spectrum_derivatives[9];
+    const double p3_by_chi = spectrum_derivatives[10];
+    const double p3_by_eta = spectrum_derivatives[11];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in slip-slip */
+    const double t0 = half_tau*omega1;
+    const double cos_omega1_half_tau = cos(t0);
+    const double sin_omega1_half_tau = sin(t0);
+    const double t3 = half_tau*omega2;
+    const double cos_omega2_half_tau = cos(t3);
+    const double sin_omega2_half_tau = sin(t3);
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* functions of half_tau1 in slip-stick */
+    const double cos_half_tau1 = cos(half_tau1);
+    const double sin_half_tau1 = sin(half_tau1);
+    /* d/dchi of: functions of half_tau in slip-slip */
+    const double t6 = half_tau*omega1_by_chi;
+    const double cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t6;
+    const double sin_omega1_half_tau_by_chi = cos_omega1_half_tau*t6;
+    const double t7 = half_tau*omega2_by_chi;
+    const double cos_omega2_half_tau_by_chi = -sin_omega2_half_tau*t7;
+    const double sin_omega2_half_tau_by_chi = cos_omega2_half_tau*t7;
+    /* d/deta of: functions of half_tau in slip-slip */
+    const double t8 = half_tau*omega1_by_eta;
+    const double cos_omega1_half_tau_by_eta = -sin_omega1_half_tau*t8;
+    const double sin_omega1_half_tau_by_eta = cos_omega1_half_tau*t8;
+    const double t9 = half_tau*omega2_by_eta;
+    const double cos_omega2_half_tau_by_eta = -sin_omega2_half_tau*t9;
+    const double sin_omega2_half_tau_by_eta = cos_omega2_half_tau*t9;
+    /* outputs */
+    const double t10 = p1*z10 + p2*z20;
+    const double t11 = -t10 + z10;
+    const double t12 = (1.0/(omega1));
+    const double t13 = sin_omega1_half_tau*t12;
+    const double t14 = (1.0/(omega2));
+    const double t15 = sin_omega2_half_tau*t14;
+    const double t16 = cos_omega1_half_tau*z10 - cos_omega2_half_tau*z10 + t13*v10 - t15*v10;
+    const double t17 = -V*sin_omega1_half_tau*t12 + V*t15 - cos_omega1_half_tau*z20 + cos_omega2_half_tau*z20;
+    const double t19 = V*p2 + p1*v10;
+    const double t20 = t12*t19;
+    const double t21 = t19 - v10;
+    const double t22 = t14*t21;
+    const double t23 = sin_omega2_half_tau/(omega2*omega2);
+    const double t24 = t21*t23;
+    const double t25 = sin_omega1_half_tau/(omega1*omega1);
+    const double t26 = t19*t25;
+    const double t27 = p3*z10;
+    const double t28 = p1*z20;
+    const double t29 = t27 - t28 + z20;
+    const double t30 = -t27 + t28;
+    const double t31 = p3*v10;
+    const double t32 = V*p1 - t31;
+    const double t33 = t14*t32;
+    const double t34 = V*p1 - V - t31;
+    const double t35 = t12*t34;
+    const double t36 = t25*t34;
+    const double t37 = t23*t32;
+    parameter_jacobian[0] = cos_omega1_half_tau_by_chi*t10 + cos_omega2_half_tau_by_chi*t11 - omega1_by_chi*t26 + omega2_by_chi*t24 + p1_by_chi*t16 - p2_by_chi*t17 + sin_omega1_half_tau_by_chi*t20 - sin_omega2_half_tau_by_chi*t22;
+    parameter_jacobian[1] = cos_omega1_half_tau_by_eta*t10 + cos_omega2_half_tau_by_eta*t11 - omega1_by_eta*t26 + omega2_by_eta*t24 + p1_by_eta*t16 - p2_by_eta*t17 + sin_omega1_half_tau_by_eta*t20 - sin_omega2_half_tau_by_eta*t22;
+    parameter_jacobian[2] = p2*sin_omega1_half_tau*t12 - p2*t15;
+    parameter_jacobian[3] = 0;
+    parameter_jacobian[4] = cos_omega1_half_tau_by_chi*t29 + cos_omega2_half_tau_by_chi*t30 + omega1_by_chi*t36 - omega2_by_chi*t37 + p1_by_chi*t17 + p3_by_chi*t16 - sin_omega1_half_tau_by_chi*t35 + sin_omega2_half_tau_by_chi*t33;
+    parameter_jacobian[5] = cos_omega1_half_tau_by_eta*t29 + cos_omega2_half_tau_by_eta*t30 + omega1_by_eta*t36 - omega2_by_eta*t37 + p1_by_eta*t17 + p3_by_eta*t16 - sin_omega1_half_tau_by_eta*t35 + sin_omega2_half_tau_by_eta*t33;
+    parameter_jacobian[6] = p1*t15 - t13*(p1 - 1);
+    parameter_jacobian[7] = 0;
+    parameter_jacobian[8] = V*half_tau1 - V*sin_half_tau1 + cos_half_tau1*z20 - z20;
+    parameter_jacobian[9] = 0;
+    parameter_jacobian[10] = chi*half_tau1 - chi*sin_half_tau1;
+    parameter_jacobian[11] = 0;
+    parameter_jacobian[12] = 0;
+    parameter_jacobian[13] = 0;
+    parameter_jacobian[14] = half_tau1;
+    parameter_jacobian[15] = 0;
+    parameter_jacobian[16] = -z10 + z20;
+    parameter_jacobian[17] = 0;
+    parameter_jacobian[18] = 0;
+    parameter_jacobian[19] = -1;
+}
+
+/* Jacobian of the Poincare map in the section's coordinates.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives poincare_jacobian (2, 2), row by row.
+ * Operations: 174. Intermediate terms: 66. */
+void dry_friction_symmetric_poincare_jacobian(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double poincare_jacobian[4])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t2 = (1.0/(omega1));
+    const double t5 = sin_omega2_tau/omega2;
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = 1 - p1;
+    const double t6 = p1*t3 + t4*t5;
+    const double t7 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
+    const double t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*v10 + t7*z10 + t8*z20;
+    const double t9 = p3*sin_omega1_tau*t2 - p3*t5;
+    const double t10 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double t11 = cos_omega1_tau*t4 + cos_omega2_tau*p1;
+    const double z2_1 = V*(p1*t5 + t3*t4) + t10*z10 + t11*z20 + t9*v10;
+    const double t12 = omega2*sin_omega2_tau;
+    const double t13 = omega1*sin_omega1_tau;
+    const double t14 = p1*t13 + t12*t4;
+    const double t15 = -omega2*p2*sin_omega2_tau + p2*t13;
+    const double v1_1 = V*t8 - t14*z10 - t15*z20 + t7*v10;
+    const double t16 = -omega2*p3*sin_omega2_tau + p3*t13;
+    const double t17 = p1*t12 + t13*t4;
+    const double v2_1 = V*t11 + t10*v10 - t16*z10 - t17*z20;
+    /* functions of tau1 in slip-stick */
+    const double cos_tau1 = cos(tau1);
+    const double sin_tau1 = sin(tau1);
+    /* slip-stick for tau1, until second-breaks-forward */
+    const double t18 = -chi*cos_tau1 + chi;
+    const double t19 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t19) + cos_tau1*z1_1 + sin_tau1*v1_1 + t18*z2_1;
+    const double z2_2 = V*tau1 + z2_1;
+    const double v1_2 = V*t18 + cos_tau1*v1_1 - sin_tau1*z1_1 + t19*z2_1;
+    /* Phi along tau */
+    const double carried_z1_1_by_z20 = t7 + t8;
+    const double carried_z1_1_by_v10 = t6;
+    const double carried_z2_1_by_z20 = t10 + t11;
+    const double carried_z2_1_by_v10 = t9;
+    const double carried_v1_1_by_z20 = -t14 - t15;
+    const double carried_v1_1_by_v10 = t7;
+    const double carried_v2_1_by_z20 = -t16 - t17;
+    const double carried_v2_1_by_v10 = t10;
+    /* rate of the exit boundary after tau */
+    const double t20 = chi*z2_1;
+    const double rate_1 = chi*eta*z1_1 - eta*t20;
+    /* derivatives of tau on the boundary */
+    const double t21 = (1.0/(rate_1));
+    const double tau_by_z20 = -carried_v2_1_by_z20*t21;
+    const double tau_by_v10 = -carried_v2_1_by_v10*t21;
+    /* perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+    const double t22 = t20 - z1_1;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t22*tau_by_z20;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t22*tau_by_v10;
+    /* Phi along tau1 */
+    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t18*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t18*z2_1_on_boundary_by_v10;
+    const double carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t19*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t19*z2_1_on_boundary_by_v10;
+    /* rate of the exit boundary after tau1 */
+    const double rate_2 = V*chi - chi*v1_2;
+    /* derivatives of tau1 on the boundary */
+    const double t23 = (1.0/(rate_2));
+    const double tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
+    /* perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20;
+    const double z2_2_on_boundary_by_v10 = V*tau1_by_v10 + z2_1_on_boundary_by_v10;
+    const double t24 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t24*tau1_by_z20;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + t24*tau1_by_v10;
+    poincare_jacobian[0] = z2_2_on_boundary_by_z20;
+    poincare_jacobian[1] = z2_2_on_boundary_by_v10;
+    poincare_jacobian[2] = v1_2_on_boundary_by_z20;
+    poincare_jacobian[3] = v1_2_on_boundary_by_v10;
+}
+
+/* Saltation matrices of the transitions, one below the other.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives saltations (8, 4), row by row.
+ * Operations: 130. Intermediate terms: 40. */
+void dry_friction_symmetric_saltations(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double saltations[32])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega2_tau/omega2;
+    const double t6 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
+    const double t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*z10 + t7*z20 + v10*(p1*t3 + t4*t5);
+    const double t8 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double t9 = cos_omega1_tau*t4 + cos_omega2_tau*p1;
+    const double z2_1 = V*(p1*t5 + t3*t4) + t8*z10 + t9*z20 + v10*(p3*sin_omega1_tau*t2 - p3*t5);
+    const double t10 = omega2*sin_omega2_tau;
+    const double t11 = omega1*sin_omega1_tau;
+    const double v1_1 = V*t7 + t6*v10 + z10*(-p1*t11 - t10*t4) + z20*(omega2*p2*sin_omega2_tau - p2*t11);
+    const double v2_1 = V*t9 + t8*v10 + z10*(omega2*p3*sin_omega2_tau - p3*t11) + z20*(-p1*t10 - t11*t4);
+    /* functions of tau1 in slip-stick */
+    const double cos_tau1 = cos(tau1);
+    const double sin_tau1 = sin(tau1);
+    /* slip-stick for tau1, until second-breaks-forward */
+    const double t12 = -chi*cos_tau1 + chi;
+    const double t13 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t13) + cos_tau1*z1_1 + sin_tau1*v1_1 + t12*z2_1;
+    const double z2_2 = V*tau1 + z2_1;
+    const double v1_2 = V*t12 + cos_tau1*v1_1 - sin_tau1*z1_1 + t13*z2_1;
+    /* vector fields at transition 1 */
+    const double t14 = chi*z2_1;
+    const double before_v1_1 = t14 - z1_1;
+    const double t16 = chi*eta;
+    const double before_v2_1 = -eta*t14 + t16*z1_1;
+    const double behind_v1_1 = before_v1_1;
+    /* vector fields at transition 2 */
+    const double t17 = chi*z2_2;
+    const double before_v1_2 = t17 - z1_2;
+    const double behind_v1_2 = before_v1_2;
+    const double behind_v2_2 = -eta*t17 + t16*z1_2;
+    /* outputs */
+    const double t19 = (1.0/(before_v2_1));
+    const double t20 = chi/(V*chi - chi*v1_2);
+    const double t21 = t20*(-before_v1_2 + behind_v1_2);
+    const double t22 = behind_v2_2*t20;
+    saltations[0] = 1;
+    saltations[1] = 0;
+    saltations[2] = 0;
+    saltations[3] = 0;
+    saltations[4] = 0;
+    saltations[5] = 1;
+    saltations[6] = 0;
+    saltations[7] = t19*(V - v2_1);
+    saltations[8] = 0;
+    saltations[9] = 0;
+    saltations[10] = 1;
+    saltations[11] = t19*(-before_v1_1 + behind_v1_1);
+    saltations[12] = 0;
+    saltations[13] = 0;
+    saltations[14] = 0;
+    saltations[15] = 0;
+    saltations[16] = 1;
+    saltations[17] = 0;
+    saltations[18] = 0;
+    saltations[19] = 0;
+    saltations[20] = 0;
+    saltations[21] = 1;
+    saltations[22] = 0;
+    saltations[23] = 0;
+    saltations[24] = -t21;
+    saltations[25] = t21;
+    saltations[26] = 1;
+    saltations[27] = 0;
+    saltations[28] = -t22;
+    saltations[29] = t22;
+    saltations[30] = 0;
+    saltations[31] = 1;
+}
+
+/* Monodromy matrix: the product of flows and saltation matrices over a period.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives monodromy (4, 4), row by row.
+ * Operations: 221. Intermediate terms: 91. */
+void dry_friction_symmetric_monodromy(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double monodromy[16])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega2_tau/omega2;
+    const double t6 = p1*t3 + t4*t5;
+    const double t7 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
+    const double t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t9 = p2*sin_omega1_tau*t2 - p2*t5;
+    const double z1_1 = V*t9 + t6*v10 + t7*z10 + t8*z20;
+    const double t10 = p3*sin_omega1_tau*t2 - p3*t5;
+    const double t11 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double t12 = cos_omega1_tau*t4 + cos_omega2_tau*p1;
+    const double t13 = p1*t5 + t3*t4;
+    const double z2_1 = V*t13 + t10*v10 + t11*z10 + t12*z20;
+    const double t14 = omega2*sin_omega2_tau;
+    const double t15 = omega1*sin_omega1_tau;
+    const double t16 = -p1*t15 - t14*t4;
+    const double t17 = omega2*p2*sin_omega2_tau - p2*t15;
+    const double v1_1 = V*t8 + t16*z10 + t17*z20 + t7*v10;
+    const double t18 = omega2*p3*sin_omega2_tau - p3*t15;
+    const double t19 = -p1*t14 - t15*t4;
+    const double v2_1 = V*t12 + t11*v10 + t18*z10 + t19*z20;
+    /* functions of tau1 in slip-stick */
+    const double cos_tau1 = cos(tau1);
+    const double sin_tau1 = sin(tau1);
+    /* slip-stick for tau1, until second-breaks-forward */
+    const double t20 = -chi*cos_tau1 + chi;
+    const double t21 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t21) + cos_tau1*z1_1 + sin_tau1*v1_1 + t20*z2_1;
+    const double z2_2 = V*tau1 + z2_1;
+    const double v1_2 = V*t20 + cos_tau1*v1_1 - sin_tau1*z1_1 + t21*z2_1;
+    /* vector fields at transition 1 */
+    const double t22 = chi*z2_1;
+    const double before_v1_1 = t22 - z1_1;
+    const double t24 = chi*eta;
+    const double before_v2_1 = -eta*t22 + t24*z1_1;
+    const double behind_v1_1 = before_v1_1;
+    /* vector fields at transition 2 */
+    const double t25 = chi*z2_2;
+    const double before_v1_2 = t25 - z1_2;
+    const double behind_v1_2 = before_v1_2;
+    const double behind_v2_2 = -eta*t25 + t24*z1_2;
+    /* Phi of phase 1 */
+    const double phi_1_00 = t7;
+    const double phi_1_01 = t8;
+    const double phi_1_02 = t6;
+    const double phi_1_03 = t9;
+    const double phi_1_10 = t11;
+    const double phi_1_11 = t12;
+    const double phi_1_12 = t10;
+    const double phi_1_13 = t13;
+    const double phi_1_20 = t16;
+    const double phi_1_21 = t17;
+    const double phi_1_22 = t7;
+    const double phi_1_23 = t8;
+    const double phi_1_30 = t18;
+    const double phi_1_31 = t19;
+    const double phi_1_32 = t11;
+    const double phi_1_33 = t12;
+    /* saltation of phase 1 */
+    const double t27 = (1.0/(before_v2_1));
+    const double t28 = t27*(V - v2_1);
+    const double saltation_1_10 = phi_1_10 + phi_1_30*t28;
+    const double saltation_1_11 = phi_1_11 + phi_1_31*t28;
+    const double saltation_1_12 = phi_1_12 + phi_1_32*t28;
+    const double saltation_1_13 = phi_1_13 + phi_1_33*t28;
+    const double t29 = t27*(-before_v1_1 + behind_v1_1);
+    const double saltation_1_20 = phi_1_20 + phi_1_30*t29;
+    const double saltation_1_21 = phi_1_21 + phi_1_31*t29;
+    const double saltation_1_22 = phi_1_22 + phi_1_32*t29;
+    const double saltation_1_23 = phi_1_23 + phi_1_33*t29;
+    /* Phi of phase 2 */
+    const double phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t20 + saltation_1_20*sin_tau1;
+    const double phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t20 + saltation_1_21*sin_tau1;
+    const double phi_2_02 = cos_tau1*phi_1_02 + saltation_1_12*t20 + saltation_1_22*sin_tau1;
+    const double phi_2_03 = cos_tau1*phi_1_03 + saltation_1_13*t20 + saltation_1_23*sin_tau1;
+    const double phi_2_20 = cos_tau1*saltation_1_20 - phi_1_00*sin_tau1 + saltation_1_10*t21;
+    const double phi_2_21 = cos_tau1*saltation_1_21 - phi_1_01*sin_tau1 + saltation_1_11*t21;
+    const double phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t21;
+    const double phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t21;
+    /* saltation of phase 2 */
+    const double t30 = (1.0/((V*chi - chi*v1_2)));
+    const double t31 = chi*t30;
+    const double t32 = t31*(-before_v1_2 + behind_v1_2);
+    const double saltation_2_20 = -phi_2_00*t32 + phi_2_20 + saltation_1_10*t32;
+    const double saltation_2_21 = -phi_2_01*t32 + phi_2_21 + saltation_1_11*t32;
+    const double saltation_2_22 = -phi_2_02*t32 + phi_2_22 + saltation_1_12*t32;
+    const double saltation_2_23 = -phi_2_03*t32 + phi_2_23 + saltation_1_13*t32;
+    const double t33 = behind_v2_2*t31;
+    const double saltation_2_30 = behind_v2_2*chi*saltation_1_10*t30 - phi_2_00*t33;
+    const double saltation_2_31 = behind_v2_2*chi*saltation_1_11*t30 - phi_2_01*t33;
+    const double saltation_2_32 = behind_v2_2*chi*saltation_1_12*t30 - phi_2_02*t33;
+    const double saltation_2_33 = behind_v2_2*chi*saltation_1_13*t30 - phi_2_03*t33;
+    monodromy[0] = phi_2_00;
+    monodromy[1] = phi_2_01;
+    monodromy[2] = phi_2_02;
+    monodromy[3] = phi_2_03;
+    monodromy[4] = saltation_1_10;
+    monodromy[5] = saltation_1_11;
+    monodromy[6] = saltation_1_12;
+    monodromy[7] = saltation_1_13;
+    monodromy[8] = saltation_2_20;
+    monodromy[9] = saltation_2_21;
+    monodromy[10] = saltation_2_22;
+    monodromy[11] = saltation_2_23;
+    monodromy[12] = saltation_2_30;
+    monodromy[13] = saltation_2_31;
+    monodromy[14] = saltation_2_32;
+    monodromy[15] = saltation_2_33;
+}
+
+/* Trace of the Poincare map's Jacobian.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives trace, row by row.
+ * Operations: 166. Intermediate terms: 62. */
+void dry_friction_symmetric_trace(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double *trace)
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t2 = (1.0/(omega1));
+    const double t5 = sin_omega2_tau/omega2;
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = 1 - p1;
+    const double t6 = p1*t3 + t4*t5;
+    const double t7 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
+    const double t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*v10 + t7*z10 + t8*z20;
+    const double t9 = p3*sin_omega1_tau*t2 - p3*t5;
+    const double t10 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double t11 = cos_omega1_tau*t4 + cos_omega2_tau*p1;
+    const double z2_1 = V*(p1*t5 + t3*t4) + t10*z10 + t11*z20 + t9*v10;
+    const double t12 = omega2*sin_omega2_tau;
+    const double t13 = omega1*sin_omega1_tau;
+    const double t14 = p1*t13 + t12*t4;
+    const double t15 = -omega2*p2*sin_omega2_tau + p2*t13;
+    const double v1_1 = V*t8 - t14*z10 - t15*z20 + t7*v10;
+    const double t16 = -omega2*p3*sin_omega2_tau + p3*t13;
+    const double t17 = p1*t12 + t13*t4;
+    const double v2_1 = V*t11 + t10*v10 - t16*z10 - t17*z20;
+    /* functions of tau1 in slip-stick */
+    const double cos_tau1 = cos(tau1);
+    const double sin_tau1 = sin(tau1);
+    /* slip-stick for tau1, until second-breaks-forward */
+    const double t18 = -chi*cos_tau1 + chi;
+    const double t19 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t19) + cos_tau1*z1_1 + sin_tau1*v1_1 + t18*z2_1;
+    const double z2_2 = V*tau1 + z2_1;
+    const double v1_2 = V*t18 + cos_tau1*v1_1 - sin_tau1*z1_1 + t19*z2_1;
+    /* Phi along tau */
+    const double carried_z1_1_by_z20 = t7 + t8;
+    const double carried_z1_1_by_v10 = t6;
+    const double carried_z2_1_by_z20 = t10 + t11;
+    const double carried_z2_1_by_v10 = t9;
+    const double carried_v1_1_by_z20 = -t14 - t15;
+    const double carried_v1_1_by_v10 = t7;
+    const double carried_v2_1_by_z20 = -t16 - t17;
+    const double carried_v2_1_by_v10 = t10;
+    /* rate of the exit boundary after tau */
+    const double t20 = chi*z2_1;
+    const double rate_1 = chi*eta*z1_1 - eta*t20;
+    /* derivatives of tau on the boundary */
+    const double t21 = (1.0/(rate_1));
+    const double tau_by_z20 = -carried_v2_1_by_z20*t21;
+    const double tau_by_v10 = -carried_v2_1_by_v10*t21;
+    /* perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+    const double t22 = t20 - z1_1;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t22*tau_by_z20;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t22*tau_by_v10;
+    /* Phi along tau1 */
+    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t18*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t18*z2_1_on_boundary_by_v10;
+    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t19*z2_1_on_boundary_by_v10;
+    /* rate of the exit boundary after tau1 */
+    const double rate_2 = V*chi - chi*v1_2;
+    /* derivatives of tau1 on the boundary */
+    const double t23 = (1.0/(rate_2));
+    const double tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
+    /* perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + tau1_by_v10*(chi*z2_2 - z1_2);
+    *trace = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
+}
+
+/* Derivatives of the trace by the unknowns, then in total by the parameters.
+ * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (5); gives trace_gradient (9), row by row.
+ * Operations: 1300. Intermediate terms: 390. */
+void dry_friction_symmetric_trace_gradient(
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[5], double trace_gradient[9])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega1_by_chi = spectrum_derivatives[2];
+    const double omega1_by_eta = spectrum_derivatives[3];
+    const double omega2_by_chi = spectrum_derivatives[4];
+    const double omega2_by_eta = spectrum_derivatives[5];
+    const double p1_by_chi = spectrum_derivatives[6];
+    const double p1_by_eta = spectrum_derivatives[7];
+    const double p2_by_chi = spectrum_derivatives[8];
+    const double p2_by_eta = spectrum_derivatives[9];
+    const double p3_by_chi = spectrum_derivatives[10];
+    const double p3_by_eta = spectrum_derivatives[11];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t3 = omega2*tau;
+    const double cos_omega2_tau = cos(t3);
+    const double sin_omega2_tau = sin(t3);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t6 = (1.0/(omega1));
+    const double t7 = sin_omega1_tau*t6;
+    const double t8 = p1 - 1;
+    const double t10 = (1.0/(omega2));
+    const double t11 = sin_omega2_tau*t10;
+    const double t12 = p1*t7 - t11*t8;
+    const double t13 = cos_omega1_tau*p1 - cos_omega2_tau*t8;
+    const double t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t15 = p2*sin_omega1_tau*t6 - p2*t11;
+    const double z1_1 = V*t15 + t12*v10 + t13*z10 + t14*z20;
+    const double t16 = p3*sin_omega1_tau*t6 - p3*t11;
+    const double t17 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double t18 = -cos_omega1_tau*t8 + cos_omega2_tau*p1;
+    const double t19 = p1*t11 - t7*t8;
+    const double z2_1 = V*t19 + t16*v10 + t17*z10 + t18*z20;
+    const double t20 = omega2*sin_omega2_tau;
+    const double t21 = omega1*sin_omega1_tau;
+    const double t22 = p1*t21 - t20*t8;
+    const double t24 = -omega2*p2*sin_omega2_tau + p2*t21;
+    const double v1_1 = V*t14 + t13*v10 - t22*z10 - t24*z20;
+    const double t26 = -omega2*p3*sin_omega2_tau + p3*t21;
+    const double t28 = p1*t20 - t21*t8;
+    const double v2_1 = V*t18 + t17*v10 - t26*z10 - t28*z20;
+    /* functions of tau1 in slip-stick */
+    const double cos_tau1 = cos(tau1);
+    const double sin_tau1 = sin(tau1);
+    /* slip-stick for tau1, until second-breaks-forward */
+    const double t33 = chi*cos_tau1;
+    const double t34 = chi - t33;
+    const double t35 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t35) + cos_tau1*z1_1 + sin_tau1*v1_1 + t34*z2_1;
+    const double z2_2 = V*tau1 + z2_1;
+    const double v1_2 = V*t34 + cos_tau1*v1_1 - sin_tau1*z1_1 + t35*z2_1;
+    /* Phi along tau */
+    const double carried_z1_1_by_z20 = t13 + t14;
+    const double carried_z1_1_by_v10 = t12;
+    const double carried_z2_1_by_z20 = t17 + t18;
+    const double carried_z2_1_by_v10 = t16;
+    const double carried_v1_1_by_z20 = -t22 - t24;
+    const double carried_v1_1_by_v10 = t13;
+    const double carried_v2_1_by_z20 = -t26 - t28;
+    const double carried_v2_1_by_v10 = t17;
+    /* rate of the exit boundary after tau */
+    const double t36 = eta*z1_1;
+    const double t37 = chi*z2_1;
+    const double rate_1 = chi*t36 - eta*t37;
+    /* derivatives of tau on the boundary */
+    const double t38 = (1.0/(rate_1));
+    const double tau_by_z20 = -carried_v2_1_by_z20*t38;
+    const double tau_by_v10 = -carried_v2_1_by_v10*t38;
+    /* perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+    const double t39 = t37 - z1_1;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t39*tau_by_z20;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t39*tau_by_v10;
+    /* Phi along tau1 */
+    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10;
+    /* rate of the exit boundary after tau1 */
+    const double t40 = V*chi;
+    const double rate_2 = -chi*v1_2 + t40;
+    /* derivatives of tau1 on the boundary */
+    const double t41 = (1.0/(rate_2));
+    const double t42 = chi*z2_1_on_boundary_by_z20;
+    const double t43 = carried_z1_2_by_z20*chi - t42;
+    const double tau1_by_z20 = t41*t43;
+    const double t44 = chi*z2_1_on_boundary_by_v10;
+    const double t45 = carried_z1_2_by_v10*chi - t44;
+    const double tau1_by_v10 = t41*t45;
+    /* d/dtau of: functions of tau in slip-slip */
+    const double cos_omega1_tau_by_tau = -omega1*sin_omega1_tau;
+    const double sin_omega1_tau_by_tau = cos_omega1_tau*omega1;
+    const double cos_omega2_tau_by_tau = -omega2*sin_omega2_tau;
+    const double sin_omega2_tau_by_tau = cos_omega2_tau*omega2;
+    /* d/dchi of: functions of tau in slip-slip */
+    const double t46 = omega1_by_chi*tau;
+    const double cos_omega1_tau_by_chi = -sin_omega1_tau*t46;
+    const double sin_omega1_tau_by_chi = cos_omega1_tau*t46;
+    const double t47 = omega2_by_chi*tau;
+    const double cos_omega2_tau_by_chi = -sin_omega2_tau*t47;
+    const double sin_omega2_tau_by_chi = cos_omega2_tau*t47;
+    /* d/deta of: functions of tau in slip-slip */
+    const double t48 = omega1_by_eta*tau;
+    const double cos_omega1_tau_by_eta = -sin_omega1_tau*t48;
+    const double sin_omega1_tau_by_eta = cos_omega1_tau*t48;
+    const double t49 = omega2_by_eta*tau;
+    const double cos_omega2_tau_by_eta = -sin_omega2_tau*t49;
+    const double sin_omega2_tau_by_eta = cos_omega2_tau*t49;
+    /* d/dz10 of: slip-slip for tau, until second-reaches-belt */
+    const double z1_1_by_z10 = t13;
+    const double z2_1_by_z10 = t17;
+    const double v1_1_by_z10 = -t22;
+    const double v2_1_by_z10 = -t26;
+    /* d/dz20 of: slip-slip for tau, until second-reaches-belt */
+    const double z1_1_by_z20 = t14;
+    const double z2_1_by_z20 = t18;
+    const double v1_1_by_z20 = -t24;
+    const double v2_1_by_z20 = -t28;
+    /* d/dv10 of: slip-slip for tau, until second-reaches-belt */
+    const double z1_1_by_v10 = t12;
+    const double z2_1_by_v10 = t16;
+    const double v1_1_by_v10 = t13;
+    const double v2_1_by_v10 = t17;
+    /* d/dtau of: slip-slip for tau, until second-reaches-belt */
+    const double t50 = p1*z10;
+    const double t51 = p2*z20;
+    const double t52 = t50 + t51;
+    const double t53 = -t51 - t8*z10;
+    const double t54 = p1*v10;
+    const double t55 = V*p2;
+    const double t56 = t54*t6 + t55*t6;
+    const double t57 = -t10*t55 - t10*t8*v10;
+    const double z1_1_by_tau = cos_omega1_tau_by_tau*t52 + cos_omega2_tau_by_tau*t53 + sin_omega1_tau_by_tau*t56 + sin_omega2_tau_by_tau*t57;
+    const double t58 = p3*z10;
+    const double t59 = -t8*z20;
+    const double t60 = t58 + t59;
+    const double t61 = p1*z20;
+    const double t62 = -t58 + t61;
+    const double t63 = p3*v10;
+    const double t64 = -V*t8;
+    const double t65 = t6*t63 + t6*t64;
+    const double t66 = V*p1;
+    const double t67 = -t10*t63 + t10*t66;
+    const double z2_1_by_tau = cos_omega1_tau_by_tau*t60 + cos_omega2_tau_by_tau*t62 + sin_omega1_tau_by_tau*t65 + sin_omega2_tau_by_tau*t67;
+    const double t68 = t54 + t55;
+    const double t69 = -t55 - t8*v10;
+    const double t70 = -omega1*t50 - omega1*t51;
+    const double t71 = -t8*z10;
+    const double t72 = omega2*t51 - omega2*t71;
+    const double v1_1_by_tau = cos_omega1_tau_by_tau*t68 + cos_omega2_tau_by_tau*t69 + sin_omega1_tau_by_tau*t70 + sin_omega2_tau_by_tau*t72;
+    const double t73 = t63 + t64;
+    const double t74 = -t63 + t66;
+    const double t75 = -omega1*t58 - omega1*t59;
+    const double t76 = omega2*p3*z10 - omega2*t61;
+    const double v2_1_by_tau = cos_omega1_tau_by_tau*t73 + cos_omega2_tau_by_tau*t74 + sin_omega1_tau_by_tau*t75 + sin_omega2_tau_by_tau*t76;
+    /* d/dchi of: slip-slip for tau, until second-reaches-belt */
+    const double t77 = (1.0/(omega1*omega1));
+    const double t78 = sin_omega1_tau*t77;
+    const double t79 = -t54*t78 - t55*t78;
+    const double t80 = (1.0/(omega2*omega2));
+    const double t81 = sin_omega2_tau*t80;
+    const double t82 = t55*t81 + t8*t81*v10;
+    const double t83 = -sin_omega1_tau*t6 + t11;
+    const double t85 = cos_omega1_tau - cos_omega2_tau;
+    const double t86 = -t83*v10 + t85*z10;
+    const double t87 = -V*t83 + t85*z20;
+    const double z1_1_by_chi = cos_omega1_tau_by_chi*t52 + cos_omega2_tau_by_chi*t53 + omega1_by_chi*t79 + omega2_by_chi*t82 + p1_by_chi*t86 + p2_by_chi*t87 + sin_omega1_tau_by_chi*t56 + sin_omega2_tau_by_chi*t57;
+    const double t88 = -t63*t78 - t64*t78;
+    const double t89 = p3*sin_omega2_tau*t80*v10 - t66*t81;
+    const double t91 = V*t83 - t85*z20;
+    const double z2_1_by_chi = cos_omega1_tau_by_chi*t60 + cos_omega2_tau_by_chi*t62 + omega1_by_chi*t88 + omega2_by_chi*t89 + p1_by_chi*t91 + p3_by_chi*t86 + sin_omega1_tau_by_chi*t65 + sin_omega2_tau_by_chi*t67;
+    const double t92 = -sin_omega1_tau*t50 - sin_omega1_tau*t51;
+    const double t93 = sin_omega2_tau*t51 - sin_omega2_tau*t71;
+    const double t94 = -omega2*sin_omega2_tau + t21;
+    const double t96 = t85*v10 - t94*z10;
+    const double t97 = V*t85 - t94*z20;
+    const double v1_1_by_chi = cos_omega1_tau_by_chi*t68 + cos_omega2_tau_by_chi*t69 + omega1_by_chi*t92 + omega2_by_chi*t93 + p1_by_chi*t96 + p2_by_chi*t97 + sin_omega1_tau_by_chi*t70 + sin_omega2_tau_by_chi*t72;
+    const double t98 = -sin_omega1_tau*t58 - sin_omega1_tau*t59;
+    const double t99 = p3*sin_omega2_tau*z10 - sin_omega2_tau*t61;
+    const double t100 = -V*t85 + t94*z20;
+    const double v2_1_by_chi = cos_omega1_tau_by_chi*t73 + cos_omega2_tau_by_chi*t74 + omega1_by_chi*t98 + omega2_by_chi*t99 + p1_by_chi*t100 + p3_by_chi*t96 + sin_omega1_tau_by_chi*t75 + sin_omega2_tau_by_chi*t76;
+    /* d/deta of: slip-slip for tau, until second-reaches-belt */
+    const double z1_1_by_eta = cos_omega1_tau_by_eta*t52 + cos_omega2_tau_by_eta*t53 + omega1_by_eta*t79 + omega2_by_eta*t82 + p1_by_eta*t86 + p2_by_eta*t87 + sin_omega1_tau_by_eta*t56 + sin_omega2_tau_by_eta*t57;
+    const double z2_1_by_eta = cos_omega1_tau_by_eta*t60 + cos_omega2_tau_by_eta*t62 + omega1_by_eta*t88 + omega2_by_eta*t89 + p1_by_eta*t91 + p3_by_eta*t86 + sin_omega1_tau_by_eta*t65 + sin_omega2_tau_by_eta*t67;
+    const double v1_1_by_eta = cos_omega1_tau_by_eta*t68 + cos_omega2_tau_by_eta*t69 + omega1_by_eta*t92 + omega2_by_eta*t93 + p1_by_eta*t96 + p2_by_eta*t97 + sin_omega1_tau_by_eta*t70 + sin_omega2_tau_by_eta*t72;
+    const double v2_1_by_eta = cos_omega1_tau_by_eta*t73 + cos_omega2_tau_by_eta*t74 + omega1_by_eta*t98 + omega2_by_eta*t99 + p1_by_eta*t100 + p3_by_eta*t96 + sin_omega1_tau_by_eta*t75 + sin_omega2_tau_by_eta*t76;
+    /* d/dV of: slip-slip for tau, until second-reaches-belt */
+    const double z1_1_by_V = t15;
+    const double z2_1_by_V = t19;
+    const double v1_1_by_V = t14;
+    const double v2_1_by_V = t18;
+    /* d/dtau1 of: functions of tau1 in slip-stick */
+    const double cos_tau1_by_tau1 = -sin_tau1;
+    const double sin_tau1_by_tau1 = cos_tau1;
+    /* d/dz10 of: slip-stick for tau1, until second-breaks-forward */
+    const double z1_2_by_z10 = cos_tau1*z1_1_by_z10 + sin_tau1*v1_1_by_z10 + t34*z2_1_by_z10;
+    const double v1_2_by_z10 = cos_tau1*v1_1_by_z10 - sin_tau1*z1_1_by_z10 + t35*z2_1_by_z10;
+    /* d/dz20 of: slip-stick for tau1, until second-breaks-forward */
+    const double z1_2_by_z20 = cos_tau1*z1_1_by_z20 + sin_tau1*v1_1_by_z20 + t34*z2_1_by_z20;
+    const double v1_2_by_z20 = cos_tau1*v1_1_by_z20 - sin_tau1*z1_1_by_z20 + t35*z2_1_by_z20;
+    /* d/dv10 of: slip-stick for tau1, until second-breaks-forward */
+    const double z1_2_by_v10 = cos_tau1*z1_1_by_v10 + sin_tau1*v1_1_by_v10 + t34*z2_1_by_v10;
+    const double v1_2_by_v10 = cos_tau1*v1_1_by_v10 - sin_tau1*z1_1_by_v10 + t35*z2_1_by_v10;
+    /* d/dtau of: slip-stick for tau1, until second-breaks-forward */
+    const double z1_2_by_tau = cos_tau1*z1_1_by_tau + sin_tau1*v1_1_by_tau + t34*z2_1_by_tau;
+    const double v1_2_by_tau = cos_tau1*v1_1_by_tau - sin_tau1*z1_1_by_tau + t35*z2_1_by_tau;
+    /* d/dtau1 of: slip-stick for tau1, until second-breaks-forward */
+    const double t101 = -t40 + v1_1;
+    const double z1_2_by_tau1 = -cos_tau1_by_tau1*t39 + sin_tau1_by_tau1*t101 + t40;
+    const double v1_2_by_tau1 = cos_tau1_by_tau1*t101 + sin_tau1_by_tau1*t39;
+    /* d/dchi of: slip-stick for tau1, until second-breaks-forward */
+    const double t102 = 1 - cos_tau1;
+    const double z1_2_by_chi = V*(-sin_tau1 + tau1) + cos_tau1*z1_1_by_chi + sin_tau1*v1_1_by_chi + t102*z2_1 + t34*z2_1_by_chi;
+    const double v1_2_by_chi = V*t102 + cos_tau1*v1_1_by_chi - sin_tau1*z1_1_by_chi + sin_tau1*z2_1 + t35*z2_1_by_chi;
+    /* d/deta of: slip-stick for tau1, until second-breaks-forward */
+    const double z1_2_by_eta = cos_tau1*z1_1_by_eta + sin_tau1*v1_1_by_eta + t34*z2_1_by_eta;
+    const double v1_2_by_eta = cos_tau1*v1_1_by_eta - sin_tau1*z1_1_by_eta + t35*z2_1_by_eta;
+    /* d/dV of: slip-stick for tau1, until second-breaks-forward */
+    const double z1_2_by_V = chi*tau1 + cos_tau1*z1_1_by_V + sin_tau1*v1_1_by_V + t34*z2_1_by_V - t35;
+    const double z2_2_by_V = tau1 + z2_1_by_V;
+    const double v1_2_by_V = chi + cos_tau1*v1_1_by_V - sin_tau1*z1_1_by_V - t33 + t35*z2_1_by_V;
+    /* d/dtau of: Phi along tau */
+    const double t103 = p1 + p2;
+    const double t104 = -p2 - t8;
+    const double carried_z1_1_by_z20_by_tau = cos_omega1_tau_by_tau*t103 + cos_omega2_tau_by_tau*t104;
+    const double t105 = sin_omega2_tau_by_tau*t10;
+    const double carried_z1_1_by_v10_by_tau = p1*sin_omega1_tau_by_tau*t6 - t105*t8;
+    const double t106 = -p1 + p3 + 1;
+    const double t107 = p1 - p3;
+    const double carried_z2_1_by_z20_by_tau = cos_omega1_tau_by_tau*t106 + cos_omega2_tau_by_tau*t107;
+    const double carried_z2_1_by_v10_by_tau = p3*sin_omega1_tau_by_tau*t6 - p3*t105;
+    const double t108 = -omega1*p1 - omega1*p2;
+    const double t109 = omega2*p2 + omega2*t8;
+    const double carried_v1_1_by_z20_by_tau = sin_omega1_tau_by_tau*t108 + sin_omega2_tau_by_tau*t109;
+    const double carried_v1_1_by_v10_by_tau = cos_omega1_tau_by_tau*p1 - cos_omega2_tau_by_tau*t8;
+    const double t110 = -omega1*p3 + omega1*t8;
+    const double t111 = -omega2*p1 + omega2*p3;
+    const double carried_v2_1_by_z20_by_tau = sin_omega1_tau_by_tau*t110 + sin_omega2_tau_by_tau*t111;
+    const double carried_v2_1_by_v10_by_tau = cos_omega1_tau_by_tau*p3 - cos_omega2_tau_by_tau*p3;
+    /* d/dchi of: Phi along tau */
+    const double t112 = p1_by_chi*t85;
+    const double carried_z1_1_by_z20_by_chi = cos_omega1_tau_by_chi*t103 + cos_omega2_tau_by_chi*t104 + p2_by_chi*t85 + t112;
+    const double t113 = sin_omega1_tau_by_chi*t6;
+    const double t114 = sin_omega2_tau_by_chi*t10;
+    const double t115 = p1*sin_omega1_tau;
+    const double t116 = omega1_by_chi*t77;
+    const double t117 = -sin_omega2_tau*t8;
+    const double t118 = omega2_by_chi*t80;
+    const double carried_z1_1_by_v10_by_chi = p1*t113 - p1_by_chi*t83 - t114*t8 - t115*t116 - t117*t118;
+    const double t119 = p3_by_chi*t85;
+    const double carried_z2_1_by_z20_by_chi = cos_omega1_tau_by_chi*t106 + cos_omega2_tau_by_chi*t107 - p1_by_chi*t85 + t119;
+    const double t120 = p3*sin_omega2_tau;
+    const double t121 = p3*sin_omega1_tau;
+    const double carried_z2_1_by_v10_by_chi = p3*t113 - p3*t114 - p3_by_chi*t83 - t116*t121 + t118*t120;
+    const double t122 = -p2*sin_omega1_tau - t115;
+    const double t123 = p2*sin_omega2_tau - t117;
+    const double carried_v1_1_by_z20_by_chi = omega1_by_chi*t122 + omega2_by_chi*t123 - p1_by_chi*t94 - p2_by_chi*t94 + sin_omega1_tau_by_chi*t108 + sin_omega2_tau_by_chi*t109;
+    const double carried_v1_1_by_v10_by_chi = cos_omega1_tau_by_chi*p1 - cos_omega2_tau_by_chi*t8 + t112;
+    const double t124 = sin_omega1_tau*t8 - t121;
+    const double t125 = -p1*sin_omega2_tau + p3*sin_omega2_tau;
+    const double carried_v2_1_by_z20_by_chi = omega1_by_chi*t124 + omega2_by_chi*t125 + p1_by_chi*t94 - p3_by_chi*t94 + sin_omega1_tau_by_chi*t110 + sin_omega2_tau_by_chi*t111;
+    const double carried_v2_1_by_v10_by_chi = cos_omega1_tau_by_chi*p3 - cos_omega2_tau_by_chi*p3 + t119;
+    /* d/deta of: Phi along tau */
+    const double t126 = p1_by_eta*t85;
+    const double carried_z1_1_by_z20_by_eta = cos_omega1_tau_by_eta*t103 + cos_omega2_tau_by_eta*t104 + p2_by_eta*t85 + t126;
+    const double t127 = sin_omega1_tau_by_eta*t6;
+    const double t128 = sin_omega2_tau_by_eta*t10;
+    const double t129 = omega1_by_eta*t77;
+    const double t130 = omega2_by_eta*t80;
+    const double carried_z1_1_by_v10_by_eta = p1*t127 - p1_by_eta*t83 - t115*t129 - t117*t130 - t128*t8;
+    const double t131 = p3_by_eta*t85;
+    const double carried_z2_1_by_z20_by_eta = cos_omega1_tau_by_eta*t106 + cos_omega2_tau_by_eta*t107 - p1_by_eta*t85 + t131;
+    const double carried_z2_1_by_v10_by_eta = p3*t127 - p3*t128 - p3_by_eta*t83 + t120*t130 - t121*t129;
+    const double carried_v1_1_by_z20_by_eta = omega1_by_eta*t122 + omega2_by_eta*t123 - p1_by_eta*t94 - p2_by_eta*t94 + sin_omega1_tau_by_eta*t108 + sin_omega2_tau_by_eta*t109;
+    const double carried_v1_1_by_v10_by_eta = cos_omega1_tau_by_eta*p1 - cos_omega2_tau_by_eta*t8 + t126;
+    const double carried_v2_1_by_z20_by_eta = omega1_by_eta*t124 + omega2_by_eta*t125 + p1_by_eta*t94 - p3_by_eta*t94 + sin_omega1_tau_by_eta*t110 + sin_omega2_tau_by_eta*t111;
+    const double carried_v2_1_by_v10_by_eta = cos_omega1_tau_by_eta*p3 - cos_omega2_tau_by_eta*p3 + t131;
+    /* d/dz10 of: rate of the exit boundary after tau */
+    const double t132 = chi*eta;
+    const double rate_1_by_z10 = t132*z1_1_by_z10 - t132*z2_1_by_z10;
+    /* d/dz20 of: rate of the exit boundary after tau */
+    const double rate_1_by_z20 = t132*z1_1_by_z20 - t132*z2_1_by_z20;
+    /* d/dv10 of: rate of the exit boundary after tau */
+    const double rate_1_by_v10 = t132*z1_1_by_v10 - t132*z2_1_by_v10;
+    /* d/dtau of: rate of the exit boundary after tau */
+    const double rate_1_by_tau = t132*z1_1_by_tau - t132*z2_1_by_tau;
+    /* d/dchi of: rate of the exit boundary after tau */
+    const double rate_1_by_chi = -eta*z2_1 + t132*z1_1_by_chi - t132*z2_1_by_chi + t36;
+    /* d/deta of: rate of the exit boundary after tau */
+    const double rate_1_by_eta = chi*z1_1 + t132*z1_1_by_eta - t132*z2_1_by_eta - t37;
+    /* d/dV of: rate of the exit boundary after tau */
+    const double rate_1_by_V = t132*z1_1_by_V - t132*z2_1_by_V;
+    /* d/dz10 of: derivatives of tau on the boundary */
+    const double t133 = (1.0/(rate_1*rate_1));
+    const double t134 = rate_1_by_z10*t133;
+    const double tau_by_z20_by_z10 = carried_v2_1_by_z20*t134;
+    const double tau_by_v10_by_z10 = carried_v2_1_by_v10*t134;
+    /* d/dz20 of: derivatives of tau on the boundary */
+    const double t135 = rate_1_by_z20*t133;
+    const double tau_by_z20_by_z20 = carried_v2_1_by_z20*t135;
+    const double tau_by_v10_by_z20 = carried_v2_1_by_v10*t135;
+    /* d/dv10 of: derivatives of tau on the boundary */
+    const double t136 = rate_1_by_v10*t133;
+    const double tau_by_z20_by_v10 = carried_v2_1_by_z20*t136;
+    const double tau_by_v10_by_v10 = carried_v2_1_by_v10*t136;
+    /* d/dtau of: derivatives of tau on the boundary */
+    const double t137 = rate_1_by_tau*t133;
+    const double tau_by_z20_by_tau = carried_v2_1_by_z20*t137 - carried_v2_1_by_z20_by_tau*t38;
+    const double tau_by_v10_by_tau = carried_v2_1_by_v10*t137 - carried_v2_1_by_v10_by_tau*t38;
+    /* d/dchi of: derivatives of tau on the boundary */
+    const double t138 = rate_1_by_chi*t133;
+    const double tau_by_z20_by_chi = carried_v2_1_by_z20*t138 - carried_v2_1_by_z20_by_chi*t38;
+    const double tau_by_v10_by_chi = carried_v2_1_by_v10*t138 - carried_v2_1_by_v10_by_chi*t38;
+    /* d/deta of: derivatives of tau on the boundary */
+    const double t139 = rate_1_by_eta*t133;
+    const double tau_by_z20_by_eta = carried_v2_1_by_z20*t139 - carried_v2_1_by_z20_by_eta*t38;
+    const double tau_by_v10_by_eta = carried_v2_1_by_v10*t139 - carried_v2_1_by_v10_by_eta*t38;
+    /* d/dV of: derivatives of tau on the boundary */
+    const double t140 = rate_1_by_V*t133;
+    const double tau_by_z20_by_V = carried_v2_1_by_z20*t140;
+    const double tau_by_v10_by_V = carried_v2_1_by_v10*t140;
+    /* d/dz10 of: perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20_by_z10 = tau_by_z20*v1_1_by_z10 + tau_by_z20_by_z10*v1_1;
+    const double z1_1_on_boundary_by_v10_by_z10 = tau_by_v10*v1_1_by_z10 + tau_by_v10_by_z10*v1_1;
+    const double z2_1_on_boundary_by_z20_by_z10 = tau_by_z20*v2_1_by_z10 + tau_by_z20_by_z10*v2_1;
+    const double z2_1_on_boundary_by_v10_by_z10 = tau_by_v10*v2_1_by_z10 + tau_by_v10_by_z10*v2_1;
+    const double t141 = chi*z2_1_by_z10;
+    const double v1_1_on_boundary_by_z20_by_z10 = t141*tau_by_z20 + t39*tau_by_z20_by_z10 - tau_by_z20*z1_1_by_z10;
+    const double v1_1_on_boundary_by_v10_by_z10 = t141*tau_by_v10 + t39*tau_by_v10_by_z10 - tau_by_v10*z1_1_by_z10;
+    /* d/dz20 of: perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20_by_z20 = tau_by_z20*v1_1_by_z20 + tau_by_z20_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10_by_z20 = tau_by_v10*v1_1_by_z20 + tau_by_v10_by_z20*v1_1;
+    const double z2_1_on_boundary_by_z20_by_z20 = tau_by_z20*v2_1_by_z20 + tau_by_z20_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10_by_z20 = tau_by_v10*v2_1_by_z20 + tau_by_v10_by_z20*v2_1;
+    const double t142 = chi*z2_1_by_z20;
+    const double v1_1_on_boundary_by_z20_by_z20 = t142*tau_by_z20 + t39*tau_by_z20_by_z20 - tau_by_z20*z1_1_by_z20;
+    const double v1_1_on_boundary_by_v10_by_z20 = t142*tau_by_v10 + t39*tau_by_v10_by_z20 - tau_by_v10*z1_1_by_z20;
+    /* d/dv10 of: perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20_by_v10 = tau_by_z20*v1_1_by_v10 + tau_by_z20_by_v10*v1_1;
+    const double z1_1_on_boundary_by_v10_by_v10 = tau_by_v10*v1_1_by_v10 + tau_by_v10_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20_by_v10 = tau_by_z20*v2_1_by_v10 + tau_by_z20_by_v10*v2_1;
+    const double z2_1_on_boundary_by_v10_by_v10 = tau_by_v10*v2_1_by_v10 + tau_by_v10_by_v10*v2_1;
+    const double t143 = chi*z2_1_by_v10;
+    const double v1_1_on_boundary_by_z20_by_v10 = t143*tau_by_z20 + t39*tau_by_z20_by_v10 - tau_by_z20*z1_1_by_v10;
+    const double v1_1_on_boundary_by_v10_by_v10 = t143*tau_by_v10 + t39*tau_by_v10_by_v10 - tau_by_v10*z1_1_by_v10;
+    /* d/dtau of: perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20_by_tau = carried_z1_1_by_z20_by_tau + tau_by_z20*v1_1_by_tau + tau_by_z20_by_tau*v1_1;
+    const double z1_1_on_boundary_by_v10_by_tau = carried_z1_1_by_v10_by_tau + tau_by_v10*v1_1_by_tau + tau_by_v10_by_tau*v1_1;
+    const double z2_1_on_boundary_by_z20_by_tau = carried_z2_1_by_z20_by_tau + tau_by_z20*v2_1_by_tau + tau_by_z20_by_tau*v2_1;
+    const double z2_1_on_boundary_by_v10_by_tau = carried_z2_1_by_v10_by_tau + tau_by_v10*v2_1_by_tau + tau_by_v10_by_tau*v2_1;
+    const double t144 = chi*z2_1_by_tau;
+    const double v1_1_on_boundary_by_z20_by_tau = carried_v1_1_by_z20_by_tau + t144*tau_by_z20 + t39*tau_by_z20_by_tau - tau_by_z20*z1_1_by_tau;
+    const double v1_1_on_boundary_by_v10_by_tau = carried_v1_1_by_v10_by_tau + t144*tau_by_v10 + t39*tau_by_v10_by_tau - tau_by_v10*z1_1_by_tau;
+    /* d/dchi of: perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20_by_chi = carried_z1_1_by_z20_by_chi + tau_by_z20*v1_1_by_chi + tau_by_z20_by_chi*v1_1;
+    const double z1_1_on_boundary_by_v10_by_chi = carried_z1_1_by_v10_by_chi + tau_by_v10*v1_1_by_chi + tau_by_v10_by_chi*v1_1;
+    const double z2_1_on_boundary_by_z20_by_chi = carried_z2_1_by_z20_by_chi + tau_by_z20*v2_1_by_chi + tau_by_z20_by_chi*v2_1;
+    const double z2_1_on_boundary_by_v10_by_chi = carried_z2_1_by_v10_by_chi + tau_by_v10*v2_1_by_chi + tau_by_v10_by_chi*v2_1;
+    const double t145 = chi*z2_1_by_chi;
+    const double v1_1_on_boundary_by_z20_by_chi = carried_v1_1_by_z20_by_chi + t145*tau_by_z20 + t39*tau_by_z20_by_chi - tau_by_z20*z1_1_by_chi + tau_by_z20*z2_1;
+    const double v1_1_on_boundary_by_v10_by_chi = carried_v1_1_by_v10_by_chi + t145*tau_by_v10 + t39*tau_by_v10_by_chi - tau_by_v10*z1_1_by_chi + tau_by_v10*z2_1;
+    /* d/deta of: perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20_by_eta = carried_z1_1_by_z20_by_eta + tau_by_z20*v1_1_by_eta + tau_by_z20_by_eta*v1_1;
+    const double z1_1_on_boundary_by_v10_by_eta = carried_z1_1_by_v10_by_eta + tau_by_v10*v1_1_by_eta + tau_by_v10_by_eta*v1_1;
+    const double z2_1_on_boundary_by_z20_by_eta = carried_z2_1_by_z20_by_eta + tau_by_z20*v2_1_by_eta + tau_by_z20_by_eta*v2_1;
+    const double z2_1_on_boundary_by_v10_by_eta = carried_z2_1_by_v10_by_eta + tau_by_v10*v2_1_by_eta + tau_by_v10_by_eta*v2_1;
+    const double t146 = chi*z2_1_by_eta;
+    const double v1_1_on_boundary_by_z20_by_eta = carried_v1_1_by_z20_by_eta + t146*tau_by_z20 + t39*tau_by_z20_by_eta - tau_by_z20*z1_1_by_eta;
+    const double v1_1_on_boundary_by_v10_by_eta = carried_v1_1_by_v10_by_eta + t146*tau_by_v10 + t39*tau_by_v10_by_eta - tau_by_v10*z1_1_by_eta;
+    /* d/dV of: perturbation on the boundary after tau */
+    const double z1_1_on_boundary_by_z20_by_V = tau_by_z20*v1_1_by_V + tau_by_z20_by_V*v1_1;
+    const double z1_1_on_boundary_by_v10_by_V = tau_by_v10*v1_1_by_V + tau_by_v10_by_V*v1_1;
+    const double z2_1_on_boundary_by_z20_by_V = tau_by_z20*v2_1_by_V + tau_by_z20_by_V*v2_1;
+    const double z2_1_on_boundary_by_v10_by_V = tau_by_v10*v2_1_by_V + tau_by_v10_by_V*v2_1;
+    const double t147 = chi*z2_1_by_V;
+    const double v1_1_on_boundary_by_z20_by_V = t147*tau_by_z20 + t39*tau_by_z20_by_V - tau_by_z20*z1_1_by_V;
+    const double v1_1_on_boundary_by_v10_by_V = t147*tau_by_v10 + t39*tau_by_v10_by_V - tau_by_v10*z1_1_by_V;
+    /* d/dz10 of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_z10 = cos_tau1*z1_1_on_boundary_by_z20_by_z10 + sin_tau1*v1_1_on_boundary_by_z20_by_z10 + t34*z2_1_on_boundary_by_z20_by_z10;
+    const double carried_z1_2_by_v10_by_z10 = cos_tau1*z1_1_on_boundary_by_v10_by_z10 + sin_tau1*v1_1_on_boundary_by_v10_by_z10 + t34*z2_1_on_boundary_by_v10_by_z10;
+    const double carried_v1_2_by_v10_by_z10 = cos_tau1*v1_1_on_boundary_by_v10_by_z10 - sin_tau1*z1_1_on_boundary_by_v10_by_z10 + t35*z2_1_on_boundary_by_v10_by_z10;
+    /* d/dz20 of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_z20 = cos_tau1*z1_1_on_boundary_by_z20_by_z20 + sin_tau1*v1_1_on_boundary_by_z20_by_z20 + t34*z2_1_on_boundary_by_z20_by_z20;
+    const double carried_z1_2_by_v10_by_z20 = cos_tau1*z1_1_on_boundary_by_v10_by_z20 + sin_tau1*v1_1_on_boundary_by_v10_by_z20 + t34*z2_1_on_boundary_by_v10_by_z20;
+    const double carried_v1_2_by_v10_by_z20 = cos_tau1*v1_1_on_boundary_by_v10_by_z20 - sin_tau1*z1_1_on_boundary_by_v10_by_z20 + t35*z2_1_on_boundary_by_v10_by_z20;
+    /* d/dv10 of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_v10 = cos_tau1*z1_1_on_boundary_by_z20_by_v10 + sin_tau1*v1_1_on_boundary_by_z20_by_v10 + t34*z2_1_on_boundary_by_z20_by_v10;
+    const double carried_z1_2_by_v10_by_v10 = cos_tau1*z1_1_on_boundary_by_v10_by_v10 + sin_tau1*v1_1_on_boundary_by_v10_by_v10 + t34*z2_1_on_boundary_by_v10_by_v10;
+    const double carried_v1_2_by_v10_by_v10 = cos_tau1*v1_1_on_boundary_by_v10_by_v10 - sin_tau1*z1_1_on_boundary_by_v10_by_v10 + t35*z2_1_on_boundary_by_v10_by_v10;
+    /* d/dtau of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_tau = cos_tau1*z1_1_on_boundary_by_z20_by_tau + sin_tau1*v1_1_on_boundary_by_z20_by_tau + t34*z2_1_on_boundary_by_z20_by_tau;
+    const double carried_z1_2_by_v10_by_tau = cos_tau1*z1_1_on_boundary_by_v10_by_tau + sin_tau1*v1_1_on_boundary_by_v10_by_tau + t34*z2_1_on_boundary_by_v10_by_tau;
+    const double carried_v1_2_by_v10_by_tau = cos_tau1*v1_1_on_boundary_by_v10_by_tau - sin_tau1*z1_1_on_boundary_by_v10_by_tau + t35*z2_1_on_boundary_by_v10_by_tau;
+    /* d/dtau1 of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_tau1 = cos_tau1_by_tau1*(-t42 + z1_1_on_boundary_by_z20) + sin_tau1_by_tau1*v1_1_on_boundary_by_z20;
+    const double t148 = t44 - z1_1_on_boundary_by_v10;
+    const double carried_z1_2_by_v10_by_tau1 = -cos_tau1_by_tau1*t148 + sin_tau1_by_tau1*v1_1_on_boundary_by_v10;
+    const double carried_v1_2_by_v10_by_tau1 = cos_tau1_by_tau1*v1_1_on_boundary_by_v10 + sin_tau1_by_tau1*t148;
+    /* d/dchi of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_chi = cos_tau1*z1_1_on_boundary_by_z20_by_chi + sin_tau1*v1_1_on_boundary_by_z20_by_chi + t102*z2_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20_by_chi;
+    const double carried_z1_2_by_v10_by_chi = cos_tau1*z1_1_on_boundary_by_v10_by_chi + sin_tau1*v1_1_on_boundary_by_v10_by_chi + t102*z2_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10_by_chi;
+    const double carried_v1_2_by_v10_by_chi = cos_tau1*v1_1_on_boundary_by_v10_by_chi - sin_tau1*z1_1_on_boundary_by_v10_by_chi + sin_tau1*z2_1_on_boundary_by_v10 + t35*z2_1_on_boundary_by_v10_by_chi;
+    /* d/deta of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_eta = cos_tau1*z1_1_on_boundary_by_z20_by_eta + sin_tau1*v1_1_on_boundary_by_z20_by_eta + t34*z2_1_on_boundary_by_z20_by_eta;
+    const double carried_z1_2_by_v10_by_eta = cos_tau1*z1_1_on_boundary_by_v10_by_eta + sin_tau1*v1_1_on_boundary_by_v10_by_eta + t34*z2_1_on_boundary_by_v10_by_eta;
+    const double carried_v1_2_by_v10_by_eta = cos_tau1*v1_1_on_boundary_by_v10_by_eta - sin_tau1*z1_1_on_boundary_by_v10_by_eta + t35*z2_1_on_boundary_by_v10_by_eta;
+    /* d/dV of: Phi along tau1 */
+    const double carried_z1_2_by_z20_by_V = cos_tau1*z1_1_on_boundary_by_z20_by_V + sin_tau1*v1_1_on_boundary_by_z20_by_V + t34*z2_1_on_boundary_by_z20_by_V;
+    const double carried_z1_2_by_v10_by_V = cos_tau1*z1_1_on_boundary_by_v10_by_V + sin_tau1*v1_1_on_boundary_by_v10_by_V + t34*z2_1_on_boundary_by_v10_by_V;
+    const double carried_v1_2_by_v10_by_V = cos_tau1*v1_1_on_boundary_by_v10_by_V - sin_tau1*z1_1_on_boundary_by_v10_by_V + t35*z2_1_on_boundary_by_v10_by_V;
+    /* d/dz10 of: rate of the exit boundary after tau1 */
+    const double rate_2_by_z10 = -chi*v1_2_by_z10;
+    /* d/dz20 of: rate of the exit boundary after tau1 */
+    const double rate_2_by_z20 = -chi*v1_2_by_z20;
+    /* d/dv10 of: rate of the exit boundary after tau1 */
+    const double rate_2_by_v10 = -chi*v1_2_by_v10;
+    /* d/dtau of: rate of the exit boundary after tau1 */
+    const double rate_2_by_tau = -chi*v1_2_by_tau;
+    /* d/dtau1 of: rate of the exit boundary after tau1 */
+    const double rate_2_by_tau1 = -chi*v1_2_by_tau1;
+    /* d/dchi of: rate of the exit boundary after tau1 */
+    const double rate_2_by_chi = V - chi*v1_2_by_chi - v1_2;
+    /* d/deta of: rate of the exit boundary after tau1 */
+    const double rate_2_by_eta = -chi*v1_2_by_eta;
+    /* d/dV of: rate of the exit boundary after tau1 */
+    const double rate_2_by_V = -chi*v1_2_by_V + chi;
+    /* d/dz10 of: derivatives of tau1 on the boundary */
+    const double t149 = (1.0/(rate_2*rate_2));
+    const double t150 = rate_2_by_z10*t149;
+    const double t151 = chi*t41;
+    const double tau1_by_z20_by_z10 = carried_z1_2_by_z20_by_z10*chi*t41 - t150*t43 - t151*z2_1_on_boundary_by_z20_by_z10;
+    const double tau1_by_v10_by_z10 = carried_z1_2_by_v10_by_z10*chi*t41 - t150*t45 - t151*z2_1_on_boundary_by_v10_by_z10;
+    /* d/dz20 of: derivatives of tau1 on the boundary */
+    const double t152 = rate_2_by_z20*t149;
+    const double tau1_by_z20_by_z20 = carried_z1_2_by_z20_by_z20*chi*t41 - t151*z2_1_on_boundary_by_z20_by_z20 - t152*t43;
+    const double tau1_by_v10_by_z20 = carried_z1_2_by_v10_by_z20*chi*t41 - t151*z2_1_on_boundary_by_v10_by_z20 - t152*t45;
+    /* d/dv10 of: derivatives of tau1 on the boundary */
+    const double t153 = rate_2_by_v10*t149;
+    const double tau1_by_z20_by_v10 = carried_z1_2_by_z20_by_v10*chi*t41 - t151*z2_1_on_boundary_by_z20_by_v10 - t153*t43;
+    const double tau1_by_v10_by_v10 = carried_z1_2_by_v10_by_v10*chi*t41 - t151*z2_1_on_boundary_by_v10_by_v10 - t153*t45;
+    /* d/dtau of: derivatives of tau1 on the boundary */
+    const double t154 = rate_2_by_tau*t149;
+    const double tau1_by_z20_by_tau = carried_z1_2_by_z20_by_tau*chi*t41 - t151*z2_1_on_boundary_by_z20_by_tau - t154*t43;
+    const double tau1_by_v10_by_tau = carried_z1_2_by_v10_by_tau*chi*t41 - t151*z2_1_on_boundary_by_v10_by_tau - t154*t45;
+    /* d/dtau1 of: derivatives of tau1 on the boundary */
+    const double t155 = rate_2_by_tau1*t149;
+    const double tau1_by_z20_by_tau1 = carried_z1_2_by_z20_by_tau1*t151 - t155*t43;
+    const double tau1_by_v10_by_tau1 = carried_z1_2_by_v10_by_tau1*t151 - t155*t45;
+    /* d/dchi of: derivatives of tau1 on the boundary */
+    const double t156 = rate_2_by_chi*t149;
+    const double tau1_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t151 - t151*z2_1_on_boundary_by_z20_by_chi - t156*t43 + t41*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20);
+    const double tau1_by_v10_by_chi = carried_z1_2_by_v10_by_chi*t151 - t151*z2_1_on_boundary_by_v10_by_chi - t156*t45 + t41*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10);
+    /* d/deta of: derivatives of tau1 on the boundary */
+    const double t157 = rate_2_by_eta*t149;
+    const double tau1_by_z20_by_eta = carried_z1_2_by_z20_by_eta*chi*t41 - t151*z2_1_on_boundary_by_z20_by_eta - t157*t43;
+    const double tau1_by_v10_by_eta = carried_z1_2_by_v10_by_eta*chi*t41 - t151*z2_1_on_boundary_by_v10_by_eta - t157*t45;
+    /* d/dV of: derivatives of tau1 on the boundary */
+    const double t158 = rate_2_by_V*t149;
+    const double tau1_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t41 - t151*z2_1_on_boundary_by_z20_by_V - t158*t43;
+    const double tau1_by_v10_by_V = carried_z1_2_by_v10_by_V*chi*t41 - t151*z2_1_on_boundary_by_v10_by_V - t158*t45;
+    /* d/dz10 of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_z10 = V*tau1_by_z20_by_z10 + z2_1_on_boundary_by_z20_by_z10;
+    const double t159 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_v10_by_z10 = carried_v1_2_by_v10_by_z10 + t141*tau1_by_v10 + t159*tau1_by_v10_by_z10 - tau1_by_v10*z1_2_by_z10;
+    /* d/dz20 of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_z20 = V*tau1_by_z20_by_z20 + z2_1_on_boundary_by_z20_by_z20;
+    const double v1_2_on_boundary_by_v10_by_z20 = carried_v1_2_by_v10_by_z20 + t142*tau1_by_v10 + t159*tau1_by_v10_by_z20 - tau1_by_v10*z1_2_by_z20;
+    /* d/dv10 of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_v10 = V*tau1_by_z20_by_v10 + z2_1_on_boundary_by_z20_by_v10;
+    const double v1_2_on_boundary_by_v10_by_v10 = carried_v1_2_by_v10_by_v10 + t143*tau1_by_v10 + t159*tau1_by_v10_by_v10 - tau1_by_v10*z1_2_by_v10;
+    /* d/dtau of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_tau = V*tau1_by_z20_by_tau + z2_1_on_boundary_by_z20_by_tau;
+    const double v1_2_on_boundary_by_v10_by_tau = carried_v1_2_by_v10_by_tau + t144*tau1_by_v10 + t159*tau1_by_v10_by_tau - tau1_by_v10*z1_2_by_tau;
+    /* d/dtau1 of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_tau1 = V*tau1_by_z20_by_tau1;
+    const double v1_2_on_boundary_by_v10_by_tau1 = carried_v1_2_by_v10_by_tau1 + t159*tau1_by_v10_by_tau1 + t40*tau1_by_v10 - tau1_by_v10*z1_2_by_tau1;
+    /* d/dchi of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_chi = V*tau1_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi;
+    const double v1_2_on_boundary_by_v10_by_chi = carried_v1_2_by_v10_by_chi + t145*tau1_by_v10 + t159*tau1_by_v10_by_chi - tau1_by_v10*z1_2_by_chi + tau1_by_v10*z2_2;
+    /* d/deta of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_eta = V*tau1_by_z20_by_eta + z2_1_on_boundary_by_z20_by_eta;
+    const double v1_2_on_boundary_by_v10_by_eta = carried_v1_2_by_v10_by_eta + t146*tau1_by_v10 + t159*tau1_by_v10_by_eta - tau1_by_v10*z1_2_by_eta;
+    /* d/dV of: perturbation on the boundary after tau1 */
+    const double z2_2_on_boundary_by_z20_by_V = V*tau1_by_z20_by_V + tau1_by_z20 + z2_1_on_boundary_by_z20_by_V;
+    const double v1_2_on_boundary_by_v10_by_V = carried_v1_2_by_v10_by_V + chi*tau1_by_v10*z2_2_by_V + t159*tau1_by_v10_by_V - tau1_by_v10*z1_2_by_V;
+    trace_gradient[0] = v1_2_on_boundary_by_v10_by_z10 + z2_2_on_boundary_by_z20_by_z10;
+    trace_gradient[1] = v1_2_on_boundary_by_v10_by_z20 + z2_2_on_boundary_by_z20_by_z20;
+    trace_gradient[2] = v1_2_on_boundary_by_v10_by_v10 + z2_2_on_boundary_by_z20_by_v10;
+    trace_gradient[3] = v1_2_on_boundary_by_v10_by_tau + z2_2_on_boundary_by_z20_by_tau;
+    trace_gradient[4] = v1_2_on_boundary_by_v10_by_tau1 + z2_2_on_boundary_by_z20_by_tau1;
+    trace_gradient[5] = v1_2_on_boundary_by_v10_by_chi + z2_2_on_boundary_by_z20_by_chi;
+    trace_gradient[6] = v1_2_on_boundary_by_v10_by_eta + z2_2_on_boundary_by_z20_by_eta;
+    trace_gradient[7] = v1_2_on_boundary_by_v10_by_V + z2_2_on_boundary_by_z20_by_V;
+    trace_gradient[8] = 0;
+}
+
+/* State at the start and behind each transition, row by row.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives states (3, 4), row by row.
+ * Operations: 90. Intermediate terms: 23. */
+void dry_friction_symmetric_states(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double states[12])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega2_tau/omega2;
+    const double t6 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
+    const double t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*z10 + t7*z20 + v10*(p1*t3 + t4*t5);
+    const double z2_1 = V*(p1*t5 + t3*t4) + v10*(p3*sin_omega1_tau*t2 - p3*t5) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t4 + cos_omega2_tau*p1);
+    const double t8 = omega1*sin_omega1_tau;
+    const double v1_1 = V*t7 + t6*v10 + z10*(-omega2*sin_omega2_tau*t4 - p1*t8) + z20*(omega2*p2*sin_omega2_tau - p2*t8);
+    /* functions of tau1 in slip-stick */
+    const double cos_tau1 = cos(tau1);
+    const double sin_tau1 = sin(tau1);
+    /* slip-stick for tau1, until second-breaks-forward */
+    const double t9 = -chi*cos_tau1 + chi;
+    const double t10 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t10) + cos_tau1*z1_1 + sin_tau1*v1_1 + t9*z2_1;
+    const double z2_2 = V*tau1 + z2_1;
+    const double v1_2 = V*t9 + cos_tau1*v1_1 - sin_tau1*z1_1 + t10*z2_1;
+    states[0] = z10;
+    states[1] = z20;
+    states[2] = v10;
+    states[3] = V;
+    states[4] = z1_1;
+    states[5] = z2_1;
+    states[6] = v1_1;
+    states[7] = V;
+    states[8] = z1_2;
+    states[9] = z2_2;
+    states[10] = v1_2;
+    states[11] = V;
+}
+
+/* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives coefficients (24), frequencies (3), row by row.
+ * Operations: 118. Intermediate terms: 29. */
+void dry_friction_symmetric_boundary_functions(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double coefficients[24], double frequencies[3])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega2_tau/omega2;
+    const double t6 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
+    const double t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*z10 + t7*z20 + v10*(p1*t3 + t4*t5);
+    const double z2_1 = V*(p1*t5 + t3*t4) + v10*(p3*sin_omega1_tau*t2 - p3*t5) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t4 + cos_omega2_tau*p1);
+    const double t8 = omega1*sin_omega1_tau;
+    const double v1_1 = V*t7 + t6*v10 + z10*(-omega2*sin_omega2_tau*t4 - p1*t8) + z20*(omega2*p2*sin_omega2_tau - p2*t8);
+    /* outputs */
+    const double t10 = V*p2;
+    const double t11 = omega1*z10;
+    const double t12 = p2*z20;
+    const double t13 = p3*v10;
+    const double t14 = V*chi;
+    const double t15 = -t14 + v1_1;
+    const double t16 = chi*z2_1;
+    const double t17 = t16 - z1_1;
+    const double t18 = (chi*chi);
+    const double t19 = t18*z2_1;
+    const double t20 = V*t18 - t14;
+    const double t21 = -chi*t17;
+    const double t22 = chi*t15;
+    coefficients[0] = -V;
+    coefficients[1] = 0;
+    coefficients[2] = p1*v10 + t10;
+    coefficients[3] = -t10 + t4*v10;
+    coefficients[4] = -omega1*t12 - p1*t11;
+    coefficients[5] = omega2*t12 - omega2*t4*z10;
+    coefficients[6] = -V;
+    coefficients[7] = 0;
+    coefficients[8] = V*t4 + t13;
+    coefficients[9] = V*p1 - t13;
+    coefficients[10] = -omega1*t4*z20 - p3*t11;
+    coefficients[11] = -omega2*p1*z20 + omega2*p3*z10;
+    coefficients[12] = -V + t14;
+    coefficients[13] = 0;
+    coefficients[14] = t15;
+    coefficients[15] = t17;
+    coefficients[16] = -e2 + t16 - t19;
+    coefficients[17] = -t20;
+    coefficients[18] = -t21;
+    coefficients[19] = -t22;
+    coefficients[20] = -e2 - t16 + t19;
+    coefficients[21] = t20;
+    coefficients[22] = t21;
+    coefficients[23] = t22;
+    frequencies[0] = omega1;
+    frequencies[1] = omega2;
+    frequencies[2] = 1;
+}
+
+/* State after a time in slip-slip.
+ * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 82. Intermediate terms: 16. */
+void dry_friction_symmetric_flow_slip_slip(
+    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = (1.0/(omega1));
+    const double t1 = omega1*t;
+    const double t2 = sin(t1);
+    const double t3 = t0*t2;
+    const double t4 = 1 - p1;
+    const double t5 = omega2*t;
+    const double t6 = sin(t5);
+    const double t7 = t6/omega2;
+    const double t8 = cos(t1);
+    const double t9 = cos(t5);
+    const double t10 = p1*t8 + t4*t9;
+    const double t11 = p2*t8 - p2*t9;
+    const double t12 = p3*t8 - p3*t9;
+    const double t13 = p1*t9 + t4*t8;
+    const double t14 = omega2*t6;
+    const double t15 = omega1*t2;
+    state_after[0] = t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
+    state_after[1] = t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
+    state_after[2] = t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15);
+    state_after[3] = t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4);
+}
+
+/* State after a time in slip-stick.
+ * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 23. Intermediate terms: 4. */
+void dry_friction_symmetric_flow_slip_stick(
+    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    const double chi = parameters[0];
+    (void)spectrum;
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = sin(t);
+    const double t1 = chi*t0;
+    const double t2 = cos(t);
+    const double t3 = -chi*t2 + chi;
+    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*t - t1);
+    state_after[1] = t*v2 + z2;
+    state_after[2] = -t0*z1 + t1*z2 + t2*v1 + t3*v2;
+    state_after[3] = v2;
+}
+
+/* Reduced equations and their derivatives by the reduced unknowns.
+ * Takes parameters (4), spectrum (7), reduced (2); gives residual (2), jacobian (2, 2), row by row.
+ * Operations: 188. Intermediate terms: 58. */
+void dry_friction_symmetric_reduced(
+    const double parameters[4], const double spectrum[7], const double reduced[2], double residual[2], double jacobian[4])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double tau = reduced[0];
+    const double tau1 = reduced[1];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in slip-slip */
+    const double t0 = half_tau*omega1;
+    const double cos_omega1_half_tau = cos(t0);
+    const double sin_omega1_half_tau = sin(t0);
+    const double t3 = half_tau*omega2;
+    const double cos_omega2_half_tau = cos(t3);
+    const double sin_omega2_half_tau = sin(t3);
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* functions of half_tau1 in slip-stick */
+    const double cos_half_tau1 = cos(half_tau1);
+    const double sin_half_tau1 = sin(half_tau1);
+    /* coefficients of the linear equations */
+    const double t8 = (1.0/(omega2));
+    const double t9 = sin_omega2_half_tau*t8;
+    const double t10 = (1.0/(omega1));
+    const double t11 = p1*t10;
+    const double t12 = p1*t9;
+    const double coefficient11 = sin_omega1_half_tau*t11 - t12 + t9;
+    /* right-hand sides of the linear equations */
+    const double t13 = V*half_tau1;
+    const double t14 = cos_omega2_half_tau*t13;
+    const double t15 = (1.0/(chi));
+    const double t16 = p1*t13;
+    const double t17 = cos_omega1_half_tau*t16;
+    const double t18 = p2*t13;
+    const double t19 = e2*t15;
+    const double t20 = cos_omega2_half_tau*t19;
+    const double t21 = V*t10;
+    const double t22 = sin_omega1_half_tau*t21;
+    const double right1 = V*cos_omega2_half_tau*half_tau1*p1 + V*cos_omega2_half_tau*half_tau1*p2 + V*p2*sin_omega2_half_tau*t8 + cos_omega1_half_tau*e2*p1*t15 - cos_omega1_half_tau*t18 + cos_omega2_half_tau*e2*t15 - p1*t20 - p2*t22 - t14 - t17;
+    /* determinant of the linear equations */
+    const double determinant = coefficient11;
+    /* v10 by Cramer's rule */
+    const double t23 = (1.0/(determinant));
+    const double v10 = right1*t23;
+    /* d/dtau of: functions of half_tau in slip-slip */
+    const double t24 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t24;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t24;
+    const double t25 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t25;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t25;
+    /* d/dtau1 of: functions of half_tau1 in slip-stick */
+    const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
+    const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
+    /* d/dtau of: coefficients of the linear equations */
+    const double t26 = p1*t8;
+    const double coefficient11_by_tau = sin_omega1_half_tau_by_tau*t11 + sin_omega2_half_tau_by_tau*(-t26 + t8);
+    /* d/dtau of: right-hand sides of the linear equations */
+    const double t27 = -p1*t19 + t16 + t18;
+    const double t29 = -t13 + t19;
+    const double right1_by_tau = V*p2*sin_omega2_half_tau_by_tau*t8 - cos_omega1_half_tau_by_tau*t27 + cos_omega2_half_tau_by_tau*(t27 + t29) - p2*sin_omega1_half_tau_by_tau*t21;
+    /* d/dtau1 of: right-hand sides of the linear equations */
+    const double t30 = (1.0/2.0)*V;
+    const double t31 = cos_omega2_half_tau*t30;
+    const double t32 = cos_omega1_half_tau*t30;
+    const double t33 = p1*t32;
+    const double right1_by_tau1 = (1.0/2.0)*V*cos_omega2_half_tau*p1 + (1.0/2.0)*V*cos_omega2_half_tau*p2 - p2*t32 - t31 - t33;
+    /* d/dtau of: v10 by Cramer's rule */
+    const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t23;
+    /* d/dtau1 of: v10 by Cramer's rule */
+    const double v10_by_tau1 = right1_by_tau1*t23;
+    /* outputs */
+    const double t34 = cos_omega1_half_tau*t13;
+    const double t35 = p3*v10;
+    const double t36 = t10*t35;
+    const double t37 = p3*t19;
+    const double t38 = cos_half_tau1*t13;
+    const double t39 = V*chi;
+    const double t40 = -p3*t13 + t16 + t37;
+    const double t41 = p3*sin_omega1_half_tau*t10 - p3*t9;
+    residual[0] = V*t12 - cos_omega1_half_tau*t37 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t34 + sin_omega1_half_tau*t36 - t17 + t22 + t34 - t35*t9;
+    residual[1] = chi*t38 + cos_half_tau1*t19 - sin_half_tau1*t39 + sin_half_tau1*v10 - t38;
+    jacobian[0] = cos_omega1_half_tau_by_tau*(t13 - t40) + cos_omega2_half_tau_by_tau*t40 + sin_omega1_half_tau_by_tau*(-p1*t21 + t21 + t36) + sin_omega2_half_tau_by_tau*(V*t26 - t35*t8) + t41*v10_by_tau;
+    jacobian[1] = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t41*v10_by_tau1;
+    jacobian[2] = sin_half_tau1*v10_by_tau;
+    jacobian[3] = -cos_half_tau1*t30 + (1.0/2.0)*cos_half_tau1*t39 + cos_half_tau1_by_tau1*(chi*t13 + t29) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t39 + v10);
+}
+
+/* All unknowns from the reduced ones, and how singular the linear equations for them are: 0 if they are.
+ * Takes parameters (4), spectrum (7), reduced (2); gives unknowns (5), determinants (1), row by row.
+ * Operations: 54. Intermediate terms: 20. */
+void dry_friction_symmetric_expand(
+    const double parameters[4], const double spectrum[7], const double reduced[2], double unknowns[5], double determinants[1])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double tau = reduced[0];
+    const double tau1 = reduced[1];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in slip-slip */
+    const double t0 = half_tau*omega1;
+    const double cos_omega1_half_tau = cos(t0);
+    const double sin_omega1_half_tau = sin(t0);
+    const double t1 = half_tau*omega2;
+    const double cos_omega2_half_tau = cos(t1);
+    const double sin_omega2_half_tau = sin(t1);
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* coefficients of the linear equations */
+    const double t2 = (1.0/(omega2));
+    const double t3 = sin_omega2_half_tau*t2;
+    const double t4 = sin_omega1_half_tau/omega1;
+    const double coefficient11 = -p1*t3 + p1*t4 + t3;
+    /* right-hand sides of the linear equations */
+    const double t5 = V*half_tau1;
+    const double t6 = (1.0/(chi));
+    const double t7 = e2*t6;
+    const double right1 = V*cos_omega2_half_tau*half_tau1*p1 + V*cos_omega2_half_tau*half_tau1*p2 + V*p2*sin_omega2_half_tau*t2 - V*p2*t4 + cos_omega1_half_tau*e2*p1*t6 - cos_omega1_half_tau*p1*t5 - cos_omega1_half_tau*p2*t5 + cos_omega2_half_tau*e2*t6 - cos_omega2_half_tau*p1*t7 - cos_omega2_half_tau*t5;
+    /* determinant of the linear equations */
+    const double determinant = coefficient11;
+    /* v10 by Cramer's rule */
+    const double v10 = right1/determinant;
+    /* z10: linear in: second-breaks-forward ends slip-stick */
+    const double z10 = t5 - t7;
+    /* z20: linear in: z2 vanishes halfway through slip-stick */
+    const double z20 = t5;
+    unknowns[0] = z10;
+    unknowns[1] = z20;
+    unknowns[2] = v10;
+    unknowns[3] = tau;
+    unknowns[4] = tau1;
+    determinants[0] = determinant/fabs(coefficient11);
 }
 
 /* Switching and periodicity equations.
@@ -1206,6 +2847,348 @@ void dry_friction_global_stick_poincare_jacobian(
     poincare_jacobian[1] = z1_4_on_boundary_by_z20;
     poincare_jacobian[2] = z2_4_on_boundary_by_z10;
     poincare_jacobian[3] = z2_4_on_boundary_by_z20;
+}
+
+/* Saltation matrices of the transitions, one below the other.
+ * Takes parameters (5), spectrum (7), unknowns (6); gives saltations (16, 4), row by row.
+ * Operations: 167. Intermediate terms: 56. */
+void dry_friction_global_stick_saltations(
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double saltations[64])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double ta = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    const double tau2 = unknowns[5];
+    /* stick-stick for ta, until first-breaks-forward */
+    const double t0 = V*ta;
+    const double z1_1 = t0 + z10;
+    const double z2_1 = t0 + z20;
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t1 = -chi*cos_tau + chi;
+    const double t2 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + t1*z2_1;
+    const double z2_2 = V*tau + z2_1;
+    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z1_1 + t2*z2_1;
+    /* functions of tau1 in slip-slip */
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t4 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t4);
+    const double sin_omega2_tau1 = sin(t4);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t5 = (1.0/(omega1));
+    const double t6 = sin_omega1_tau1*t5;
+    const double t7 = 1 - p1;
+    const double t8 = sin_omega2_tau1/omega2;
+    const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7;
+    const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t5 - p2*t8) + t10*z2_2 + t9*z1_2 + v1_2*(p1*t6 + t7*t8);
+    const double t11 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t12 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t8 + t6*t7) + t11*z1_2 + t12*z2_2 + v1_2*(p3*sin_omega1_tau1*t5 - p3*t8);
+    const double t13 = omega2*sin_omega2_tau1;
+    const double t14 = omega1*sin_omega1_tau1;
+    const double v1_3 = V*t10 + t9*v1_2 + z1_2*(-p1*t14 - t13*t7) + z2_2*(omega2*p2*sin_omega2_tau1 - p2*t14);
+    const double v2_3 = V*t12 + t11*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t14) + z2_2*(-p1*t13 - t14*t7);
+    /* functions of tau2 in stick-slip */
+    const double t15 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t15);
+    const double sin_omega3_tau2 = sin(t15);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t16 = 1 - cos_omega3_tau2;
+    const double t17 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t17 + tau2) + cos_omega3_tau2*z2_3 + t16*z1_3 + t17*v2_3;
+    const double t18 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t16 + cos_omega3_tau2*v2_3 + t18*z1_3 - t18*z2_3;
+    /* vector fields at transition 1 */
+    const double behind_v1_1 = chi*z2_1 - z1_1;
+    /* vector fields at transition 2 */
+    const double t19 = chi*z2_2;
+    const double before_v1_2 = t19 - z1_2;
+    const double behind_v1_2 = before_v1_2;
+    const double t21 = chi*eta;
+    const double behind_v2_2 = -eta*t19 + t21*z1_2;
+    /* vector fields at transition 3 */
+    const double t22 = chi*z2_3;
+    const double before_v1_3 = t22 - z1_3;
+    const double before_v2_3 = -eta*t22 + t21*z1_3;
+    const double behind_v2_3 = before_v2_3;
+    /* vector fields at transition 4 */
+    const double before_v2_4 = t21*z1_4 - t21*z2_4;
+    /* outputs */
+    const double t24 = V*chi;
+    const double t25 = behind_v1_1/(V - t24);
+    const double t26 = chi/(-chi*v1_2 + t24);
+    const double t27 = t26*(-before_v1_2 + behind_v1_2);
+    const double t28 = behind_v2_2*t26;
+    const double t29 = (1.0/(before_v1_3));
+    saltations[0] = 1;
+    saltations[1] = 0;
+    saltations[2] = 0;
+    saltations[3] = 0;
+    saltations[4] = 0;
+    saltations[5] = 1;
+    saltations[6] = 0;
+    saltations[7] = 0;
+    saltations[8] = t25;
+    saltations[9] = -chi*t25;
+    saltations[10] = 1;
+    saltations[11] = 0;
+    saltations[12] = 0;
+    saltations[13] = 0;
+    saltations[14] = 0;
+    saltations[15] = 1;
+    saltations[16] = 1;
+    saltations[17] = 0;
+    saltations[18] = 0;
+    saltations[19] = 0;
+    saltations[20] = 0;
+    saltations[21] = 1;
+    saltations[22] = 0;
+    saltations[23] = 0;
+    saltations[24] = -t27;
+    saltations[25] = t27;
+    saltations[26] = 1;
+    saltations[27] = 0;
+    saltations[28] = -t28;
+    saltations[29] = t28;
+    saltations[30] = 0;
+    saltations[31] = 1;
+    saltations[32] = 1;
+    saltations[33] = 0;
+    saltations[34] = t29*(V - v1_3);
+    saltations[35] = 0;
+    saltations[36] = 0;
+    saltations[37] = 1;
+    saltations[38] = 0;
+    saltations[39] = 0;
+    saltations[40] = 0;
+    saltations[41] = 0;
+    saltations[42] = 0;
+    saltations[43] = 0;
+    saltations[44] = 0;
+    saltations[45] = 0;
+    saltations[46] = t29*(-before_v2_3 + behind_v2_3);
+    saltations[47] = 1;
+    saltations[48] = 1;
+    saltations[49] = 0;
+    saltations[50] = 0;
+    saltations[51] = 0;
+    saltations[52] = 0;
+    saltations[53] = 1;
+    saltations[54] = 0;
+    saltations[55] = (V - v2_4)/before_v2_4;
+    saltations[56] = 0;
+    saltations[57] = 0;
+    saltations[58] = 1;
+    saltations[59] = 0;
+    saltations[60] = 0;
+    saltations[61] = 0;
+    saltations[62] = 0;
+    saltations[63] = 0;
+}
+
+/* Monodromy matrix: the product of flows and saltation matrices over a period.
+ * Takes parameters (5), spectrum (7), unknowns (6); gives monodromy (4, 4), row by row.
+ * Operations: 378. Intermediate terms: 130. */
+void dry_friction_global_stick_monodromy(
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double monodromy[16])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double ta = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    const double tau2 = unknowns[5];
+    /* stick-stick for ta, until first-breaks-forward */
+    const double t0 = V*ta;
+    const double z1_1 = t0 + z10;
+    const double z2_1 = t0 + z20;
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t1 = chi*cos_tau;
+    const double t2 = chi - t1;
+    const double t3 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t3) + cos_tau*z1_1 + t2*z2_1;
+    const double z2_2 = V*tau + z2_1;
+    const double v1_2 = V*cos_tau + V*t2 - sin_tau*z1_1 + t3*z2_1;
+    /* functions of tau1 in slip-slip */
+    const double t4 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t4);
+    const double sin_omega1_tau1 = sin(t4);
+    const double t5 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t5);
+    const double sin_omega2_tau1 = sin(t5);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t6 = (1.0/(omega1));
+    const double t7 = sin_omega1_tau1*t6;
+    const double t8 = 1 - p1;
+    const double t9 = sin_omega2_tau1/omega2;
+    const double t10 = p1*t7 + t8*t9;
+    const double t11 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
+    const double t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t13 = p2*sin_omega1_tau1*t6 - p2*t9;
+    const double z1_3 = V*t13 + t10*v1_2 + t11*z1_2 + t12*z2_2;
+    const double t14 = p3*sin_omega1_tau1*t6 - p3*t9;
+    const double t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
+    const double t17 = p1*t9 + t7*t8;
+    const double z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2;
+    const double t18 = omega2*sin_omega2_tau1;
+    const double t19 = omega1*sin_omega1_tau1;
+    const double t20 = -p1*t19 - t18*t8;
+    const double t21 = p2*t19;
+    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
+    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
+    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
+    const double t24 = p1*t18;
+    const double t25 = t19*t8;
+    const double t26 = -t24 - t25;
+    const double v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t26*z2_2;
+    /* functions of tau2 in stick-slip */
+    const double t27 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t27);
+    const double sin_omega3_tau2 = sin(t27);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t28 = 1 - cos_omega3_tau2;
+    const double t29 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3;
+    const double t30 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3;
+    /* vector fields at transition 1 */
+    const double behind_v1_1 = chi*z2_1 - z1_1;
+    /* vector fields at transition 2 */
+    const double t31 = chi*z2_2;
+    const double before_v1_2 = t31 - z1_2;
+    const double behind_v1_2 = before_v1_2;
+    const double t33 = chi*eta;
+    const double behind_v2_2 = -eta*t31 + t33*z1_2;
+    /* vector fields at transition 3 */
+    const double t34 = chi*z2_3;
+    const double before_v1_3 = t34 - z1_3;
+    const double before_v2_3 = -eta*t34 + t33*z1_3;
+    const double behind_v2_3 = before_v2_3;
+    /* vector fields at transition 4 */
+    const double before_v2_4 = t33*z1_4 - t33*z2_4;
+    /* saltation of phase 1 */
+    const double t36 = V*chi;
+    const double saltation_1_20 = behind_v1_1/(V - t36);
+    const double t38 = chi*saltation_1_20;
+    const double saltation_1_21 = -t38;
+    const double saltation_1_22 = saltation_1_20*ta + 1;
+    const double saltation_1_23 = -t38*ta;
+    /* Phi of phase 2 */
+    const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
+    const double t39 = chi - t1;
+    const double phi_2_01 = saltation_1_21*sin_tau + t39;
+    const double phi_2_02 = cos_tau*ta + saltation_1_22*sin_tau;
+    const double phi_2_03 = chi*tau + saltation_1_23*sin_tau + t2*ta - t3;
+    const double phi_2_13 = ta + tau;
+    const double phi_2_20 = cos_tau*saltation_1_20 - sin_tau;
+    const double phi_2_21 = cos_tau*saltation_1_21 + t3;
+    const double phi_2_22 = cos_tau*saltation_1_22 - sin_tau*ta;
+    const double phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t39;
+    /* saltation of phase 2 */
+    const double t40 = (1.0/((-chi*v1_2 + t36)));
+    const double t41 = chi*t40;
+    const double t42 = t41*(-before_v1_2 + behind_v1_2);
+    const double saltation_2_20 = -phi_2_00*t42 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t42 + phi_2_21 + t42;
+    const double saltation_2_22 = -phi_2_02*t42 + phi_2_22;
+    const double saltation_2_23 = -phi_2_03*t42 + phi_2_13*t42 + phi_2_23;
+    const double t43 = behind_v2_2*t41;
+    const double saltation_2_30 = -phi_2_00*t43;
+    const double saltation_2_31 = behind_v2_2*chi*t40 - phi_2_01*t43;
+    const double saltation_2_32 = -phi_2_02*t43;
+    const double saltation_2_33 = -phi_2_03*t43 + phi_2_13*t43 + 1;
+    /* Phi of phase 3 */
+    const double phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13;
+    const double phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12;
+    const double phi_3_02 = phi_2_02*t11 + saltation_2_22*t10 + saltation_2_32*t13;
+    const double phi_3_03 = phi_2_03*t11 + phi_2_13*t12 + saltation_2_23*t10 + saltation_2_33*t13;
+    const double phi_3_10 = phi_2_00*t15 + saltation_2_20*t14 + saltation_2_30*t17;
+    const double phi_3_11 = phi_2_01*t15 + saltation_2_21*t14 + saltation_2_31*t17 + t16;
+    const double phi_3_12 = phi_2_02*t15 + saltation_2_22*t14 + saltation_2_32*t17;
+    const double phi_3_13 = phi_2_03*t15 + phi_2_13*t16 + saltation_2_23*t14 + saltation_2_33*t17;
+    const double phi_3_20 = phi_2_00*t20 + saltation_2_20*t11 + saltation_2_30*t12;
+    const double phi_3_21 = p2*t18 + phi_2_01*t20 + saltation_2_21*t11 + saltation_2_31*t12 - t21;
+    const double phi_3_22 = phi_2_02*t20 + saltation_2_22*t11 + saltation_2_32*t12;
+    const double phi_3_23 = phi_2_03*t20 + phi_2_13*t22 + saltation_2_23*t11 + saltation_2_33*t12;
+    const double phi_3_30 = phi_2_00*t23 + saltation_2_20*t15 + saltation_2_30*t16;
+    const double phi_3_31 = phi_2_01*t23 + saltation_2_21*t15 + saltation_2_31*t16 - t24 - t25;
+    const double phi_3_32 = phi_2_02*t23 + saltation_2_22*t15 + saltation_2_32*t16;
+    const double phi_3_33 = phi_2_03*t23 + phi_2_13*t26 + saltation_2_23*t15 + saltation_2_33*t16;
+    /* saltation of phase 3 */
+    const double t44 = (1.0/(before_v1_3));
+    const double t45 = t44*(V - v1_3);
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t45;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t45;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t45;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t45;
+    const double t46 = t44*(-before_v2_3 + behind_v2_3);
+    const double saltation_3_30 = phi_3_20*t46 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t46 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t46 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t46 + phi_3_33;
+    /* Phi of phase 4 */
+    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29;
+    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29;
+    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29;
+    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29;
+    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30;
+    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30;
+    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30;
+    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30;
+    /* saltation of phase 4 */
+    const double t47 = (V - v2_4)/before_v2_4;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t47;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t47;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t47;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t47;
+    monodromy[0] = saltation_3_00;
+    monodromy[1] = saltation_3_01;
+    monodromy[2] = saltation_3_02;
+    monodromy[3] = saltation_3_03;
+    monodromy[4] = saltation_4_10;
+    monodromy[5] = saltation_4_11;
+    monodromy[6] = saltation_4_12;
+    monodromy[7] = saltation_4_13;
+    monodromy[8] = 0;
+    monodromy[9] = 0;
+    monodromy[10] = 0;
+    monodromy[11] = 0;
+    monodromy[12] = 0;
+    monodromy[13] = 0;
+    monodromy[14] = 0;
+    monodromy[15] = 0;
 }
 
 /* Trace of the Poincare map's Jacobian.
@@ -2295,12 +4278,3127 @@ void dry_friction_global_stick_expand(
     unknowns[5] = tau2;
 }
 
+/* Switching and periodicity equations.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives residual (6), row by row.
+ * Operations: 139. Intermediate terms: 36. */
+void dry_friction_solution_ii_residual(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double residual[6])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    const double e1 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20;
+    /* functions of tau1 in slip-slip */
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t4 = (1.0/(omega1));
+    const double t5 = sin_omega1_tau1*t4;
+    const double t6 = 1 - p1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t6;
+    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + t8*z1_2 + t9*z2_2 + v1_2*(p1*t5 + t6*t7);
+    const double t10 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t11 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t10*z1_2 + t11*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7);
+    const double t12 = omega2*sin_omega2_tau1;
+    const double t13 = omega1*sin_omega1_tau1;
+    const double v1_3 = V*t9 + t8*v1_2 + z1_2*(-p1*t13 - t12*t6) + z2_2*(omega2*p2*sin_omega2_tau1 - p2*t13);
+    const double v2_3 = V*t11 + t10*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t13) + z2_2*(-p1*t12 - t13*t6);
+    /* functions of tau2 in stick-slip */
+    const double t14 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t14);
+    const double sin_omega3_tau2 = sin(t14);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t15 = 1 - cos_omega3_tau2;
+    const double t16 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t16 + tau2) + cos_omega3_tau2*z2_3 + t15*z1_3 + t16*v2_3;
+    const double t17 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t15 + cos_omega3_tau2*v2_3 + t17*z1_3 - t17*z2_3;
+    residual[0] = -chi*z20 - e1 + z10;
+    residual[1] = -chi*z1_2 + chi*z2_2 - e2;
+    residual[2] = -V + v1_3;
+    residual[3] = -V + v2_4;
+    residual[4] = -z10 + z1_4;
+    residual[5] = -z20 + z2_4;
+}
+
+/* Derivatives of the equations by the unknowns.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives jacobian (6, 6), row by row.
+ * Operations: 317. Intermediate terms: 94. */
+void dry_friction_solution_ii_jacobian(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double jacobian[36])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t3 = chi*cos_tau;
+    const double t4 = chi - t3;
+    const double t5 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t5) + cos_tau*z10 + t4*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t4 - sin_tau*z10 + t5*z20;
+    /* functions of tau1 in slip-slip */
+    const double t6 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t6);
+    const double sin_omega1_tau1 = sin(t6);
+    const double t9 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t9);
+    const double sin_omega2_tau1 = sin(t9);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t12 = (1.0/(omega1));
+    const double t15 = (1.0/(omega2));
+    const double t16 = sin_omega2_tau1*t15;
+    const double t13 = sin_omega1_tau1*t12;
+    const double t14 = 1 - p1;
+    const double t17 = p1*t13 + t14*t16;
+    const double t18 = cos_omega1_tau1*p1 + cos_omega2_tau1*t14;
+    const double t19 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t12 - p2*t16) + t17*v1_2 + t18*z1_2 + t19*z2_2;
+    const double t20 = p3*sin_omega1_tau1*t12 - p3*t16;
+    const double t21 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t22 = cos_omega1_tau1*t14 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t16 + t13*t14) + t20*v1_2 + t21*z1_2 + t22*z2_2;
+    const double t23 = omega1*sin_omega1_tau1;
+    const double t24 = omega2*p3*sin_omega2_tau1 - p3*t23;
+    const double t25 = omega2*sin_omega2_tau1;
+    const double t26 = p1*t25 + t14*t23;
+    const double t28 = V*t22;
+    const double v2_3 = t21*v1_2 + t24*z1_2 - t26*z2_2 + t28;
+    /* functions of tau2 in stick-slip */
+    const double t29 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t29);
+    const double sin_omega3_tau2 = sin(t29);
+    /* d/dtau of: functions of tau in slip-stick */
+    const double cos_tau_by_tau = -sin_tau;
+    const double sin_tau_by_tau = cos_tau;
+    /* d/dz10 of: slip-stick for tau, until second-breaks-forward */
+    const double v1_2_by_z10 = -sin_tau;
+    /* d/dz20 of: slip-stick for tau, until second-breaks-forward */
+    const double z1_2_by_z20 = t4;
+    const double v1_2_by_z20 = t5;
+    /* d/dtau of: slip-stick for tau, until second-breaks-forward */
+    const double t32 = chi*z20 - z10;
+    const double t33 = V*chi;
+    const double t34 = V - t33;
+    const double z1_2_by_tau = -cos_tau_by_tau*t32 + sin_tau_by_tau*t34 + t33;
+    const double v1_2_by_tau = cos_tau_by_tau*t34 + sin_tau_by_tau*t32;
+    /* d/dtau1 of: functions of tau1 in slip-slip */
+    const double cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1;
+    const double sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1;
+    const double cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1;
+    const double sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2;
+    /* d/dz10 of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_z10 = cos_tau*t18 + t17*v1_2_by_z10;
+    const double z2_3_by_z10 = cos_tau*t21 + t20*v1_2_by_z10;
+    const double t35 = -p1*t23 - t14*t25;
+    const double v1_3_by_z10 = cos_tau*t35 + t18*v1_2_by_z10;
+    const double v2_3_by_z10 = cos_tau*t24 + t21*v1_2_by_z10;
+    /* d/dz20 of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_z20 = t17*v1_2_by_z20 + t18*z1_2_by_z20 + t19;
+    const double z2_3_by_z20 = t20*v1_2_by_z20 + t21*z1_2_by_z20 + t22;
+    const double t36 = p2*t23;
+    const double v1_3_by_z20 = p2*t25 + t18*v1_2_by_z20 + t35*z1_2_by_z20 - t36;
+    const double v2_3_by_z20 = t21*v1_2_by_z20 + t24*z1_2_by_z20 - t26;
+    /* d/dtau of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_tau = V*t19 + t17*v1_2_by_tau + t18*z1_2_by_tau;
+    const double z2_3_by_tau = t20*v1_2_by_tau + t21*z1_2_by_tau + t28;
+    const double v1_3_by_tau = V*(omega2*p2*sin_omega2_tau1 - t36) + t18*v1_2_by_tau + t35*z1_2_by_tau;
+    const double v2_3_by_tau = -V*t26 + t21*v1_2_by_tau + t24*z1_2_by_tau;
+    /* d/dtau1 of: slip-slip for tau1, until first-reaches-belt */
+    const double t37 = p1*z1_2;
+    const double t38 = p2*z2_2;
+    const double t39 = p1*v1_2;
+    const double t40 = V*p2;
+    const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*(t37 + t38) + cos_omega2_tau1_by_tau1*(t14*z1_2 - t38) + sin_omega1_tau1_by_tau1*(t12*t39 + t12*t40) + sin_omega2_tau1_by_tau1*(t14*t15*v1_2 - t15*t40);
+    const double t41 = p3*z1_2;
+    const double t42 = t14*z2_2;
+    const double t43 = p1*z2_2;
+    const double t44 = p3*v1_2;
+    const double t45 = V*t14;
+    const double t46 = V*p1;
+    const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*(t41 + t42) + cos_omega2_tau1_by_tau1*(-t41 + t43) + sin_omega1_tau1_by_tau1*(t12*t44 + t12*t45) + sin_omega2_tau1_by_tau1*(-t15*t44 + t15*t46);
+    const double v1_3_by_tau1 = cos_omega1_tau1_by_tau1*(t39 + t40) + cos_omega2_tau1_by_tau1*(t14*v1_2 - t40) + sin_omega1_tau1_by_tau1*(-omega1*t37 - omega1*t38) + sin_omega2_tau1_by_tau1*(-omega2*t14*z1_2 + omega2*t38);
+    const double v2_3_by_tau1 = cos_omega1_tau1_by_tau1*(t44 + t45) + cos_omega2_tau1_by_tau1*(-t44 + t46) + sin_omega1_tau1_by_tau1*(-omega1*t41 - omega1*t42) + sin_omega2_tau1_by_tau1*(omega2*p3*z1_2 - omega2*t43);
+    /* d/dtau2 of: functions of tau2 in stick-slip */
+    const double cos_omega3_tau2_by_tau2 = -omega3*sin_omega3_tau2;
+    const double sin_omega3_tau2_by_tau2 = cos_omega3_tau2*omega3;
+    /* d/dz10 of: stick-slip for tau2, until second-reaches-belt */
+    const double t47 = 1 - cos_omega3_tau2;
+    const double t48 = (1.0/(omega3));
+    const double t49 = sin_omega3_tau2*t48;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t47*z1_3_by_z10 + t49*v2_3_by_z10;
+    const double t50 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t50*z1_3_by_z10 - t50*z2_3_by_z10;
+    /* d/dz20 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t47*z1_3_by_z20 + t49*v2_3_by_z20;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t50*z1_3_by_z20 - t50*z2_3_by_z20;
+    /* d/dtau of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t47*z1_3_by_tau + t49*v2_3_by_tau;
+    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t50*z1_3_by_tau - t50*z2_3_by_tau;
+    /* d/dtau1 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t47*z1_3_by_tau1 + t49*v2_3_by_tau1;
+    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t50*z1_3_by_tau1 - t50*z2_3_by_tau1;
+    /* d/dtau2 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*(-z1_3 + z2_3) + sin_omega3_tau2_by_tau2*(-V*t48 + t48*v2_3);
+    const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*(-V + v2_3) + sin_omega3_tau2_by_tau2*(omega3*z1_3 - omega3*z2_3);
+    jacobian[0] = 1;
+    jacobian[1] = -chi;
+    jacobian[2] = 0;
+    jacobian[3] = 0;
+    jacobian[4] = 0;
+    jacobian[5] = -1;
+    jacobian[6] = -t3;
+    jacobian[7] = -chi*z1_2_by_z20 + chi;
+    jacobian[8] = -chi*z1_2_by_tau + t33;
+    jacobian[9] = 0;
+    jacobian[10] = 0;
+    jacobian[11] = 0;
+    jacobian[12] = v1_3_by_z10;
+    jacobian[13] = v1_3_by_z20;
+    jacobian[14] = v1_3_by_tau;
+    jacobian[15] = v1_3_by_tau1;
+    jacobian[16] = 0;
+    jacobian[17] = 0;
+    jacobian[18] = v2_4_by_z10;
+    jacobian[19] = v2_4_by_z20;
+    jacobian[20] = v2_4_by_tau;
+    jacobian[21] = v2_4_by_tau1;
+    jacobian[22] = v2_4_by_tau2;
+    jacobian[23] = 0;
+    jacobian[24] = z1_3_by_z10 - 1;
+    jacobian[25] = z1_3_by_z20;
+    jacobian[26] = z1_3_by_tau;
+    jacobian[27] = z1_3_by_tau1;
+    jacobian[28] = V;
+    jacobian[29] = 0;
+    jacobian[30] = z2_4_by_z10;
+    jacobian[31] = z2_4_by_z20 - 1;
+    jacobian[32] = z2_4_by_tau;
+    jacobian[33] = z2_4_by_tau1;
+    jacobian[34] = z2_4_by_tau2;
+    jacobian[35] = 0;
+}
+
+/* Equations and their derivatives by the unknowns, sharing all intermediate terms.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives residual (6), jacobian (6, 6), row by row.
+ * Operations: 350. Intermediate terms: 102. */
+void dry_friction_solution_ii_residual_and_jacobian(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double residual[6], double jacobian[36])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    const double e1 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t3 = chi*cos_tau;
+    const double t4 = chi - t3;
+    const double t5 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t5) + cos_tau*z10 + t4*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t4 - sin_tau*z10 + t5*z20;
+    /* functions of tau1 in slip-slip */
+    const double t6 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t6);
+    const double sin_omega1_tau1 = sin(t6);
+    const double t9 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t9);
+    const double sin_omega2_tau1 = sin(t9);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t12 = (1.0/(omega1));
+    const double t15 = (1.0/(omega2));
+    const double t16 = sin_omega2_tau1*t15;
+    const double t13 = sin_omega1_tau1*t12;
+    const double t14 = 1 - p1;
+    const double t17 = p1*t13 + t14*t16;
+    const double t18 = cos_omega1_tau1*p1 + cos_omega2_tau1*t14;
+    const double t19 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t12 - p2*t16) + t17*v1_2 + t18*z1_2 + t19*z2_2;
+    const double t20 = p3*sin_omega1_tau1*t12 - p3*t16;
+    const double t21 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t22 = cos_omega1_tau1*t14 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t16 + t13*t14) + t20*v1_2 + t21*z1_2 + t22*z2_2;
+    const double t23 = omega2*sin_omega2_tau1;
+    const double t24 = omega1*sin_omega1_tau1;
+    const double t25 = -p1*t24 - t14*t23;
+    const double t26 = p2*t24;
+    const double t27 = omega2*p2*sin_omega2_tau1 - t26;
+    const double t28 = V*t19;
+    const double v1_3 = t18*v1_2 + t25*z1_2 + t27*z2_2 + t28;
+    const double t29 = omega2*p3*sin_omega2_tau1 - p3*t24;
+    const double t30 = p1*t23 + t14*t24;
+    const double t32 = V*t22;
+    const double v2_3 = t21*v1_2 + t29*z1_2 - t30*z2_2 + t32;
+    /* functions of tau2 in stick-slip */
+    const double t33 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t33);
+    const double sin_omega3_tau2 = sin(t33);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t36 = 1 - cos_omega3_tau2;
+    const double t37 = (1.0/(omega3));
+    const double t38 = sin_omega3_tau2*t37;
+    const double z2_4 = V*(-t38 + tau2) + cos_omega3_tau2*z2_3 + t36*z1_3 + t38*v2_3;
+    const double t39 = omega3*z1_3;
+    const double t40 = omega3*z2_3;
+    const double v2_4 = V*t36 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t39 - sin_omega3_tau2*t40;
+    /* d/dtau of: functions of tau in slip-stick */
+    const double cos_tau_by_tau = -sin_tau;
+    const double sin_tau_by_tau = cos_tau;
+    /* d/dz10 of: slip-stick for tau, until second-breaks-forward */
+    const double v1_2_by_z10 = -sin_tau;
+    /* d/dz20 of: slip-stick for tau, until second-breaks-forward */
+    const double z1_2_by_z20 = t4;
+    const double v1_2_by_z20 = t5;
+    /* d/dtau of: slip-stick for tau, until second-breaks-forward */
+    const double t41 = chi*z20 - z10;
+    const double t42 = V*chi;
+    const double t43 = V - t42;
+    const double z1_2_by_tau = -cos_tau_by_tau*t41 + sin_tau_by_tau*t43 + t42;
+    const double v1_2_by_tau = cos_tau_by_tau*t43 + sin_tau_by_tau*t41;
+    /* d/dtau1 of: functions of tau1 in slip-slip */
+    const double cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1;
+    const double sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1;
+    const double cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1;
+    const double sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2;
+    /* d/dz10 of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_z10 = cos_tau*t18 + t17*v1_2_by_z10;
+    const double z2_3_by_z10 = cos_tau*t21 + t20*v1_2_by_z10;
+    const double v1_3_by_z10 = cos_tau*t25 + t18*v1_2_by_z10;
+    const double v2_3_by_z10 = cos_tau*t29 + t21*v1_2_by_z10;
+    /* d/dz20 of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_z20 = t17*v1_2_by_z20 + t18*z1_2_by_z20 + t19;
+    const double z2_3_by_z20 = t20*v1_2_by_z20 + t21*z1_2_by_z20 + t22;
+    const double v1_3_by_z20 = p2*t23 + t18*v1_2_by_z20 + t25*z1_2_by_z20 - t26;
+    const double v2_3_by_z20 = t21*v1_2_by_z20 + t29*z1_2_by_z20 - t30;
+    /* d/dtau of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t28;
+    const double z2_3_by_tau = t20*v1_2_by_tau + t21*z1_2_by_tau + t32;
+    const double v1_3_by_tau = V*t27 + t18*v1_2_by_tau + t25*z1_2_by_tau;
+    const double v2_3_by_tau = -V*t30 + t21*v1_2_by_tau + t29*z1_2_by_tau;
+    /* d/dtau1 of: slip-slip for tau1, until first-reaches-belt */
+    const double t44 = p1*z1_2;
+    const double t45 = p2*z2_2;
+    const double t46 = p1*v1_2;
+    const double t47 = V*p2;
+    const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*(t44 + t45) + cos_omega2_tau1_by_tau1*(t14*z1_2 - t45) + sin_omega1_tau1_by_tau1*(t12*t46 + t12*t47) + sin_omega2_tau1_by_tau1*(t14*t15*v1_2 - t15*t47);
+    const double t48 = p3*z1_2;
+    const double t49 = t14*z2_2;
+    const double t50 = p1*z2_2;
+    const double t51 = p3*v1_2;
+    const double t52 = V*t14;
+    const double t53 = V*p1;
+    const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*(t48 + t49) + cos_omega2_tau1_by_tau1*(-t48 + t50) + sin_omega1_tau1_by_tau1*(t12*t51 + t12*t52) + sin_omega2_tau1_by_tau1*(-t15*t51 + t15*t53);
+    const double v1_3_by_tau1 = cos_omega1_tau1_by_tau1*(t46 + t47) + cos_omega2_tau1_by_tau1*(t14*v1_2 - t47) + sin_omega1_tau1_by_tau1*(-omega1*t44 - omega1*t45) + sin_omega2_tau1_by_tau1*(-omega2*t14*z1_2 + omega2*t45);
+    const double v2_3_by_tau1 = cos_omega1_tau1_by_tau1*(t51 + t52) + cos_omega2_tau1_by_tau1*(-t51 + t53) + sin_omega1_tau1_by_tau1*(-omega1*t48 - omega1*t49) + sin_omega2_tau1_by_tau1*(omega2*p3*z1_2 - omega2*t50);
+    /* d/dtau2 of: functions of tau2 in stick-slip */
+    const double cos_omega3_tau2_by_tau2 = -omega3*sin_omega3_tau2;
+    const double sin_omega3_tau2_by_tau2 = cos_omega3_tau2*omega3;
+    /* d/dz10 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t36*z1_3_by_z10 + t38*v2_3_by_z10;
+    const double t54 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t54*z1_3_by_z10 - t54*z2_3_by_z10;
+    /* d/dz20 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t36*z1_3_by_z20 + t38*v2_3_by_z20;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t54*z1_3_by_z20 - t54*z2_3_by_z20;
+    /* d/dtau of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t36*z1_3_by_tau + t38*v2_3_by_tau;
+    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t54*z1_3_by_tau - t54*z2_3_by_tau;
+    /* d/dtau1 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t36*z1_3_by_tau1 + t38*v2_3_by_tau1;
+    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t54*z1_3_by_tau1 - t54*z2_3_by_tau1;
+    /* d/dtau2 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*(-z1_3 + z2_3) + sin_omega3_tau2_by_tau2*(-V*t37 + t37*v2_3);
+    const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*(-V + v2_3) + sin_omega3_tau2_by_tau2*(t39 - t40);
+    residual[0] = -e1 - t41;
+    residual[1] = -chi*z1_2 + chi*z2_2 - e2;
+    residual[2] = -V + v1_3;
+    residual[3] = -V + v2_4;
+    residual[4] = -z10 + z1_4;
+    residual[5] = -z20 + z2_4;
+    jacobian[0] = 1;
+    jacobian[1] = -chi;
+    jacobian[2] = 0;
+    jacobian[3] = 0;
+    jacobian[4] = 0;
+    jacobian[5] = -1;
+    jacobian[6] = -t3;
+    jacobian[7] = -chi*z1_2_by_z20 + chi;
+    jacobian[8] = -chi*z1_2_by_tau + t42;
+    jacobian[9] = 0;
+    jacobian[10] = 0;
+    jacobian[11] = 0;
+    jacobian[12] = v1_3_by_z10;
+    jacobian[13] = v1_3_by_z20;
+    jacobian[14] = v1_3_by_tau;
+    jacobian[15] = v1_3_by_tau1;
+    jacobian[16] = 0;
+    jacobian[17] = 0;
+    jacobian[18] = v2_4_by_z10;
+    jacobian[19] = v2_4_by_z20;
+    jacobian[20] = v2_4_by_tau;
+    jacobian[21] = v2_4_by_tau1;
+    jacobian[22] = v2_4_by_tau2;
+    jacobian[23] = 0;
+    jacobian[24] = z1_3_by_z10 - 1;
+    jacobian[25] = z1_3_by_z20;
+    jacobian[26] = z1_3_by_tau;
+    jacobian[27] = z1_3_by_tau1;
+    jacobian[28] = V;
+    jacobian[29] = 0;
+    jacobian[30] = z2_4_by_z10;
+    jacobian[31] = z2_4_by_z20 - 1;
+    jacobian[32] = z2_4_by_tau;
+    jacobian[33] = z2_4_by_tau1;
+    jacobian[34] = z2_4_by_tau2;
+    jacobian[35] = 0;
+}
+
+/* Total derivatives of the equations by the parameters, through the spectrum too.
+ * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (6); gives parameter_jacobian (6, 4), row by row.
+ * Operations: 498. Intermediate terms: 139. */
+void dry_friction_solution_ii_parameter_jacobian(
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[6], double parameter_jacobian[24])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double omega1_by_chi = spectrum_derivatives[2];
+    const double omega1_by_eta = spectrum_derivatives[3];
+    const double omega2_by_chi = spectrum_derivatives[4];
+    const double omega2_by_eta = spectrum_derivatives[5];
+    const double p1_by_chi = spectrum_derivatives[6];
+    const double p1_by_eta = spectrum_derivatives[7];
+    const double p2_by_chi = spectrum_derivatives[8];
+    const double p2_by_eta = spectrum_derivatives[9];
+    const double p3_by_chi = spectrum_derivatives[10];
+    const double p3_by_eta = spectrum_derivatives[11];
+    const double omega3_by_chi = spectrum_derivatives[12];
+    const double omega3_by_eta = spectrum_derivatives[13];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = chi*cos_tau;
+    const double t1 = chi - t0;
+    const double t2 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z10 + t1*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t2*z20;
+    /* functions of tau1 in slip-slip */
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t6 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t6);
+    const double sin_omega2_tau1 = sin(t6);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t9 = (1.0/(omega1));
+    const double t10 = sin_omega1_tau1*t9;
+    const double t11 = 1 - p1;
+    const double t12 = (1.0/(omega2));
+    const double t13 = sin_omega2_tau1*t12;
+    const double t14 = p1*t10 + t11*t13;
+    const double t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t11;
+    const double t16 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t17 = p2*t13;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t9 - t17) + t14*v1_2 + t15*z1_2 + t16*z2_2;
+    const double t18 = p3*sin_omega1_tau1*t9 - p3*t13;
+    const double t19 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t20 = cos_omega1_tau1*t11 + cos_omega2_tau1*p1;
+    const double t21 = p1*t13 + t10*t11;
+    const double z2_3 = V*t21 + t18*v1_2 + t19*z1_2 + t20*z2_2;
+    const double t22 = omega1*sin_omega1_tau1;
+    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t22;
+    const double t24 = omega2*sin_omega2_tau1;
+    const double t25 = -p1*t24 - t11*t22;
+    const double v2_3 = V*t20 + t19*v1_2 + t23*z1_2 + t25*z2_2;
+    /* functions of tau2 in stick-slip */
+    const double t26 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t26);
+    const double sin_omega3_tau2 = sin(t26);
+    /* d/dchi of: slip-stick for tau, until second-breaks-forward */
+    const double t29 = 1 - cos_tau;
+    const double z1_2_by_chi = V*(-sin_tau + tau) + t29*z20;
+    const double v1_2_by_chi = V*t29 + sin_tau*z20;
+    /* d/dV of: slip-stick for tau, until second-breaks-forward */
+    const double t30 = chi*tau;
+    const double z1_2_by_V = sin_tau - t2 + t30;
+    const double v1_2_by_V = chi + cos_tau - t0;
+    /* d/dchi of: functions of tau1 in slip-slip */
+    const double t31 = omega1_by_chi*tau1;
+    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t31;
+    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t31;
+    const double t32 = omega2_by_chi*tau1;
+    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t32;
+    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t32;
+    /* d/deta of: functions of tau1 in slip-slip */
+    const double t33 = omega1_by_eta*tau1;
+    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t33;
+    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t33;
+    const double t34 = omega2_by_eta*tau1;
+    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t34;
+    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t34;
+    /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
+    const double t35 = p1*z1_2;
+    const double t36 = p2*z2_2;
+    const double t37 = t35 + t36;
+    const double t38 = t11*z1_2 - t36;
+    const double t39 = p1*v1_2;
+    const double t40 = sin_omega1_tau1/(omega1*omega1);
+    const double t41 = V*p2;
+    const double t42 = -t39*t40 - t40*t41;
+    const double t43 = (1.0/(omega2*omega2));
+    const double t44 = sin_omega2_tau1*t43;
+    const double t45 = -t11*t44*v1_2 + t41*t44;
+    const double t46 = -sin_omega1_tau1*t9 + t13;
+    const double t48 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t49 = -t46*v1_2 + t48*z1_2;
+    const double t50 = -V*t46 + t48*z2_2;
+    const double t51 = t39*t9 + t41*t9;
+    const double t52 = t11*t12*v1_2 - t12*t41;
+    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t37 + cos_omega2_tau1_by_chi*t38 + omega1_by_chi*t42 + omega2_by_chi*t45 + p1_by_chi*t49 + p2_by_chi*t50 + sin_omega1_tau1_by_chi*t51 + sin_omega2_tau1_by_chi*t52 + t14*v1_2_by_chi + t15*z1_2_by_chi;
+    const double t53 = p3*z1_2;
+    const double t54 = t11*z2_2;
+    const double t55 = t53 + t54;
+    const double t56 = p1*z2_2;
+    const double t57 = -t53 + t56;
+    const double t58 = p3*v1_2;
+    const double t59 = V*t11;
+    const double t60 = -t40*t58 - t40*t59;
+    const double t61 = V*p1;
+    const double t62 = p3*sin_omega2_tau1*t43*v1_2 - t44*t61;
+    const double t64 = V*t46 - t48*z2_2;
+    const double t65 = t58*t9 + t59*t9;
+    const double t66 = -t12*t58 + t12*t61;
+    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t55 + cos_omega2_tau1_by_chi*t57 + omega1_by_chi*t60 + omega2_by_chi*t62 + p1_by_chi*t64 + p3_by_chi*t49 + sin_omega1_tau1_by_chi*t65 + sin_omega2_tau1_by_chi*t66 + t18*v1_2_by_chi + t19*z1_2_by_chi;
+    const double t67 = t39 + t41;
+    const double t68 = t11*v1_2 - t41;
+    const double t69 = -sin_omega1_tau1*t35 - sin_omega1_tau1*t36;
+    const double t70 = t11*z1_2;
+    const double t71 = sin_omega2_tau1*t36 - sin_omega2_tau1*t70;
+    const double t72 = -omega2*sin_omega2_tau1 + t22;
+    const double t74 = t48*v1_2 - t72*z1_2;
+    const double t75 = V*t48 - t72*z2_2;
+    const double t76 = -omega1*t35 - omega1*t36;
+    const double t77 = omega2*t36 - omega2*t70;
+    const double t78 = -p1*t22 - t11*t24;
+    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t67 + cos_omega2_tau1_by_chi*t68 + omega1_by_chi*t69 + omega2_by_chi*t71 + p1_by_chi*t74 + p2_by_chi*t75 + sin_omega1_tau1_by_chi*t76 + sin_omega2_tau1_by_chi*t77 + t15*v1_2_by_chi + t78*z1_2_by_chi;
+    const double t79 = t58 + t59;
+    const double t80 = -t58 + t61;
+    const double t81 = -sin_omega1_tau1*t53 - sin_omega1_tau1*t54;
+    const double t82 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t56;
+    const double t83 = -V*t48 + t72*z2_2;
+    const double t84 = -omega1*t53 - omega1*t54;
+    const double t85 = omega2*p3*z1_2 - omega2*t56;
+    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t79 + cos_omega2_tau1_by_chi*t80 + omega1_by_chi*t81 + omega2_by_chi*t82 + p1_by_chi*t83 + p3_by_chi*t74 + sin_omega1_tau1_by_chi*t84 + sin_omega2_tau1_by_chi*t85 + t19*v1_2_by_chi + t23*z1_2_by_chi;
+    /* d/deta of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t37 + cos_omega2_tau1_by_eta*t38 + omega1_by_eta*t42 + omega2_by_eta*t45 + p1_by_eta*t49 + p2_by_eta*t50 + sin_omega1_tau1_by_eta*t51 + sin_omega2_tau1_by_eta*t52;
+    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t55 + cos_omega2_tau1_by_eta*t57 + omega1_by_eta*t60 + omega2_by_eta*t62 + p1_by_eta*t64 + p3_by_eta*t49 + sin_omega1_tau1_by_eta*t65 + sin_omega2_tau1_by_eta*t66;
+    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t67 + cos_omega2_tau1_by_eta*t68 + omega1_by_eta*t69 + omega2_by_eta*t71 + p1_by_eta*t74 + p2_by_eta*t75 + sin_omega1_tau1_by_eta*t76 + sin_omega2_tau1_by_eta*t77;
+    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t79 + cos_omega2_tau1_by_eta*t80 + omega1_by_eta*t81 + omega2_by_eta*t82 + p1_by_eta*t83 + p3_by_eta*t74 + sin_omega1_tau1_by_eta*t84 + sin_omega2_tau1_by_eta*t85;
+    /* d/dV of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_V = p2*t10 + t14*v1_2_by_V + t15*z1_2_by_V + t16*tau - t17;
+    const double z2_3_by_V = t18*v1_2_by_V + t19*z1_2_by_V + t20*tau + t21;
+    const double v1_3_by_V = t15*v1_2_by_V + t16 + t78*z1_2_by_V + tau*(omega2*p2*sin_omega2_tau1 - p2*t22);
+    const double v2_3_by_V = t19*v1_2_by_V + t20 + t23*z1_2_by_V + t25*tau;
+    /* d/dchi of: functions of tau2 in stick-slip */
+    const double t86 = omega3_by_chi*tau2;
+    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t86;
+    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t86;
+    /* d/deta of: functions of tau2 in stick-slip */
+    const double t87 = omega3_by_eta*tau2;
+    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t87;
+    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t87;
+    /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
+    const double t88 = -z1_3 + z2_3;
+    const double t89 = sin_omega3_tau2/(omega3*omega3);
+    const double t90 = V*t89 - t89*v2_3;
+    const double t91 = (1.0/(omega3));
+    const double t92 = -V*t91 + t91*v2_3;
+    const double t93 = 1 - cos_omega3_tau2;
+    const double t94 = sin_omega3_tau2*t91;
+    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t88 + omega3_by_chi*t90 + sin_omega3_tau2_by_chi*t92 + t93*z1_3_by_chi + t94*v2_3_by_chi;
+    const double t95 = -V + v2_3;
+    const double t96 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3;
+    const double t97 = omega3*z1_3 - omega3*z2_3;
+    const double t98 = omega3*sin_omega3_tau2;
+    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t95 + omega3_by_chi*t96 + sin_omega3_tau2_by_chi*t97 + t98*z1_3_by_chi - t98*z2_3_by_chi;
+    /* d/deta of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t88 + omega3_by_eta*t90 + sin_omega3_tau2_by_eta*t92 + t93*z1_3_by_eta + t94*v2_3_by_eta;
+    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t95 + omega3_by_eta*t96 + sin_omega3_tau2_by_eta*t97 + t98*z1_3_by_eta - t98*z2_3_by_eta;
+    /* d/dV of: stick-slip for tau2, until second-reaches-belt */
+    const double z1_4_by_V = tau2 + z1_3_by_V;
+    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t93*z1_3_by_V + t94*v2_3_by_V - t94 + tau2;
+    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t98*z1_3_by_V - t98*z2_3_by_V + 1;
+    parameter_jacobian[0] = -z20;
+    parameter_jacobian[1] = 0;
+    parameter_jacobian[2] = 0;
+    parameter_jacobian[3] = 0;
+    parameter_jacobian[4] = -chi*z1_2_by_chi - z1_2 + z2_2;
+    parameter_jacobian[5] = 0;
+    parameter_jacobian[6] = -chi*z1_2_by_V + t30;
+    parameter_jacobian[7] = -1;
+    parameter_jacobian[8] = v1_3_by_chi;
+    parameter_jacobian[9] = v1_3_by_eta;
+    parameter_jacobian[10] = v1_3_by_V - 1;
+    parameter_jacobian[11] = 0;
+    parameter_jacobian[12] = v2_4_by_chi;
+    parameter_jacobian[13] = v2_4_by_eta;
+    parameter_jacobian[14] = v2_4_by_V - 1;
+    parameter_jacobian[15] = 0;
+    parameter_jacobian[16] = z1_3_by_chi;
+    parameter_jacobian[17] = z1_3_by_eta;
+    parameter_jacobian[18] = z1_4_by_V;
+    parameter_jacobian[19] = 0;
+    parameter_jacobian[20] = z2_4_by_chi;
+    parameter_jacobian[21] = z2_4_by_eta;
+    parameter_jacobian[22] = z2_4_by_V;
+    parameter_jacobian[23] = 0;
+}
+
+/* Jacobian of the Poincare map in the section's coordinates.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives poincare_jacobian (2, 2), row by row.
+ * Operations: 273. Intermediate terms: 100. */
+void dry_friction_solution_ii_poincare_jacobian(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double poincare_jacobian[4])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20;
+    /* functions of tau1 in slip-slip */
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t4 = (1.0/(omega1));
+    const double t7 = sin_omega2_tau1/omega2;
+    const double t5 = sin_omega1_tau1*t4;
+    const double t6 = 1 - p1;
+    const double t8 = p1*t5 + t6*t7;
+    const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t6;
+    const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + t10*z2_2 + t8*v1_2 + t9*z1_2;
+    const double t11 = p3*sin_omega1_tau1*t4 - p3*t7;
+    const double t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t13 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t11*v1_2 + t12*z1_2 + t13*z2_2;
+    const double t14 = omega2*sin_omega2_tau1;
+    const double t15 = omega1*sin_omega1_tau1;
+    const double t16 = -p1*t15 - t14*t6;
+    const double t17 = omega2*p2*sin_omega2_tau1 - p2*t15;
+    const double v1_3 = V*t10 + t16*z1_2 + t17*z2_2 + t9*v1_2;
+    const double t18 = omega2*p3*sin_omega2_tau1 - p3*t15;
+    const double t19 = -p1*t14 - t15*t6;
+    const double v2_3 = V*t13 + t12*v1_2 + t18*z1_2 + t19*z2_2;
+    /* functions of tau2 in stick-slip */
+    const double t20 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t20);
+    const double sin_omega3_tau2 = sin(t20);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t21 = 1 - cos_omega3_tau2;
+    const double t22 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t22 + tau2) + cos_omega3_tau2*z2_3 + t21*z1_3 + t22*v2_3;
+    const double t23 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t21 + cos_omega3_tau2*v2_3 + t23*z1_3 - t23*z2_3;
+    /* rate of the exit boundary after ta */
+    const double t24 = V*chi;
+    const double rate_1 = V - t24;
+    /* derivatives of ta on the boundary */
+    const double t25 = (1.0/(rate_1));
+    const double ta_by_z10 = -t25;
+    const double ta_by_z20 = chi*t25;
+    /* perturbation on the boundary after ta */
+    const double t26 = V*ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t26 + 1;
+    const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+    const double z2_1_on_boundary_by_z10 = t26;
+    const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
+    /* Phi along tau */
+    const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t0*z2_1_on_boundary_by_z10;
+    const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t0*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10;
+    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20;
+    /* rate of the exit boundary after tau */
+    const double rate_2 = -chi*v1_2 + t24;
+    /* derivatives of tau on the boundary */
+    const double t28 = (1.0/(rate_2));
+    const double tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    /* perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
+    const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+    const double t29 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t29*tau_by_z10;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t29*tau_by_z20;
+    /* Phi along tau1 */
+    const double carried_z1_3_by_z10 = t10*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10 + t9*z1_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20 = t10*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20 + t9*z1_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z10 = t11*v1_2_on_boundary_by_z10 + t12*z1_2_on_boundary_by_z10 + t13*z2_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20 = t11*v1_2_on_boundary_by_z20 + t12*z1_2_on_boundary_by_z20 + t13*z2_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z10 = t16*z1_2_on_boundary_by_z10 + t17*z2_2_on_boundary_by_z10 + t9*v1_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20 = t16*z1_2_on_boundary_by_z20 + t17*z2_2_on_boundary_by_z20 + t9*v1_2_on_boundary_by_z20;
+    const double carried_v2_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t18*z1_2_on_boundary_by_z10 + t19*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t18*z1_2_on_boundary_by_z20 + t19*z2_2_on_boundary_by_z20;
+    /* rate of the exit boundary after tau1 */
+    const double t30 = chi*z2_3;
+    const double rate_3 = t30 - z1_3;
+    /* derivatives of tau1 on the boundary */
+    const double t31 = (1.0/(rate_3));
+    const double tau1_by_z10 = -carried_v1_3_by_z10*t31;
+    const double tau1_by_z20 = -carried_v1_3_by_z20*t31;
+    /* perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+    const double t32 = chi*eta;
+    const double t33 = -eta*t30 + t32*z1_3;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t33*tau1_by_z10;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t33*tau1_by_z20;
+    /* Phi along tau2 */
+    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t21*z1_3_on_boundary_by_z10 + t22*v2_3_on_boundary_by_z10;
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t21*z1_3_on_boundary_by_z20 + t22*v2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t23*z1_3_on_boundary_by_z10 - t23*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t23*z1_3_on_boundary_by_z20 - t23*z2_3_on_boundary_by_z20;
+    /* rate of the exit boundary after tau2 */
+    const double rate_4 = t32*z1_4 - t32*z2_4;
+    /* derivatives of tau2 on the boundary */
+    const double t34 = (1.0/(rate_4));
+    const double tau2_by_z10 = -carried_v2_4_by_z10*t34;
+    const double tau2_by_z20 = -carried_v2_4_by_z20*t34;
+    /* perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10;
+    const double z1_4_on_boundary_by_z20 = V*tau2_by_z20 + z1_3_on_boundary_by_z20;
+    const double z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + tau2_by_z10*v2_4;
+    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4;
+    poincare_jacobian[0] = z1_4_on_boundary_by_z10;
+    poincare_jacobian[1] = z1_4_on_boundary_by_z20;
+    poincare_jacobian[2] = z2_4_on_boundary_by_z10;
+    poincare_jacobian[3] = z2_4_on_boundary_by_z20;
+}
+
+/* Saltation matrices of the transitions, one below the other.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives saltations (16, 4), row by row.
+ * Operations: 164. Intermediate terms: 53. */
+void dry_friction_solution_ii_saltations(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double saltations[64])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20;
+    /* functions of tau1 in slip-slip */
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t4 = (1.0/(omega1));
+    const double t5 = sin_omega1_tau1*t4;
+    const double t6 = 1 - p1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t6;
+    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + t8*z1_2 + t9*z2_2 + v1_2*(p1*t5 + t6*t7);
+    const double t10 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t11 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t10*z1_2 + t11*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7);
+    const double t12 = omega2*sin_omega2_tau1;
+    const double t13 = omega1*sin_omega1_tau1;
+    const double v1_3 = V*t9 + t8*v1_2 + z1_2*(-p1*t13 - t12*t6) + z2_2*(omega2*p2*sin_omega2_tau1 - p2*t13);
+    const double v2_3 = V*t11 + t10*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t13) + z2_2*(-p1*t12 - t13*t6);
+    /* functions of tau2 in stick-slip */
+    const double t14 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t14);
+    const double sin_omega3_tau2 = sin(t14);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t15 = 1 - cos_omega3_tau2;
+    const double t16 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t16 + tau2) + cos_omega3_tau2*z2_3 + t15*z1_3 + t16*v2_3;
+    const double t17 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t15 + cos_omega3_tau2*v2_3 + t17*z1_3 - t17*z2_3;
+    /* vector fields at transition 1 */
+    const double behind_v1_1 = chi*z20 - z10;
+    /* vector fields at transition 2 */
+    const double t18 = chi*z2_2;
+    const double before_v1_2 = t18 - z1_2;
+    const double behind_v1_2 = before_v1_2;
+    const double t20 = chi*eta;
+    const double behind_v2_2 = -eta*t18 + t20*z1_2;
+    /* vector fields at transition 3 */
+    const double t21 = chi*z2_3;
+    const double before_v1_3 = t21 - z1_3;
+    const double before_v2_3 = -eta*t21 + t20*z1_3;
+    const double behind_v2_3 = before_v2_3;
+    /* vector fields at transition 4 */
+    const double before_v2_4 = t20*z1_4 - t20*z2_4;
+    /* outputs */
+    const double t23 = V*chi;
+    const double t24 = behind_v1_1/(V - t23);
+    const double t25 = chi/(-chi*v1_2 + t23);
+    const double t26 = t25*(-before_v1_2 + behind_v1_2);
+    const double t27 = behind_v2_2*t25;
+    const double t28 = (1.0/(before_v1_3));
+    saltations[0] = 1;
+    saltations[1] = 0;
+    saltations[2] = 0;
+    saltations[3] = 0;
+    saltations[4] = 0;
+    saltations[5] = 1;
+    saltations[6] = 0;
+    saltations[7] = 0;
+    saltations[8] = t24;
+    saltations[9] = -chi*t24;
+    saltations[10] = 1;
+    saltations[11] = 0;
+    saltations[12] = 0;
+    saltations[13] = 0;
+    saltations[14] = 0;
+    saltations[15] = 1;
+    saltations[16] = 1;
+    saltations[17] = 0;
+    saltations[18] = 0;
+    saltations[19] = 0;
+    saltations[20] = 0;
+    saltations[21] = 1;
+    saltations[22] = 0;
+    saltations[23] = 0;
+    saltations[24] = -t26;
+    saltations[25] = t26;
+    saltations[26] = 1;
+    saltations[27] = 0;
+    saltations[28] = -t27;
+    saltations[29] = t27;
+    saltations[30] = 0;
+    saltations[31] = 1;
+    saltations[32] = 1;
+    saltations[33] = 0;
+    saltations[34] = t28*(V - v1_3);
+    saltations[35] = 0;
+    saltations[36] = 0;
+    saltations[37] = 1;
+    saltations[38] = 0;
+    saltations[39] = 0;
+    saltations[40] = 0;
+    saltations[41] = 0;
+    saltations[42] = 0;
+    saltations[43] = 0;
+    saltations[44] = 0;
+    saltations[45] = 0;
+    saltations[46] = t28*(-before_v2_3 + behind_v2_3);
+    saltations[47] = 1;
+    saltations[48] = 1;
+    saltations[49] = 0;
+    saltations[50] = 0;
+    saltations[51] = 0;
+    saltations[52] = 0;
+    saltations[53] = 1;
+    saltations[54] = 0;
+    saltations[55] = (V - v2_4)/before_v2_4;
+    saltations[56] = 0;
+    saltations[57] = 0;
+    saltations[58] = 1;
+    saltations[59] = 0;
+    saltations[60] = 0;
+    saltations[61] = 0;
+    saltations[62] = 0;
+    saltations[63] = 0;
+}
+
+/* Monodromy matrix: the product of flows and saltation matrices over a period.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives monodromy (4, 4), row by row.
+ * Operations: 357. Intermediate terms: 125. */
+void dry_friction_solution_ii_monodromy(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double monodromy[16])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = chi*cos_tau;
+    const double t1 = chi - t0;
+    const double t2 = chi*sin_tau;
+    const double t3 = chi*tau - t2;
+    const double z1_2 = V*sin_tau + V*t3 + cos_tau*z10 + t1*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t2*z20;
+    /* functions of tau1 in slip-slip */
+    const double t4 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t4);
+    const double sin_omega1_tau1 = sin(t4);
+    const double t5 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t5);
+    const double sin_omega2_tau1 = sin(t5);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t6 = (1.0/(omega1));
+    const double t7 = sin_omega1_tau1*t6;
+    const double t8 = 1 - p1;
+    const double t9 = sin_omega2_tau1/omega2;
+    const double t10 = p1*t7 + t8*t9;
+    const double t11 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
+    const double t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t13 = p2*sin_omega1_tau1*t6 - p2*t9;
+    const double z1_3 = V*t13 + t10*v1_2 + t11*z1_2 + t12*z2_2;
+    const double t14 = p3*sin_omega1_tau1*t6 - p3*t9;
+    const double t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
+    const double t17 = p1*t9 + t7*t8;
+    const double z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2;
+    const double t18 = omega2*sin_omega2_tau1;
+    const double t19 = omega1*sin_omega1_tau1;
+    const double t20 = -p1*t19 - t18*t8;
+    const double t21 = p2*t19;
+    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
+    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
+    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
+    const double t24 = p1*t18;
+    const double t25 = t19*t8;
+    const double t26 = -t24 - t25;
+    const double v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t26*z2_2;
+    /* functions of tau2 in stick-slip */
+    const double t27 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t27);
+    const double sin_omega3_tau2 = sin(t27);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t28 = 1 - cos_omega3_tau2;
+    const double t29 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3;
+    const double t30 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3;
+    /* vector fields at transition 1 */
+    const double behind_v1_1 = chi*z20 - z10;
+    /* vector fields at transition 2 */
+    const double t31 = chi*z2_2;
+    const double before_v1_2 = t31 - z1_2;
+    const double behind_v1_2 = before_v1_2;
+    const double t33 = chi*eta;
+    const double behind_v2_2 = -eta*t31 + t33*z1_2;
+    /* vector fields at transition 3 */
+    const double t34 = chi*z2_3;
+    const double before_v1_3 = t34 - z1_3;
+    const double before_v2_3 = -eta*t34 + t33*z1_3;
+    const double behind_v2_3 = before_v2_3;
+    /* vector fields at transition 4 */
+    const double before_v2_4 = t33*z1_4 - t33*z2_4;
+    /* saltation of phase 1 */
+    const double t36 = V*chi;
+    const double saltation_1_20 = behind_v1_1/(V - t36);
+    const double saltation_1_21 = -chi*saltation_1_20;
+    /* Phi of phase 2 */
+    const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
+    const double phi_2_01 = chi + saltation_1_21*sin_tau - t0;
+    const double phi_2_03 = t3;
+    const double phi_2_20 = cos_tau*saltation_1_20 - sin_tau;
+    const double phi_2_21 = cos_tau*saltation_1_21 + t2;
+    const double phi_2_23 = t1;
+    /* saltation of phase 2 */
+    const double t38 = -before_v1_2 + behind_v1_2;
+    const double t39 = (1.0/((-chi*v1_2 + t36)));
+    const double t40 = chi*t39;
+    const double t41 = t38*t40;
+    const double saltation_2_20 = -phi_2_00*t41 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t41 + phi_2_21 + t41;
+    const double t42 = t38*t39;
+    const double saltation_2_22 = cos_tau - t2*t42;
+    const double t43 = chi*tau;
+    const double saltation_2_23 = -phi_2_03*t41 + phi_2_23 + t42*t43;
+    const double t44 = behind_v2_2*t40;
+    const double saltation_2_30 = -phi_2_00*t44;
+    const double saltation_2_31 = behind_v2_2*chi*t39 - phi_2_01*t44;
+    const double t45 = behind_v2_2*t39;
+    const double saltation_2_32 = -t2*t45;
+    const double saltation_2_33 = -phi_2_03*t44 + t43*t45 + 1;
+    /* Phi of phase 3 */
+    const double phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13;
+    const double phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12;
+    const double phi_3_02 = saltation_2_22*t10 + saltation_2_32*t13 + sin_tau*t11;
+    const double phi_3_03 = phi_2_03*t11 + saltation_2_23*t10 + saltation_2_33*t13 + t12*tau;
+    const double phi_3_10 = phi_2_00*t15 + saltation_2_20*t14 + saltation_2_30*t17;
+    const double phi_3_11 = phi_2_01*t15 + saltation_2_21*t14 + saltation_2_31*t17 + t16;
+    const double phi_3_12 = saltation_2_22*t14 + saltation_2_32*t17 + sin_tau*t15;
+    const double phi_3_13 = phi_2_03*t15 + saltation_2_23*t14 + saltation_2_33*t17 + t16*tau;
+    const double phi_3_20 = phi_2_00*t20 + saltation_2_20*t11 + saltation_2_30*t12;
+    const double phi_3_21 = p2*t18 + phi_2_01*t20 + saltation_2_21*t11 + saltation_2_31*t12 - t21;
+    const double phi_3_22 = saltation_2_22*t11 + saltation_2_32*t12 + sin_tau*t20;
+    const double phi_3_23 = phi_2_03*t20 + saltation_2_23*t11 + saltation_2_33*t12 + t22*tau;
+    const double phi_3_30 = phi_2_00*t23 + saltation_2_20*t15 + saltation_2_30*t16;
+    const double phi_3_31 = phi_2_01*t23 + saltation_2_21*t15 + saltation_2_31*t16 - t24 - t25;
+    const double phi_3_32 = saltation_2_22*t15 + saltation_2_32*t16 + sin_tau*t23;
+    const double phi_3_33 = phi_2_03*t23 + saltation_2_23*t15 + saltation_2_33*t16 + t26*tau;
+    /* saltation of phase 3 */
+    const double t46 = (1.0/(before_v1_3));
+    const double t47 = t46*(V - v1_3);
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t47;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t47;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t47;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t47;
+    const double t48 = t46*(-before_v2_3 + behind_v2_3);
+    const double saltation_3_30 = phi_3_20*t48 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t48 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t48 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t48 + phi_3_33;
+    /* Phi of phase 4 */
+    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29;
+    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29;
+    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29;
+    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29;
+    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30;
+    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30;
+    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30;
+    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30;
+    /* saltation of phase 4 */
+    const double t49 = (V - v2_4)/before_v2_4;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t49;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t49;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t49;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t49;
+    monodromy[0] = saltation_3_00;
+    monodromy[1] = saltation_3_01;
+    monodromy[2] = saltation_3_02;
+    monodromy[3] = saltation_3_03;
+    monodromy[4] = saltation_4_10;
+    monodromy[5] = saltation_4_11;
+    monodromy[6] = saltation_4_12;
+    monodromy[7] = saltation_4_13;
+    monodromy[8] = 0;
+    monodromy[9] = 0;
+    monodromy[10] = 0;
+    monodromy[11] = 0;
+    monodromy[12] = 0;
+    monodromy[13] = 0;
+    monodromy[14] = 0;
+    monodromy[15] = 0;
+}
+
+/* Trace of the Poincare map's Jacobian.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives trace, row by row.
+ * Operations: 265. Intermediate terms: 97. */
+void dry_friction_solution_ii_trace(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double *trace)
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20;
+    /* functions of tau1 in slip-slip */
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t4 = (1.0/(omega1));
+    const double t7 = sin_omega2_tau1/omega2;
+    const double t5 = sin_omega1_tau1*t4;
+    const double t6 = 1 - p1;
+    const double t8 = p1*t5 + t6*t7;
+    const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t6;
+    const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + t10*z2_2 + t8*v1_2 + t9*z1_2;
+    const double t11 = p3*sin_omega1_tau1*t4 - p3*t7;
+    const double t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t13 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t11*v1_2 + t12*z1_2 + t13*z2_2;
+    const double t14 = omega2*sin_omega2_tau1;
+    const double t15 = omega1*sin_omega1_tau1;
+    const double t16 = -p1*t15 - t14*t6;
+    const double t17 = omega2*p2*sin_omega2_tau1 - p2*t15;
+    const double v1_3 = V*t10 + t16*z1_2 + t17*z2_2 + t9*v1_2;
+    const double t18 = omega2*p3*sin_omega2_tau1 - p3*t15;
+    const double t19 = -p1*t14 - t15*t6;
+    const double v2_3 = V*t13 + t12*v1_2 + t18*z1_2 + t19*z2_2;
+    /* functions of tau2 in stick-slip */
+    const double t20 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t20);
+    const double sin_omega3_tau2 = sin(t20);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t21 = 1 - cos_omega3_tau2;
+    const double t22 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t22 + tau2) + cos_omega3_tau2*z2_3 + t21*z1_3 + t22*v2_3;
+    const double t23 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t21 + cos_omega3_tau2*v2_3 + t23*z1_3 - t23*z2_3;
+    /* rate of the exit boundary after ta */
+    const double t24 = V*chi;
+    const double rate_1 = V - t24;
+    /* derivatives of ta on the boundary */
+    const double t25 = (1.0/(rate_1));
+    const double ta_by_z10 = -t25;
+    const double ta_by_z20 = chi*t25;
+    /* perturbation on the boundary after ta */
+    const double t26 = V*ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t26 + 1;
+    const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+    const double z2_1_on_boundary_by_z10 = t26;
+    const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
+    /* Phi along tau */
+    const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t0*z2_1_on_boundary_by_z10;
+    const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t0*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10;
+    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20;
+    /* rate of the exit boundary after tau */
+    const double rate_2 = -chi*v1_2 + t24;
+    /* derivatives of tau on the boundary */
+    const double t28 = (1.0/(rate_2));
+    const double tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    /* perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
+    const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+    const double t29 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t29*tau_by_z10;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t29*tau_by_z20;
+    /* Phi along tau1 */
+    const double carried_z1_3_by_z10 = t10*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10 + t9*z1_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20 = t10*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20 + t9*z1_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z10 = t11*v1_2_on_boundary_by_z10 + t12*z1_2_on_boundary_by_z10 + t13*z2_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20 = t11*v1_2_on_boundary_by_z20 + t12*z1_2_on_boundary_by_z20 + t13*z2_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z10 = t16*z1_2_on_boundary_by_z10 + t17*z2_2_on_boundary_by_z10 + t9*v1_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20 = t16*z1_2_on_boundary_by_z20 + t17*z2_2_on_boundary_by_z20 + t9*v1_2_on_boundary_by_z20;
+    const double carried_v2_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t18*z1_2_on_boundary_by_z10 + t19*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t18*z1_2_on_boundary_by_z20 + t19*z2_2_on_boundary_by_z20;
+    /* rate of the exit boundary after tau1 */
+    const double t30 = chi*z2_3;
+    const double rate_3 = t30 - z1_3;
+    /* derivatives of tau1 on the boundary */
+    const double t31 = (1.0/(rate_3));
+    const double tau1_by_z10 = -carried_v1_3_by_z10*t31;
+    const double tau1_by_z20 = -carried_v1_3_by_z20*t31;
+    /* perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+    const double t32 = chi*eta;
+    const double t33 = -eta*t30 + t32*z1_3;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t33*tau1_by_z10;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t33*tau1_by_z20;
+    /* Phi along tau2 */
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t21*z1_3_on_boundary_by_z20 + t22*v2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t23*z1_3_on_boundary_by_z10 - t23*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t23*z1_3_on_boundary_by_z20 - t23*z2_3_on_boundary_by_z20;
+    /* rate of the exit boundary after tau2 */
+    const double rate_4 = t32*z1_4 - t32*z2_4;
+    /* derivatives of tau2 on the boundary */
+    const double t34 = (1.0/(rate_4));
+    const double tau2_by_z10 = -carried_v2_4_by_z10*t34;
+    const double tau2_by_z20 = -carried_v2_4_by_z20*t34;
+    /* perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10;
+    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4;
+    *trace = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20;
+}
+
+/* Derivatives of the trace by the unknowns, then in total by the parameters.
+ * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (6); gives trace_gradient (10), row by row.
+ * Operations: 2228. Intermediate terms: 634. */
+void dry_friction_solution_ii_trace_gradient(
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[6], double trace_gradient[10])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double omega1_by_chi = spectrum_derivatives[2];
+    const double omega1_by_eta = spectrum_derivatives[3];
+    const double omega2_by_chi = spectrum_derivatives[4];
+    const double omega2_by_eta = spectrum_derivatives[5];
+    const double p1_by_chi = spectrum_derivatives[6];
+    const double p1_by_eta = spectrum_derivatives[7];
+    const double p2_by_chi = spectrum_derivatives[8];
+    const double p2_by_eta = spectrum_derivatives[9];
+    const double p3_by_chi = spectrum_derivatives[10];
+    const double p3_by_eta = spectrum_derivatives[11];
+    const double omega3_by_chi = spectrum_derivatives[12];
+    const double omega3_by_eta = spectrum_derivatives[13];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t3 = chi*cos_tau;
+    const double t4 = chi - t3;
+    const double t5 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t5) + cos_tau*z10 + t4*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t4 - sin_tau*z10 + t5*z20;
+    /* functions of tau1 in slip-slip */
+    const double t6 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t6);
+    const double sin_omega1_tau1 = sin(t6);
+    const double t9 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t9);
+    const double sin_omega2_tau1 = sin(t9);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t12 = (1.0/(omega1));
+    const double t13 = sin_omega1_tau1*t12;
+    const double t14 = 1 - p1;
+    const double t15 = (1.0/(omega2));
+    const double t16 = sin_omega2_tau1*t15;
+    const double t17 = p1*t13 + t14*t16;
+    const double t18 = cos_omega1_tau1*p1 + cos_omega2_tau1*t14;
+    const double t19 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t20 = p2*t16;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t12 - t20) + t17*v1_2 + t18*z1_2 + t19*z2_2;
+    const double t21 = p3*sin_omega1_tau1*t12 - p3*t16;
+    const double t22 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t23 = cos_omega1_tau1*t14 + cos_omega2_tau1*p1;
+    const double t24 = p1*t16 + t13*t14;
+    const double z2_3 = V*t24 + t21*v1_2 + t22*z1_2 + t23*z2_2;
+    const double t25 = omega2*sin_omega2_tau1;
+    const double t26 = omega1*sin_omega1_tau1;
+    const double t27 = -p1*t26 - t14*t25;
+    const double t28 = p2*t26;
+    const double t29 = omega2*p2*sin_omega2_tau1 - t28;
+    const double t30 = V*t19;
+    const double v1_3 = t18*v1_2 + t27*z1_2 + t29*z2_2 + t30;
+    const double t31 = omega2*p3*sin_omega2_tau1 - p3*t26;
+    const double t32 = p1*t25 + t14*t26;
+    const double t34 = V*t23;
+    const double v2_3 = t22*v1_2 + t31*z1_2 - t32*z2_2 + t34;
+    /* functions of tau2 in stick-slip */
+    const double t35 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t35);
+    const double sin_omega3_tau2 = sin(t35);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t38 = 1 - cos_omega3_tau2;
+    const double t39 = (1.0/(omega3));
+    const double t40 = sin_omega3_tau2*t39;
+    const double t41 = -t40 + tau2;
+    const double z2_4 = V*t41 + cos_omega3_tau2*z2_3 + t38*z1_3 + t40*v2_3;
+    const double t42 = omega3*z1_3;
+    const double t43 = omega3*z2_3;
+    const double v2_4 = V*t38 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t42 - sin_omega3_tau2*t43;
+    /* rate of the exit boundary after ta */
+    const double t45 = V*chi;
+    const double rate_1 = V - t45;
+    /* derivatives of ta on the boundary */
+    const double t47 = (1.0/(rate_1));
+    const double ta_by_z10 = -t47;
+    const double ta_by_z20 = chi*t47;
+    /* perturbation on the boundary after ta */
+    const double t49 = V*ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t49 + 1;
+    const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+    const double z2_1_on_boundary_by_z10 = t49;
+    const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
+    /* Phi along tau */
+    const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t4*z2_1_on_boundary_by_z10;
+    const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t4*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t5*z2_1_on_boundary_by_z10;
+    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20;
+    /* rate of the exit boundary after tau */
+    const double rate_2 = -chi*v1_2 + t45;
+    /* derivatives of tau on the boundary */
+    const double t51 = (1.0/(rate_2));
+    const double t52 = chi*z2_1_on_boundary_by_z10;
+    const double t53 = carried_z1_2_by_z10*chi - t52;
+    const double tau_by_z10 = t51*t53;
+    const double t54 = chi*z2_1_on_boundary_by_z20;
+    const double t55 = carried_z1_2_by_z20*chi - t54;
+    const double tau_by_z20 = t51*t55;
+    /* perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
+    const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+    const double t56 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t56*tau_by_z10;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t56*tau_by_z20;
+    /* Phi along tau1 */
+    const double carried_z1_3_by_z10 = t17*v1_2_on_boundary_by_z10 + t18*z1_2_on_boundary_by_z10 + t19*z2_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20 = t17*v1_2_on_boundary_by_z20 + t18*z1_2_on_boundary_by_z20 + t19*z2_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z10 = t21*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t23*z2_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20 = t21*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t23*z2_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z10 = t18*v1_2_on_boundary_by_z10 + t27*z1_2_on_boundary_by_z10 + t29*z2_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20 = t18*v1_2_on_boundary_by_z20 + t27*z1_2_on_boundary_by_z20 + t29*z2_2_on_boundary_by_z20;
+    const double carried_v2_3_by_z10 = t22*v1_2_on_boundary_by_z10 + t31*z1_2_on_boundary_by_z10 - t32*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20 = t22*v1_2_on_boundary_by_z20 + t31*z1_2_on_boundary_by_z20 - t32*z2_2_on_boundary_by_z20;
+    /* rate of the exit boundary after tau1 */
+    const double t57 = chi*z2_3;
+    const double rate_3 = t57 - z1_3;
+    /* derivatives of tau1 on the boundary */
+    const double t58 = (1.0/(rate_3));
+    const double tau1_by_z10 = -carried_v1_3_by_z10*t58;
+    const double tau1_by_z20 = -carried_v1_3_by_z20*t58;
+    /* perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+    const double t59 = eta*z1_3;
+    const double t60 = chi*t59 - eta*t57;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t60*tau1_by_z10;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t60*tau1_by_z20;
+    /* Phi along tau2 */
+    const double t61 = omega3*z1_3_on_boundary_by_z10;
+    const double t62 = omega3*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t61 - sin_omega3_tau2*t62;
+    const double t63 = omega3*z1_3_on_boundary_by_z20;
+    const double t64 = omega3*z2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t63 - sin_omega3_tau2*t64;
+    /* rate of the exit boundary after tau2 */
+    const double t65 = eta*z1_4;
+    const double t66 = eta*z2_4;
+    const double rate_4 = chi*t65 - chi*t66;
+    /* derivatives of tau2 on the boundary */
+    const double t67 = (1.0/(rate_4));
+    const double tau2_by_z10 = -carried_v2_4_by_z10*t67;
+    const double tau2_by_z20 = -carried_v2_4_by_z20*t67;
+    /* d/dtau of: functions of tau in slip-stick */
+    const double cos_tau_by_tau = -sin_tau;
+    const double sin_tau_by_tau = cos_tau;
+    /* d/dz10 of: slip-stick for tau, until second-breaks-forward */
+    const double v1_2_by_z10 = -sin_tau;
+    /* d/dz20 of: slip-stick for tau, until second-breaks-forward */
+    const double z1_2_by_z20 = t4;
+    const double v1_2_by_z20 = t5;
+    /* d/dtau of: slip-stick for tau, until second-breaks-forward */
+    const double t68 = chi*z20 - z10;
+    const double z1_2_by_tau = -cos_tau_by_tau*t68 + rate_1*sin_tau_by_tau + t45;
+    const double v1_2_by_tau = cos_tau_by_tau*rate_1 + sin_tau_by_tau*t68;
+    /* d/dchi of: slip-stick for tau, until second-breaks-forward */
+    const double t69 = 1 - cos_tau;
+    const double z1_2_by_chi = V*(-sin_tau + tau) + t69*z20;
+    const double v1_2_by_chi = V*t69 + sin_tau*z20;
+    /* d/dV of: slip-stick for tau, until second-breaks-forward */
+    const double t70 = chi*tau;
+    const double z1_2_by_V = sin_tau - t5 + t70;
+    const double v1_2_by_V = chi + cos_tau - t3;
+    /* d/dtau1 of: functions of tau1 in slip-slip */
+    const double cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1;
+    const double sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1;
+    const double cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1;
+    const double sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2;
+    /* d/dchi of: functions of tau1 in slip-slip */
+    const double t71 = omega1_by_chi*tau1;
+    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t71;
+    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t71;
+    const double t72 = omega2_by_chi*tau1;
+    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t72;
+    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t72;
+    /* d/deta of: functions of tau1 in slip-slip */
+    const double t73 = omega1_by_eta*tau1;
+    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t73;
+    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t73;
+    const double t74 = omega2_by_eta*tau1;
+    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t74;
+    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t74;
+    /* d/dz10 of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_z10 = cos_tau*t18 + t17*v1_2_by_z10;
+    const double z2_3_by_z10 = cos_tau*t22 + t21*v1_2_by_z10;
+    const double v1_3_by_z10 = cos_tau*t27 + t18*v1_2_by_z10;
+    const double v2_3_by_z10 = cos_tau*t31 + t22*v1_2_by_z10;
+    /* d/dz20 of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_z20 = t17*v1_2_by_z20 + t18*z1_2_by_z20 + t19;
+    const double z2_3_by_z20 = t21*v1_2_by_z20 + t22*z1_2_by_z20 + t23;
+    const double v1_3_by_z20 = p2*t25 + t18*v1_2_by_z20 + t27*z1_2_by_z20 - t28;
+    const double v2_3_by_z20 = t22*v1_2_by_z20 + t31*z1_2_by_z20 - t32;
+    /* d/dtau of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t30;
+    const double z2_3_by_tau = t21*v1_2_by_tau + t22*z1_2_by_tau + t34;
+    const double v1_3_by_tau = V*t29 + t18*v1_2_by_tau + t27*z1_2_by_tau;
+    const double v2_3_by_tau = -V*t32 + t22*v1_2_by_tau + t31*z1_2_by_tau;
+    /* d/dtau1 of: slip-slip for tau1, until first-reaches-belt */
+    const double t75 = p1*z1_2;
+    const double t76 = p2*z2_2;
+    const double t77 = t75 + t76;
+    const double t78 = t14*z1_2 - t76;
+    const double t79 = p1*v1_2;
+    const double t80 = V*p2;
+    const double t81 = t12*t79 + t12*t80;
+    const double t82 = t14*t15*v1_2 - t15*t80;
+    const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t77 + cos_omega2_tau1_by_tau1*t78 + sin_omega1_tau1_by_tau1*t81 + sin_omega2_tau1_by_tau1*t82;
+    const double t83 = p3*z1_2;
+    const double t84 = t14*z2_2;
+    const double t85 = t83 + t84;
+    const double t86 = p1*z2_2;
+    const double t87 = -t83 + t86;
+    const double t88 = p3*v1_2;
+    const double t89 = V*t14;
+    const double t90 = t12*t88 + t12*t89;
+    const double t91 = V*p1;
+    const double t92 = -t15*t88 + t15*t91;
+    const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t85 + cos_omega2_tau1_by_tau1*t87 + sin_omega1_tau1_by_tau1*t90 + sin_omega2_tau1_by_tau1*t92;
+    const double t93 = t79 + t80;
+    const double t94 = t14*v1_2 - t80;
+    const double t95 = -omega1*t75 - omega1*t76;
+    const double t96 = t14*z1_2;
+    const double t97 = omega2*t76 - omega2*t96;
+    const double v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t93 + cos_omega2_tau1_by_tau1*t94 + sin_omega1_tau1_by_tau1*t95 + sin_omega2_tau1_by_tau1*t97;
+    const double t98 = t88 + t89;
+    const double t99 = -t88 + t91;
+    const double t100 = -omega1*t83 - omega1*t84;
+    const double t101 = omega2*p3*z1_2 - omega2*t86;
+    const double v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t98 + cos_omega2_tau1_by_tau1*t99 + sin_omega1_tau1_by_tau1*t100 + sin_omega2_tau1_by_tau1*t101;
+    /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
+    const double t102 = sin_omega1_tau1/(omega1*omega1);
+    const double t103 = -t102*t79 - t102*t80;
+    const double t104 = (1.0/(omega2*omega2));
+    const double t105 = sin_omega2_tau1*t104;
+    const double t106 = -t105*t14*v1_2 + t105*t80;
+    const double t107 = -sin_omega1_tau1*t12 + t16;
+    const double t109 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t110 = -t107*v1_2 + t109*z1_2;
+    const double t111 = -V*t107 + t109*z2_2;
+    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t77 + cos_omega2_tau1_by_chi*t78 + omega1_by_chi*t103 + omega2_by_chi*t106 + p1_by_chi*t110 + p2_by_chi*t111 + sin_omega1_tau1_by_chi*t81 + sin_omega2_tau1_by_chi*t82 + t17*v1_2_by_chi + t18*z1_2_by_chi;
+    const double t112 = -t102*t88 - t102*t89;
+    const double t113 = p3*sin_omega2_tau1*t104*v1_2 - t105*t91;
+    const double t115 = V*t107 - t109*z2_2;
+    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t85 + cos_omega2_tau1_by_chi*t87 + omega1_by_chi*t112 + omega2_by_chi*t113 + p1_by_chi*t115 + p3_by_chi*t110 + sin_omega1_tau1_by_chi*t90 + sin_omega2_tau1_by_chi*t92 + t21*v1_2_by_chi + t22*z1_2_by_chi;
+    const double t116 = -sin_omega1_tau1*t75 - sin_omega1_tau1*t76;
+    const double t117 = sin_omega2_tau1*t76 - sin_omega2_tau1*t96;
+    const double t118 = -omega2*sin_omega2_tau1 + t26;
+    const double t120 = t109*v1_2 - t118*z1_2;
+    const double t121 = V*t109 - t118*z2_2;
+    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t93 + cos_omega2_tau1_by_chi*t94 + omega1_by_chi*t116 + omega2_by_chi*t117 + p1_by_chi*t120 + p2_by_chi*t121 + sin_omega1_tau1_by_chi*t95 + sin_omega2_tau1_by_chi*t97 + t18*v1_2_by_chi + t27*z1_2_by_chi;
+    const double t122 = -sin_omega1_tau1*t83 - sin_omega1_tau1*t84;
+    const double t123 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t86;
+    const double t124 = -V*t109 + t118*z2_2;
+    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t98 + cos_omega2_tau1_by_chi*t99 + omega1_by_chi*t122 + omega2_by_chi*t123 + p1_by_chi*t124 + p3_by_chi*t120 + sin_omega1_tau1_by_chi*t100 + sin_omega2_tau1_by_chi*t101 + t22*v1_2_by_chi + t31*z1_2_by_chi;
+    /* d/deta of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t77 + cos_omega2_tau1_by_eta*t78 + omega1_by_eta*t103 + omega2_by_eta*t106 + p1_by_eta*t110 + p2_by_eta*t111 + sin_omega1_tau1_by_eta*t81 + sin_omega2_tau1_by_eta*t82;
+    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t85 + cos_omega2_tau1_by_eta*t87 + omega1_by_eta*t112 + omega2_by_eta*t113 + p1_by_eta*t115 + p3_by_eta*t110 + sin_omega1_tau1_by_eta*t90 + sin_omega2_tau1_by_eta*t92;
+    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t93 + cos_omega2_tau1_by_eta*t94 + omega1_by_eta*t116 + omega2_by_eta*t117 + p1_by_eta*t120 + p2_by_eta*t121 + sin_omega1_tau1_by_eta*t95 + sin_omega2_tau1_by_eta*t97;
+    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t98 + cos_omega2_tau1_by_eta*t99 + omega1_by_eta*t122 + omega2_by_eta*t123 + p1_by_eta*t124 + p3_by_eta*t120 + sin_omega1_tau1_by_eta*t100 + sin_omega2_tau1_by_eta*t101;
+    /* d/dV of: slip-slip for tau1, until first-reaches-belt */
+    const double z1_3_by_V = p2*t13 + t17*v1_2_by_V + t18*z1_2_by_V + t19*tau - t20;
+    const double z2_3_by_V = t21*v1_2_by_V + t22*z1_2_by_V + t23*tau + t24;
+    const double v1_3_by_V = t18*v1_2_by_V + t19 + t27*z1_2_by_V + t29*tau;
+    const double v2_3_by_V = t22*v1_2_by_V + t23 + t31*z1_2_by_V - t32*tau;
+    /* d/dtau2 of: functions of tau2 in stick-slip */
+    const double cos_omega3_tau2_by_tau2 = -omega3*sin_omega3_tau2;
+    const double sin_omega3_tau2_by_tau2 = cos_omega3_tau2*omega3;
+    /* d/dchi of: functions of tau2 in stick-slip */
+    const double t125 = omega3_by_chi*tau2;
+    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t125;
+    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t125;
+    /* d/deta of: functions of tau2 in stick-slip */
+    const double t126 = omega3_by_eta*tau2;
+    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t126;
+    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t126;
+    /* d/dz10 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t38*z1_3_by_z10 + t40*v2_3_by_z10;
+    const double t127 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t127*z1_3_by_z10 - t127*z2_3_by_z10;
+    /* d/dz20 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t38*z1_3_by_z20 + t40*v2_3_by_z20;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t127*z1_3_by_z20 - t127*z2_3_by_z20;
+    /* d/dtau of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t38*z1_3_by_tau + t40*v2_3_by_tau;
+    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t127*z1_3_by_tau - t127*z2_3_by_tau;
+    /* d/dtau1 of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t38*z1_3_by_tau1 + t40*v2_3_by_tau1;
+    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t127*z1_3_by_tau1 - t127*z2_3_by_tau1;
+    /* d/dtau2 of: stick-slip for tau2, until second-reaches-belt */
+    const double t128 = -z1_3 + z2_3;
+    const double t129 = -V*t39 + t39*v2_3;
+    const double z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t128 + sin_omega3_tau2_by_tau2*t129;
+    const double t130 = -V + v2_3;
+    const double t131 = t42 - t43;
+    const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t130 + sin_omega3_tau2_by_tau2*t131;
+    /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
+    const double t132 = sin_omega3_tau2/(omega3*omega3);
+    const double t133 = V*t132 - t132*v2_3;
+    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t128 + omega3_by_chi*t133 + sin_omega3_tau2_by_chi*t129 + t38*z1_3_by_chi + t40*v2_3_by_chi;
+    const double t134 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3;
+    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t130 + omega3_by_chi*t134 + sin_omega3_tau2_by_chi*t131 + t127*z1_3_by_chi - t127*z2_3_by_chi;
+    /* d/deta of: stick-slip for tau2, until second-reaches-belt */
+    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t128 + omega3_by_eta*t133 + sin_omega3_tau2_by_eta*t129 + t38*z1_3_by_eta + t40*v2_3_by_eta;
+    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t130 + omega3_by_eta*t134 + sin_omega3_tau2_by_eta*t131 + t127*z1_3_by_eta - t127*z2_3_by_eta;
+    /* d/dV of: stick-slip for tau2, until second-reaches-belt */
+    const double z1_4_by_V = tau2 + z1_3_by_V;
+    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t38*z1_3_by_V + t40*v2_3_by_V + t41;
+    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t127*z1_3_by_V - t127*z2_3_by_V + 1;
+    /* d/dchi of: rate of the exit boundary after ta */
+    const double rate_1_by_chi = -V;
+    /* d/dV of: rate of the exit boundary after ta */
+    const double rate_1_by_V = 1 - chi;
+    /* d/dchi of: derivatives of ta on the boundary */
+    const double t135 = (1.0/(rate_1*rate_1));
+    const double ta_by_z10_by_chi = rate_1_by_chi*t135;
+    const double ta_by_z20_by_chi = -chi*ta_by_z10_by_chi + t47;
+    /* d/dV of: derivatives of ta on the boundary */
+    const double ta_by_z10_by_V = rate_1_by_V*t135;
+    const double ta_by_z20_by_V = -chi*ta_by_z10_by_V;
+    /* d/dchi of: perturbation on the boundary after ta */
+    const double z1_1_on_boundary_by_z10_by_chi = V*ta_by_z10_by_chi;
+    const double z1_1_on_boundary_by_z20_by_chi = V*ta_by_z20_by_chi;
+    const double z2_1_on_boundary_by_z10_by_chi = z1_1_on_boundary_by_z10_by_chi;
+    const double z2_1_on_boundary_by_z20_by_chi = z1_1_on_boundary_by_z20_by_chi;
+    /* d/dV of: perturbation on the boundary after ta */
+    const double z1_1_on_boundary_by_z10_by_V = V*ta_by_z10_by_V + ta_by_z10;
+    const double z1_1_on_boundary_by_z20_by_V = V*ta_by_z20_by_V + ta_by_z20;
+    const double z2_1_on_boundary_by_z10_by_V = z1_1_on_boundary_by_z10_by_V;
+    const double z2_1_on_boundary_by_z20_by_V = z1_1_on_boundary_by_z20_by_V;
+    /* d/dtau of: Phi along tau */
+    const double t142 = t52 - z1_1_on_boundary_by_z10;
+    const double carried_z1_2_by_z10_by_tau = -cos_tau_by_tau*t142;
+    const double t143 = t54 - z1_1_on_boundary_by_z20;
+    const double carried_z1_2_by_z20_by_tau = -cos_tau_by_tau*t143;
+    const double carried_v1_2_by_z10_by_tau = sin_tau_by_tau*t142;
+    const double carried_v1_2_by_z20_by_tau = sin_tau_by_tau*t143;
+    /* d/dchi of: Phi along tau */
+    const double carried_z1_2_by_z10_by_chi = cos_tau*z1_1_on_boundary_by_z10_by_chi + t4*z2_1_on_boundary_by_z10_by_chi + t69*z2_1_on_boundary_by_z10;
+    const double carried_z1_2_by_z20_by_chi = cos_tau*z1_1_on_boundary_by_z20_by_chi + t4*z2_1_on_boundary_by_z20_by_chi + t69*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_z10_by_chi = -sin_tau*z1_1_on_boundary_by_z10_by_chi + sin_tau*z2_1_on_boundary_by_z10 + t5*z2_1_on_boundary_by_z10_by_chi;
+    const double carried_v1_2_by_z20_by_chi = -sin_tau*z1_1_on_boundary_by_z20_by_chi + sin_tau*z2_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20_by_chi;
+    /* d/dV of: Phi along tau */
+    const double carried_z1_2_by_z10_by_V = cos_tau*z1_1_on_boundary_by_z10_by_V + t4*z2_1_on_boundary_by_z10_by_V;
+    const double carried_z1_2_by_z20_by_V = cos_tau*z1_1_on_boundary_by_z20_by_V + t4*z2_1_on_boundary_by_z20_by_V;
+    const double carried_v1_2_by_z10_by_V = -sin_tau*z1_1_on_boundary_by_z10_by_V + t5*z2_1_on_boundary_by_z10_by_V;
+    const double carried_v1_2_by_z20_by_V = -sin_tau*z1_1_on_boundary_by_z20_by_V + t5*z2_1_on_boundary_by_z20_by_V;
+    /* d/dz10 of: rate of the exit boundary after tau */
+    const double rate_2_by_z10 = -chi*v1_2_by_z10;
+    /* d/dz20 of: rate of the exit boundary after tau */
+    const double rate_2_by_z20 = -chi*v1_2_by_z20;
+    /* d/dtau of: rate of the exit boundary after tau */
+    const double rate_2_by_tau = -chi*v1_2_by_tau;
+    /* d/dchi of: rate of the exit boundary after tau */
+    const double rate_2_by_chi = V - chi*v1_2_by_chi - v1_2;
+    /* d/dV of: rate of the exit boundary after tau */
+    const double rate_2_by_V = -chi*v1_2_by_V + chi;
+    /* d/dz10 of: derivatives of tau on the boundary */
+    const double t144 = (1.0/(rate_2*rate_2));
+    const double t145 = rate_2_by_z10*t144;
+    const double tau_by_z10_by_z10 = -t145*t53;
+    const double tau_by_z20_by_z10 = -t145*t55;
+    /* d/dz20 of: derivatives of tau on the boundary */
+    const double t146 = rate_2_by_z20*t144;
+    const double tau_by_z10_by_z20 = -t146*t53;
+    const double tau_by_z20_by_z20 = -t146*t55;
+    /* d/dtau of: derivatives of tau on the boundary */
+    const double t147 = chi*t51;
+    const double t148 = rate_2_by_tau*t144;
+    const double tau_by_z10_by_tau = carried_z1_2_by_z10_by_tau*t147 - t148*t53;
+    const double tau_by_z20_by_tau = carried_z1_2_by_z20_by_tau*t147 - t148*t55;
+    /* d/dchi of: derivatives of tau on the boundary */
+    const double t149 = rate_2_by_chi*t144;
+    const double tau_by_z10_by_chi = carried_z1_2_by_z10_by_chi*t147 - t147*z2_1_on_boundary_by_z10_by_chi - t149*t53 + t51*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10);
+    const double tau_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t147 - t147*z2_1_on_boundary_by_z20_by_chi - t149*t55 + t51*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20);
+    /* d/dV of: derivatives of tau on the boundary */
+    const double t150 = rate_2_by_V*t144;
+    const double tau_by_z10_by_V = carried_z1_2_by_z10_by_V*chi*t51 - t147*z2_1_on_boundary_by_z10_by_V - t150*t53;
+    const double tau_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t51 - t147*z2_1_on_boundary_by_z20_by_V - t150*t55;
+    /* d/dz10 of: perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10_by_z10 = tau_by_z10*v1_2_by_z10 + tau_by_z10_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20_by_z10 = tau_by_z20*v1_2_by_z10 + tau_by_z20_by_z10*v1_2;
+    const double z2_2_on_boundary_by_z10_by_z10 = V*tau_by_z10_by_z10;
+    const double z2_2_on_boundary_by_z20_by_z10 = V*tau_by_z20_by_z10;
+    const double v1_2_on_boundary_by_z10_by_z10 = -cos_tau*tau_by_z10 + t56*tau_by_z10_by_z10;
+    const double v1_2_on_boundary_by_z20_by_z10 = -cos_tau*tau_by_z20 + t56*tau_by_z20_by_z10;
+    /* d/dz20 of: perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10_by_z20 = tau_by_z10*v1_2_by_z20 + tau_by_z10_by_z20*v1_2;
+    const double z1_2_on_boundary_by_z20_by_z20 = tau_by_z20*v1_2_by_z20 + tau_by_z20_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10_by_z20 = V*tau_by_z10_by_z20;
+    const double z2_2_on_boundary_by_z20_by_z20 = V*tau_by_z20_by_z20;
+    const double v1_2_on_boundary_by_z10_by_z20 = chi*tau_by_z10 + t56*tau_by_z10_by_z20 - tau_by_z10*z1_2_by_z20;
+    const double v1_2_on_boundary_by_z20_by_z20 = chi*tau_by_z20 + t56*tau_by_z20_by_z20 - tau_by_z20*z1_2_by_z20;
+    /* d/dtau of: perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10_by_tau = carried_z1_2_by_z10_by_tau + tau_by_z10*v1_2_by_tau + tau_by_z10_by_tau*v1_2;
+    const double z1_2_on_boundary_by_z20_by_tau = carried_z1_2_by_z20_by_tau + tau_by_z20*v1_2_by_tau + tau_by_z20_by_tau*v1_2;
+    const double z2_2_on_boundary_by_z10_by_tau = V*tau_by_z10_by_tau;
+    const double z2_2_on_boundary_by_z20_by_tau = V*tau_by_z20_by_tau;
+    const double v1_2_on_boundary_by_z10_by_tau = carried_v1_2_by_z10_by_tau + t45*tau_by_z10 + t56*tau_by_z10_by_tau - tau_by_z10*z1_2_by_tau;
+    const double v1_2_on_boundary_by_z20_by_tau = carried_v1_2_by_z20_by_tau + t45*tau_by_z20 + t56*tau_by_z20_by_tau - tau_by_z20*z1_2_by_tau;
+    /* d/dchi of: perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10_by_chi = carried_z1_2_by_z10_by_chi + tau_by_z10*v1_2_by_chi + tau_by_z10_by_chi*v1_2;
+    const double z1_2_on_boundary_by_z20_by_chi = carried_z1_2_by_z20_by_chi + tau_by_z20*v1_2_by_chi + tau_by_z20_by_chi*v1_2;
+    const double z2_2_on_boundary_by_z10_by_chi = V*tau_by_z10_by_chi + z2_1_on_boundary_by_z10_by_chi;
+    const double z2_2_on_boundary_by_z20_by_chi = V*tau_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi;
+    const double v1_2_on_boundary_by_z10_by_chi = carried_v1_2_by_z10_by_chi + t56*tau_by_z10_by_chi - tau_by_z10*z1_2_by_chi + tau_by_z10*z2_2;
+    const double v1_2_on_boundary_by_z20_by_chi = carried_v1_2_by_z20_by_chi + t56*tau_by_z20_by_chi - tau_by_z20*z1_2_by_chi + tau_by_z20*z2_2;
+    /* d/dV of: perturbation on the boundary after tau */
+    const double z1_2_on_boundary_by_z10_by_V = carried_z1_2_by_z10_by_V + tau_by_z10*v1_2_by_V + tau_by_z10_by_V*v1_2;
+    const double z1_2_on_boundary_by_z20_by_V = carried_z1_2_by_z20_by_V + tau_by_z20*v1_2_by_V + tau_by_z20_by_V*v1_2;
+    const double z2_2_on_boundary_by_z10_by_V = V*tau_by_z10_by_V + tau_by_z10 + z2_1_on_boundary_by_z10_by_V;
+    const double z2_2_on_boundary_by_z20_by_V = V*tau_by_z20_by_V + tau_by_z20 + z2_1_on_boundary_by_z20_by_V;
+    const double v1_2_on_boundary_by_z10_by_V = carried_v1_2_by_z10_by_V + t56*tau_by_z10_by_V + t70*tau_by_z10 - tau_by_z10*z1_2_by_V;
+    const double v1_2_on_boundary_by_z20_by_V = carried_v1_2_by_z20_by_V + t56*tau_by_z20_by_V + t70*tau_by_z20 - tau_by_z20*z1_2_by_V;
+    /* d/dz10 of: Phi along tau1 */
+    const double carried_z1_3_by_z10_by_z10 = t17*v1_2_on_boundary_by_z10_by_z10 + t18*z1_2_on_boundary_by_z10_by_z10 + t19*z2_2_on_boundary_by_z10_by_z10;
+    const double carried_z1_3_by_z20_by_z10 = t17*v1_2_on_boundary_by_z20_by_z10 + t18*z1_2_on_boundary_by_z20_by_z10 + t19*z2_2_on_boundary_by_z20_by_z10;
+    const double carried_z2_3_by_z10_by_z10 = t21*v1_2_on_boundary_by_z10_by_z10 + t22*z1_2_on_boundary_by_z10_by_z10 + t23*z2_2_on_boundary_by_z10_by_z10;
+    const double carried_z2_3_by_z20_by_z10 = t21*v1_2_on_boundary_by_z20_by_z10 + t22*z1_2_on_boundary_by_z20_by_z10 + t23*z2_2_on_boundary_by_z20_by_z10;
+    const double carried_v1_3_by_z10_by_z10 = t18*v1_2_on_boundary_by_z10_by_z10 + t27*z1_2_on_boundary_by_z10_by_z10 + t29*z2_2_on_boundary_by_z10_by_z10;
+    const double carried_v1_3_by_z20_by_z10 = t18*v1_2_on_boundary_by_z20_by_z10 + t27*z1_2_on_boundary_by_z20_by_z10 + t29*z2_2_on_boundary_by_z20_by_z10;
+    const double carried_v2_3_by_z10_by_z10 = t22*v1_2_on_boundary_by_z10_by_z10 + t31*z1_2_on_boundary_by_z10_by_z10 - t32*z2_2_on_boundary_by_z10_by_z10;
+    const double carried_v2_3_by_z20_by_z10 = t22*v1_2_on_boundary_by_z20_by_z10 + t31*z1_2_on_boundary_by_z20_by_z10 - t32*z2_2_on_boundary_by_z20_by_z10;
+    /* d/dz20 of: Phi along tau1 */
+    const double carried_z1_3_by_z10_by_z20 = t17*v1_2_on_boundary_by_z10_by_z20 + t18*z1_2_on_boundary_by_z10_by_z20 + t19*z2_2_on_boundary_by_z10_by_z20;
+    const double carried_z1_3_by_z20_by_z20 = t17*v1_2_on_boundary_by_z20_by_z20 + t18*z1_2_on_boundary_by_z20_by_z20 + t19*z2_2_on_boundary_by_z20_by_z20;
+    const double carried_z2_3_by_z10_by_z20 = t21*v1_2_on_boundary_by_z10_by_z20 + t22*z1_2_on_boundary_by_z10_by_z20 + t23*z2_2_on_boundary_by_z10_by_z20;
+    const double carried_z2_3_by_z20_by_z20 = t21*v1_2_on_boundary_by_z20_by_z20 + t22*z1_2_on_boundary_by_z20_by_z20 + t23*z2_2_on_boundary_by_z20_by_z20;
+    const double carried_v1_3_by_z10_by_z20 = t18*v1_2_on_boundary_by_z10_by_z20 + t27*z1_2_on_boundary_by_z10_by_z20 + t29*z2_2_on_boundary_by_z10_by_z20;
+    const double carried_v1_3_by_z20_by_z20 = t18*v1_2_on_boundary_by_z20_by_z20 + t27*z1_2_on_boundary_by_z20_by_z20 + t29*z2_2_on_boundary_by_z20_by_z20;
+    const double carried_v2_3_by_z10_by_z20 = t22*v1_2_on_boundary_by_z10_by_z20 + t31*z1_2_on_boundary_by_z10_by_z20 - t32*z2_2_on_boundary_by_z10_by_z20;
+    const double carried_v2_3_by_z20_by_z20 = t22*v1_2_on_boundary_by_z20_by_z20 + t31*z1_2_on_boundary_by_z20_by_z20 - t32*z2_2_on_boundary_by_z20_by_z20;
+    /* d/dtau of: Phi along tau1 */
+    const double carried_z1_3_by_z10_by_tau = t17*v1_2_on_boundary_by_z10_by_tau + t18*z1_2_on_boundary_by_z10_by_tau + t19*z2_2_on_boundary_by_z10_by_tau;
+    const double carried_z1_3_by_z20_by_tau = t17*v1_2_on_boundary_by_z20_by_tau + t18*z1_2_on_boundary_by_z20_by_tau + t19*z2_2_on_boundary_by_z20_by_tau;
+    const double carried_z2_3_by_z10_by_tau = t21*v1_2_on_boundary_by_z10_by_tau + t22*z1_2_on_boundary_by_z10_by_tau + t23*z2_2_on_boundary_by_z10_by_tau;
+    const double carried_z2_3_by_z20_by_tau = t21*v1_2_on_boundary_by_z20_by_tau + t22*z1_2_on_boundary_by_z20_by_tau + t23*z2_2_on_boundary_by_z20_by_tau;
+    const double carried_v1_3_by_z10_by_tau = t18*v1_2_on_boundary_by_z10_by_tau + t27*z1_2_on_boundary_by_z10_by_tau + t29*z2_2_on_boundary_by_z10_by_tau;
+    const double carried_v1_3_by_z20_by_tau = t18*v1_2_on_boundary_by_z20_by_tau + t27*z1_2_on_boundary_by_z20_by_tau + t29*z2_2_on_boundary_by_z20_by_tau;
+    const double carried_v2_3_by_z10_by_tau = t22*v1_2_on_boundary_by_z10_by_tau + t31*z1_2_on_boundary_by_z10_by_tau - t32*z2_2_on_boundary_by_z10_by_tau;
+    const double carried_v2_3_by_z20_by_tau = t22*v1_2_on_boundary_by_z20_by_tau + t31*z1_2_on_boundary_by_z20_by_tau - t32*z2_2_on_boundary_by_z20_by_tau;
+    /* d/dtau1 of: Phi along tau1 */
+    const double t151 = p1*z1_2_on_boundary_by_z10;
+    const double t152 = p2*z2_2_on_boundary_by_z10;
+    const double t153 = t151 + t152;
+    const double t154 = t14*z1_2_on_boundary_by_z10 - t152;
+    const double t155 = sin_omega1_tau1_by_tau1*t12;
+    const double t156 = p1*v1_2_on_boundary_by_z10;
+    const double t157 = sin_omega2_tau1_by_tau1*t15;
+    const double t158 = t14*v1_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z10_by_tau1 = cos_omega1_tau1_by_tau1*t153 + cos_omega2_tau1_by_tau1*t154 + t155*t156 + t157*t158;
+    const double t159 = p1*z1_2_on_boundary_by_z20;
+    const double t160 = p2*z2_2_on_boundary_by_z20;
+    const double t161 = t159 + t160;
+    const double t162 = t14*z1_2_on_boundary_by_z20 - t160;
+    const double t163 = p1*v1_2_on_boundary_by_z20;
+    const double t164 = t14*v1_2_on_boundary_by_z20;
+    const double carried_z1_3_by_z20_by_tau1 = cos_omega1_tau1_by_tau1*t161 + cos_omega2_tau1_by_tau1*t162 + t155*t163 + t157*t164;
+    const double t165 = p3*z1_2_on_boundary_by_z10;
+    const double t166 = t14*z2_2_on_boundary_by_z10;
+    const double t167 = t165 + t166;
+    const double t168 = p1*z2_2_on_boundary_by_z10;
+    const double t169 = -t165 + t168;
+    const double t170 = p3*v1_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z10_by_tau1 = cos_omega1_tau1_by_tau1*t167 + cos_omega2_tau1_by_tau1*t169 + t155*t170 - t157*t170;
+    const double t171 = p3*z1_2_on_boundary_by_z20;
+    const double t172 = t14*z2_2_on_boundary_by_z20;
+    const double t173 = t171 + t172;
+    const double t174 = p1*z2_2_on_boundary_by_z20;
+    const double t175 = -t171 + t174;
+    const double t176 = p3*v1_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z20_by_tau1 = cos_omega1_tau1_by_tau1*t173 + cos_omega2_tau1_by_tau1*t175 + t155*t176 - t157*t176;
+    const double t177 = -omega1*t151 - omega1*t152;
+    const double t178 = t14*z1_2_on_boundary_by_z10;
+    const double t179 = omega2*t152 - omega2*t178;
+    const double t180 = cos_omega1_tau1_by_tau1*p1;
+    const double t181 = cos_omega2_tau1_by_tau1*t14;
+    const double carried_v1_3_by_z10_by_tau1 = sin_omega1_tau1_by_tau1*t177 + sin_omega2_tau1_by_tau1*t179 + t180*v1_2_on_boundary_by_z10 + t181*v1_2_on_boundary_by_z10;
+    const double t182 = -omega1*t159 - omega1*t160;
+    const double t183 = t14*z1_2_on_boundary_by_z20;
+    const double t184 = omega2*t160 - omega2*t183;
+    const double carried_v1_3_by_z20_by_tau1 = sin_omega1_tau1_by_tau1*t182 + sin_omega2_tau1_by_tau1*t184 + t180*v1_2_on_boundary_by_z20 + t181*v1_2_on_boundary_by_z20;
+    const double t185 = -omega1*t165 - omega1*t166;
+    const double t186 = omega2*p3*z1_2_on_boundary_by_z10 - omega2*t168;
+    const double carried_v2_3_by_z10_by_tau1 = cos_omega1_tau1_by_tau1*t170 - cos_omega2_tau1_by_tau1*t170 + sin_omega1_tau1_by_tau1*t185 + sin_omega2_tau1_by_tau1*t186;
+    const double t187 = -omega1*t171 - omega1*t172;
+    const double t188 = omega2*p3*z1_2_on_boundary_by_z20 - omega2*t174;
+    const double carried_v2_3_by_z20_by_tau1 = cos_omega1_tau1_by_tau1*t176 - cos_omega2_tau1_by_tau1*t176 + sin_omega1_tau1_by_tau1*t187 + sin_omega2_tau1_by_tau1*t188;
+    /* d/dchi of: Phi along tau1 */
+    const double t189 = -t107*v1_2_on_boundary_by_z10 + t109*z1_2_on_boundary_by_z10;
+    const double t190 = p2_by_chi*t109;
+    const double t191 = sin_omega1_tau1_by_chi*t12;
+    const double t192 = sin_omega2_tau1_by_chi*t15;
+    const double t193 = omega1_by_chi*t102;
+    const double t194 = omega2_by_chi*t105;
+    const double carried_z1_3_by_z10_by_chi = cos_omega1_tau1_by_chi*t153 + cos_omega2_tau1_by_chi*t154 + p1_by_chi*t189 + t156*t191 - t156*t193 + t158*t192 - t158*t194 + t17*v1_2_on_boundary_by_z10_by_chi + t18*z1_2_on_boundary_by_z10_by_chi + t19*z2_2_on_boundary_by_z10_by_chi + t190*z2_2_on_boundary_by_z10;
+    const double t195 = -t107*v1_2_on_boundary_by_z20 + t109*z1_2_on_boundary_by_z20;
+    const double carried_z1_3_by_z20_by_chi = cos_omega1_tau1_by_chi*t161 + cos_omega2_tau1_by_chi*t162 + p1_by_chi*t195 + t163*t191 - t163*t193 + t164*t192 - t164*t194 + t17*v1_2_on_boundary_by_z20_by_chi + t18*z1_2_on_boundary_by_z20_by_chi + t19*z2_2_on_boundary_by_z20_by_chi + t190*z2_2_on_boundary_by_z20;
+    const double t196 = -p1_by_chi*t109;
+    const double carried_z2_3_by_z10_by_chi = cos_omega1_tau1_by_chi*t167 + cos_omega2_tau1_by_chi*t169 + p3_by_chi*t189 + t170*t191 - t170*t192 - t170*t193 + t170*t194 + t196*z2_2_on_boundary_by_z10 + t21*v1_2_on_boundary_by_z10_by_chi + t22*z1_2_on_boundary_by_z10_by_chi + t23*z2_2_on_boundary_by_z10_by_chi;
+    const double carried_z2_3_by_z20_by_chi = cos_omega1_tau1_by_chi*t173 + cos_omega2_tau1_by_chi*t175 + p3_by_chi*t195 + t176*t191 - t176*t192 - t176*t193 + t176*t194 + t196*z2_2_on_boundary_by_z20 + t21*v1_2_on_boundary_by_z20_by_chi + t22*z1_2_on_boundary_by_z20_by_chi + t23*z2_2_on_boundary_by_z20_by_chi;
+    const double t197 = -sin_omega1_tau1*t151 - sin_omega1_tau1*t152;
+    const double t198 = sin_omega2_tau1*t152 - sin_omega2_tau1*t178;
+    const double t199 = t109*v1_2_on_boundary_by_z10 - t118*z1_2_on_boundary_by_z10;
+    const double t200 = cos_omega1_tau1_by_chi*p1;
+    const double t201 = cos_omega2_tau1_by_chi*t14;
+    const double t202 = -p2_by_chi*t118;
+    const double carried_v1_3_by_z10_by_chi = omega1_by_chi*t197 + omega2_by_chi*t198 + p1_by_chi*t199 + sin_omega1_tau1_by_chi*t177 + sin_omega2_tau1_by_chi*t179 + t18*v1_2_on_boundary_by_z10_by_chi + t200*v1_2_on_boundary_by_z10 + t201*v1_2_on_boundary_by_z10 + t202*z2_2_on_boundary_by_z10 + t27*z1_2_on_boundary_by_z10_by_chi + t29*z2_2_on_boundary_by_z10_by_chi;
+    const double t203 = -sin_omega1_tau1*t159 - sin_omega1_tau1*t160;
+    const double t204 = sin_omega2_tau1*t160 - sin_omega2_tau1*t183;
+    const double t205 = t109*v1_2_on_boundary_by_z20 - t118*z1_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z20_by_chi = omega1_by_chi*t203 + omega2_by_chi*t204 + p1_by_chi*t205 + sin_omega1_tau1_by_chi*t182 + sin_omega2_tau1_by_chi*t184 + t18*v1_2_on_boundary_by_z20_by_chi + t200*v1_2_on_boundary_by_z20 + t201*v1_2_on_boundary_by_z20 + t202*z2_2_on_boundary_by_z20 + t27*z1_2_on_boundary_by_z20_by_chi + t29*z2_2_on_boundary_by_z20_by_chi;
+    const double t206 = -sin_omega1_tau1*t165 - sin_omega1_tau1*t166;
+    const double t207 = p3*sin_omega2_tau1*z1_2_on_boundary_by_z10 - sin_omega2_tau1*t168;
+    const double t208 = p1_by_chi*t118;
+    const double carried_v2_3_by_z10_by_chi = cos_omega1_tau1_by_chi*t170 - cos_omega2_tau1_by_chi*t170 + omega1_by_chi*t206 + omega2_by_chi*t207 + p3_by_chi*t199 + sin_omega1_tau1_by_chi*t185 + sin_omega2_tau1_by_chi*t186 + t208*z2_2_on_boundary_by_z10 + t22*v1_2_on_boundary_by_z10_by_chi + t31*z1_2_on_boundary_by_z10_by_chi - t32*z2_2_on_boundary_by_z10_by_chi;
+    const double t209 = -sin_omega1_tau1*t171 - sin_omega1_tau1*t172;
+    const double t210 = p3*sin_omega2_tau1*z1_2_on_boundary_by_z20 - sin_omega2_tau1*t174;
+    const double carried_v2_3_by_z20_by_chi = cos_omega1_tau1_by_chi*t176 - cos_omega2_tau1_by_chi*t176 + omega1_by_chi*t209 + omega2_by_chi*t210 + p3_by_chi*t205 + sin_omega1_tau1_by_chi*t187 + sin_omega2_tau1_by_chi*t188 + t208*z2_2_on_boundary_by_z20 + t22*v1_2_on_boundary_by_z20_by_chi + t31*z1_2_on_boundary_by_z20_by_chi - t32*z2_2_on_boundary_by_z20_by_chi;
+    /* d/deta of: Phi along tau1 */
+    const double t211 = p2_by_eta*t109;
+    const double t212 = sin_omega1_tau1_by_eta*t12;
+    const double t213 = sin_omega2_tau1_by_eta*t15;
+    const double t214 = omega1_by_eta*t102;
+    const double t215 = omega2_by_eta*t105;
+    const double carried_z1_3_by_z10_by_eta = cos_omega1_tau1_by_eta*t153 + cos_omega2_tau1_by_eta*t154 + p1_by_eta*t189 + t156*t212 - t156*t214 + t158*t213 - t158*t215 + t211*z2_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20_by_eta = cos_omega1_tau1_by_eta*t161 + cos_omega2_tau1_by_eta*t162 + p1_by_eta*t195 + t163*t212 - t163*t214 + t164*t213 - t164*t215 + t211*z2_2_on_boundary_by_z20;
+    const double t216 = -p1_by_eta*t109;
+    const double carried_z2_3_by_z10_by_eta = cos_omega1_tau1_by_eta*t167 + cos_omega2_tau1_by_eta*t169 + p3_by_eta*t189 + t170*t212 - t170*t213 - t170*t214 + t170*t215 + t216*z2_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20_by_eta = cos_omega1_tau1_by_eta*t173 + cos_omega2_tau1_by_eta*t175 + p3_by_eta*t195 + t176*t212 - t176*t213 - t176*t214 + t176*t215 + t216*z2_2_on_boundary_by_z20;
+    const double t217 = cos_omega1_tau1_by_eta*p1;
+    const double t218 = cos_omega2_tau1_by_eta*t14;
+    const double t219 = -p2_by_eta*t118;
+    const double carried_v1_3_by_z10_by_eta = omega1_by_eta*t197 + omega2_by_eta*t198 + p1_by_eta*t199 + sin_omega1_tau1_by_eta*t177 + sin_omega2_tau1_by_eta*t179 + t217*v1_2_on_boundary_by_z10 + t218*v1_2_on_boundary_by_z10 + t219*z2_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20_by_eta = omega1_by_eta*t203 + omega2_by_eta*t204 + p1_by_eta*t205 + sin_omega1_tau1_by_eta*t182 + sin_omega2_tau1_by_eta*t184 + t217*v1_2_on_boundary_by_z20 + t218*v1_2_on_boundary_by_z20 + t219*z2_2_on_boundary_by_z20;
+    const double t220 = p1_by_eta*t118;
+    const double carried_v2_3_by_z10_by_eta = cos_omega1_tau1_by_eta*t170 - cos_omega2_tau1_by_eta*t170 + omega1_by_eta*t206 + omega2_by_eta*t207 + p3_by_eta*t199 + sin_omega1_tau1_by_eta*t185 + sin_omega2_tau1_by_eta*t186 + t220*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20_by_eta = cos_omega1_tau1_by_eta*t176 - cos_omega2_tau1_by_eta*t176 + omega1_by_eta*t209 + omega2_by_eta*t210 + p3_by_eta*t205 + sin_omega1_tau1_by_eta*t187 + sin_omega2_tau1_by_eta*t188 + t220*z2_2_on_boundary_by_z20;
+    /* d/dV of: Phi along tau1 */
+    const double carried_z1_3_by_z10_by_V = t17*v1_2_on_boundary_by_z10_by_V + t18*z1_2_on_boundary_by_z10_by_V + t19*z2_2_on_boundary_by_z10_by_V;
+    const double carried_z1_3_by_z20_by_V = t17*v1_2_on_boundary_by_z20_by_V + t18*z1_2_on_boundary_by_z20_by_V + t19*z2_2_on_boundary_by_z20_by_V;
+    const double carried_z2_3_by_z10_by_V = t21*v1_2_on_boundary_by_z10_by_V + t22*z1_2_on_boundary_by_z10_by_V + t23*z2_2_on_boundary_by_z10_by_V;
+    const double carried_z2_3_by_z20_by_V = t21*v1_2_on_boundary_by_z20_by_V + t22*z1_2_on_boundary_by_z20_by_V + t23*z2_2_on_boundary_by_z20_by_V;
+    const double carried_v1_3_by_z10_by_V = t18*v1_2_on_boundary_by_z10_by_V + t27*z1_2_on_boundary_by_z10_by_V + t29*z2_2_on_boundary_by_z10_by_V;
+    const double carried_v1_3_by_z20_by_V = t18*v1_2_on_boundary_by_z20_by_V + t27*z1_2_on_boundary_by_z20_by_V + t29*z2_2_on_boundary_by_z20_by_V;
+    const double carried_v2_3_by_z10_by_V = t22*v1_2_on_boundary_by_z10_by_V + t31*z1_2_on_boundary_by_z10_by_V - t32*z2_2_on_boundary_by_z10_by_V;
+    const double carried_v2_3_by_z20_by_V = t22*v1_2_on_boundary_by_z20_by_V + t31*z1_2_on_boundary_by_z20_by_V - t32*z2_2_on_boundary_by_z20_by_V;
+    /* d/dz10 of: rate of the exit boundary after tau1 */
+    const double t221 = chi*z2_3_by_z10;
+    const double rate_3_by_z10 = t221 - z1_3_by_z10;
+    /* d/dz20 of: rate of the exit boundary after tau1 */
+    const double t222 = chi*z2_3_by_z20;
+    const double rate_3_by_z20 = t222 - z1_3_by_z20;
+    /* d/dtau of: rate of the exit boundary after tau1 */
+    const double t223 = chi*z2_3_by_tau;
+    const double rate_3_by_tau = t223 - z1_3_by_tau;
+    /* d/dtau1 of: rate of the exit boundary after tau1 */
+    const double t224 = chi*z2_3_by_tau1;
+    const double rate_3_by_tau1 = t224 - z1_3_by_tau1;
+    /* d/dchi of: rate of the exit boundary after tau1 */
+    const double t225 = chi*z2_3_by_chi;
+    const double rate_3_by_chi = t225 - z1_3_by_chi + z2_3;
+    /* d/deta of: rate of the exit boundary after tau1 */
+    const double t226 = chi*z2_3_by_eta;
+    const double rate_3_by_eta = t226 - z1_3_by_eta;
+    /* d/dV of: rate of the exit boundary after tau1 */
+    const double t227 = chi*z2_3_by_V;
+    const double rate_3_by_V = t227 - z1_3_by_V;
+    /* d/dz10 of: derivatives of tau1 on the boundary */
+    const double t228 = (1.0/(rate_3*rate_3));
+    const double t229 = rate_3_by_z10*t228;
+    const double tau1_by_z10_by_z10 = carried_v1_3_by_z10*t229 - carried_v1_3_by_z10_by_z10*t58;
+    const double tau1_by_z20_by_z10 = carried_v1_3_by_z20*t229 - carried_v1_3_by_z20_by_z10*t58;
+    /* d/dz20 of: derivatives of tau1 on the boundary */
+    const double t230 = rate_3_by_z20*t228;
+    const double tau1_by_z10_by_z20 = carried_v1_3_by_z10*t230 - carried_v1_3_by_z10_by_z20*t58;
+    const double tau1_by_z20_by_z20 = carried_v1_3_by_z20*t230 - carried_v1_3_by_z20_by_z20*t58;
+    /* d/dtau of: derivatives of tau1 on the boundary */
+    const double t231 = rate_3_by_tau*t228;
+    const double tau1_by_z10_by_tau = carried_v1_3_by_z10*t231 - carried_v1_3_by_z10_by_tau*t58;
+    const double tau1_by_z20_by_tau = carried_v1_3_by_z20*t231 - carried_v1_3_by_z20_by_tau*t58;
+    /* d/dtau1 of: derivatives of tau1 on the boundary */
+    const double t232 = rate_3_by_tau1*t228;
+    const double tau1_by_z10_by_tau1 = carried_v1_3_by_z10*t232 - carried_v1_3_by_z10_by_tau1*t58;
+    const double tau1_by_z20_by_tau1 = carried_v1_3_by_z20*t232 - carried_v1_3_by_z20_by_tau1*t58;
+    /* d/dchi of: derivatives of tau1 on the boundary */
+    const double t233 = rate_3_by_chi*t228;
+    const double tau1_by_z10_by_chi = carried_v1_3_by_z10*t233 - carried_v1_3_by_z10_by_chi*t58;
+    const double tau1_by_z20_by_chi = carried_v1_3_by_z20*t233 - carried_v1_3_by_z20_by_chi*t58;
+    /* d/deta of: derivatives of tau1 on the boundary */
+    const double t234 = rate_3_by_eta*t228;
+    const double tau1_by_z10_by_eta = carried_v1_3_by_z10*t234 - carried_v1_3_by_z10_by_eta*t58;
+    const double tau1_by_z20_by_eta = carried_v1_3_by_z20*t234 - carried_v1_3_by_z20_by_eta*t58;
+    /* d/dV of: derivatives of tau1 on the boundary */
+    const double t235 = rate_3_by_V*t228;
+    const double tau1_by_z10_by_V = carried_v1_3_by_z10*t235 - carried_v1_3_by_z10_by_V*t58;
+    const double tau1_by_z20_by_V = carried_v1_3_by_z20*t235 - carried_v1_3_by_z20_by_V*t58;
+    /* d/dz10 of: perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10_by_z10 = carried_z1_3_by_z10_by_z10 + tau1_by_z10*v1_3_by_z10 + tau1_by_z10_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20_by_z10 = carried_z1_3_by_z20_by_z10 + tau1_by_z20*v1_3_by_z10 + tau1_by_z20_by_z10*v1_3;
+    const double z2_3_on_boundary_by_z10_by_z10 = carried_z2_3_by_z10_by_z10 + tau1_by_z10*v2_3_by_z10 + tau1_by_z10_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20_by_z10 = carried_z2_3_by_z20_by_z10 + tau1_by_z20*v2_3_by_z10 + tau1_by_z20_by_z10*v2_3;
+    const double t236 = chi*eta;
+    const double t237 = t236*z1_3_by_z10;
+    const double t238 = eta*t221;
+    const double v2_3_on_boundary_by_z10_by_z10 = carried_v2_3_by_z10_by_z10 + t237*tau1_by_z10 - t238*tau1_by_z10 + t60*tau1_by_z10_by_z10;
+    const double v2_3_on_boundary_by_z20_by_z10 = carried_v2_3_by_z20_by_z10 + t237*tau1_by_z20 - t238*tau1_by_z20 + t60*tau1_by_z20_by_z10;
+    /* d/dz20 of: perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10_by_z20 = carried_z1_3_by_z10_by_z20 + tau1_by_z10*v1_3_by_z20 + tau1_by_z10_by_z20*v1_3;
+    const double z1_3_on_boundary_by_z20_by_z20 = carried_z1_3_by_z20_by_z20 + tau1_by_z20*v1_3_by_z20 + tau1_by_z20_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10_by_z20 = carried_z2_3_by_z10_by_z20 + tau1_by_z10*v2_3_by_z20 + tau1_by_z10_by_z20*v2_3;
+    const double z2_3_on_boundary_by_z20_by_z20 = carried_z2_3_by_z20_by_z20 + tau1_by_z20*v2_3_by_z20 + tau1_by_z20_by_z20*v2_3;
+    const double t239 = t236*z1_3_by_z20;
+    const double t240 = eta*t222;
+    const double v2_3_on_boundary_by_z10_by_z20 = carried_v2_3_by_z10_by_z20 + t239*tau1_by_z10 - t240*tau1_by_z10 + t60*tau1_by_z10_by_z20;
+    const double v2_3_on_boundary_by_z20_by_z20 = carried_v2_3_by_z20_by_z20 + t239*tau1_by_z20 - t240*tau1_by_z20 + t60*tau1_by_z20_by_z20;
+    /* d/dtau of: perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10_by_tau = carried_z1_3_by_z10_by_tau + tau1_by_z10*v1_3_by_tau + tau1_by_z10_by_tau*v1_3;
+    const double z1_3_on_boundary_by_z20_by_tau = carried_z1_3_by_z20_by_tau + tau1_by_z20*v1_3_by_tau + tau1_by_z20_by_tau*v1_3;
+    const double z2_3_on_boundary_by_z10_by_tau = carried_z2_3_by_z10_by_tau + tau1_by_z10*v2_3_by_tau + tau1_by_z10_by_tau*v2_3;
+    const double z2_3_on_boundary_by_z20_by_tau = carried_z2_3_by_z20_by_tau + tau1_by_z20*v2_3_by_tau + tau1_by_z20_by_tau*v2_3;
+    const double t241 = t236*z1_3_by_tau;
+    const double t242 = eta*t223;
+    const double v2_3_on_boundary_by_z10_by_tau = carried_v2_3_by_z10_by_tau + t241*tau1_by_z10 - t242*tau1_by_z10 + t60*tau1_by_z10_by_tau;
+    const double v2_3_on_boundary_by_z20_by_tau = carried_v2_3_by_z20_by_tau + t241*tau1_by_z20 - t242*tau1_by_z20 + t60*tau1_by_z20_by_tau;
+    /* d/dtau1 of: perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10_by_tau1 = carried_z1_3_by_z10_by_tau1 + tau1_by_z10*v1_3_by_tau1 + tau1_by_z10_by_tau1*v1_3;
+    const double z1_3_on_boundary_by_z20_by_tau1 = carried_z1_3_by_z20_by_tau1 + tau1_by_z20*v1_3_by_tau1 + tau1_by_z20_by_tau1*v1_3;
+    const double z2_3_on_boundary_by_z10_by_tau1 = carried_z2_3_by_z10_by_tau1 + tau1_by_z10*v2_3_by_tau1 + tau1_by_z10_by_tau1*v2_3;
+    const double z2_3_on_boundary_by_z20_by_tau1 = carried_z2_3_by_z20_by_tau1 + tau1_by_z20*v2_3_by_tau1 + tau1_by_z20_by_tau1*v2_3;
+    const double t243 = t236*z1_3_by_tau1;
+    const double t244 = eta*t224;
+    const double v2_3_on_boundary_by_z10_by_tau1 = carried_v2_3_by_z10_by_tau1 + t243*tau1_by_z10 - t244*tau1_by_z10 + t60*tau1_by_z10_by_tau1;
+    const double v2_3_on_boundary_by_z20_by_tau1 = carried_v2_3_by_z20_by_tau1 + t243*tau1_by_z20 - t244*tau1_by_z20 + t60*tau1_by_z20_by_tau1;
+    /* d/dchi of: perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10_by_chi = carried_z1_3_by_z10_by_chi + tau1_by_z10*v1_3_by_chi + tau1_by_z10_by_chi*v1_3;
+    const double z1_3_on_boundary_by_z20_by_chi = carried_z1_3_by_z20_by_chi + tau1_by_z20*v1_3_by_chi + tau1_by_z20_by_chi*v1_3;
+    const double z2_3_on_boundary_by_z10_by_chi = carried_z2_3_by_z10_by_chi + tau1_by_z10*v2_3_by_chi + tau1_by_z10_by_chi*v2_3;
+    const double z2_3_on_boundary_by_z20_by_chi = carried_z2_3_by_z20_by_chi + tau1_by_z20*v2_3_by_chi + tau1_by_z20_by_chi*v2_3;
+    const double t245 = -eta*z2_3 + t59;
+    const double t246 = t236*z1_3_by_chi;
+    const double t247 = eta*t225;
+    const double v2_3_on_boundary_by_z10_by_chi = carried_v2_3_by_z10_by_chi + t245*tau1_by_z10 + t246*tau1_by_z10 - t247*tau1_by_z10 + t60*tau1_by_z10_by_chi;
+    const double v2_3_on_boundary_by_z20_by_chi = carried_v2_3_by_z20_by_chi + t245*tau1_by_z20 + t246*tau1_by_z20 - t247*tau1_by_z20 + t60*tau1_by_z20_by_chi;
+    /* d/deta of: perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10_by_eta = carried_z1_3_by_z10_by_eta + tau1_by_z10*v1_3_by_eta + tau1_by_z10_by_eta*v1_3;
+    const double z1_3_on_boundary_by_z20_by_eta = carried_z1_3_by_z20_by_eta + tau1_by_z20*v1_3_by_eta + tau1_by_z20_by_eta*v1_3;
+    const double z2_3_on_boundary_by_z10_by_eta = carried_z2_3_by_z10_by_eta + tau1_by_z10*v2_3_by_eta + tau1_by_z10_by_eta*v2_3;
+    const double z2_3_on_boundary_by_z20_by_eta = carried_z2_3_by_z20_by_eta + tau1_by_z20*v2_3_by_eta + tau1_by_z20_by_eta*v2_3;
+    const double t248 = chi*z1_3 - t57;
+    const double t249 = t236*z1_3_by_eta;
+    const double t250 = eta*t226;
+    const double v2_3_on_boundary_by_z10_by_eta = carried_v2_3_by_z10_by_eta + t248*tau1_by_z10 + t249*tau1_by_z10 - t250*tau1_by_z10 + t60*tau1_by_z10_by_eta;
+    const double v2_3_on_boundary_by_z20_by_eta = carried_v2_3_by_z20_by_eta + t248*tau1_by_z20 + t249*tau1_by_z20 - t250*tau1_by_z20 + t60*tau1_by_z20_by_eta;
+    /* d/dV of: perturbation on the boundary after tau1 */
+    const double z1_3_on_boundary_by_z10_by_V = carried_z1_3_by_z10_by_V + tau1_by_z10*v1_3_by_V + tau1_by_z10_by_V*v1_3;
+    const double z1_3_on_boundary_by_z20_by_V = carried_z1_3_by_z20_by_V + tau1_by_z20*v1_3_by_V + tau1_by_z20_by_V*v1_3;
+    const double z2_3_on_boundary_by_z10_by_V = carried_z2_3_by_z10_by_V + tau1_by_z10*v2_3_by_V + tau1_by_z10_by_V*v2_3;
+    const double z2_3_on_boundary_by_z20_by_V = carried_z2_3_by_z20_by_V + tau1_by_z20*v2_3_by_V + tau1_by_z20_by_V*v2_3;
+    const double t251 = t236*z1_3_by_V;
+    const double t252 = eta*t227;
+    const double v2_3_on_boundary_by_z10_by_V = carried_v2_3_by_z10_by_V + t251*tau1_by_z10 - t252*tau1_by_z10 + t60*tau1_by_z10_by_V;
+    const double v2_3_on_boundary_by_z20_by_V = carried_v2_3_by_z20_by_V + t251*tau1_by_z20 - t252*tau1_by_z20 + t60*tau1_by_z20_by_V;
+    /* d/dz10 of: Phi along tau2 */
+    const double carried_z2_4_by_z20_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_z10 + t38*z1_3_on_boundary_by_z20_by_z10 + t40*v2_3_on_boundary_by_z20_by_z10;
+    const double carried_v2_4_by_z10_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_z10 + t127*z1_3_on_boundary_by_z10_by_z10 - t127*z2_3_on_boundary_by_z10_by_z10;
+    const double carried_v2_4_by_z20_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_z10 + t127*z1_3_on_boundary_by_z20_by_z10 - t127*z2_3_on_boundary_by_z20_by_z10;
+    /* d/dz20 of: Phi along tau2 */
+    const double carried_z2_4_by_z20_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_z20 + t38*z1_3_on_boundary_by_z20_by_z20 + t40*v2_3_on_boundary_by_z20_by_z20;
+    const double carried_v2_4_by_z10_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_z20 + t127*z1_3_on_boundary_by_z10_by_z20 - t127*z2_3_on_boundary_by_z10_by_z20;
+    const double carried_v2_4_by_z20_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_z20 + t127*z1_3_on_boundary_by_z20_by_z20 - t127*z2_3_on_boundary_by_z20_by_z20;
+    /* d/dtau of: Phi along tau2 */
+    const double carried_z2_4_by_z20_by_tau = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_tau + t38*z1_3_on_boundary_by_z20_by_tau + t40*v2_3_on_boundary_by_z20_by_tau;
+    const double carried_v2_4_by_z10_by_tau = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_tau + t127*z1_3_on_boundary_by_z10_by_tau - t127*z2_3_on_boundary_by_z10_by_tau;
+    const double carried_v2_4_by_z20_by_tau = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_tau + t127*z1_3_on_boundary_by_z20_by_tau - t127*z2_3_on_boundary_by_z20_by_tau;
+    /* d/dtau1 of: Phi along tau2 */
+    const double carried_z2_4_by_z20_by_tau1 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_tau1 + t38*z1_3_on_boundary_by_z20_by_tau1 + t40*v2_3_on_boundary_by_z20_by_tau1;
+    const double carried_v2_4_by_z10_by_tau1 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_tau1 + t127*z1_3_on_boundary_by_z10_by_tau1 - t127*z2_3_on_boundary_by_z10_by_tau1;
+    const double carried_v2_4_by_z20_by_tau1 = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_tau1 + t127*z1_3_on_boundary_by_z20_by_tau1 - t127*z2_3_on_boundary_by_z20_by_tau1;
+    /* d/dtau2 of: Phi along tau2 */
+    const double t253 = -z1_3_on_boundary_by_z20 + z2_3_on_boundary_by_z20;
+    const double t254 = t39*v2_3_on_boundary_by_z20;
+    const double carried_z2_4_by_z20_by_tau2 = cos_omega3_tau2_by_tau2*t253 + sin_omega3_tau2_by_tau2*t254;
+    const double t255 = t61 - t62;
+    const double carried_v2_4_by_z10_by_tau2 = cos_omega3_tau2_by_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2_by_tau2*t255;
+    const double t256 = t63 - t64;
+    const double carried_v2_4_by_z20_by_tau2 = cos_omega3_tau2_by_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2_by_tau2*t256;
+    /* d/dchi of: Phi along tau2 */
+    const double t257 = t132*v2_3_on_boundary_by_z20;
+    const double carried_z2_4_by_z20_by_chi = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_chi + cos_omega3_tau2_by_chi*t253 - omega3_by_chi*t257 + sin_omega3_tau2_by_chi*t254 + t38*z1_3_on_boundary_by_z20_by_chi + t40*v2_3_on_boundary_by_z20_by_chi;
+    const double t258 = sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z10_by_chi = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_chi + cos_omega3_tau2_by_chi*v2_3_on_boundary_by_z10 + omega3_by_chi*t258 + sin_omega3_tau2_by_chi*t255 + t127*z1_3_on_boundary_by_z10_by_chi - t127*z2_3_on_boundary_by_z10_by_chi;
+    const double t259 = sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z20_by_chi = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_chi + cos_omega3_tau2_by_chi*v2_3_on_boundary_by_z20 + omega3_by_chi*t259 + sin_omega3_tau2_by_chi*t256 + t127*z1_3_on_boundary_by_z20_by_chi - t127*z2_3_on_boundary_by_z20_by_chi;
+    /* d/deta of: Phi along tau2 */
+    const double carried_z2_4_by_z20_by_eta = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_eta + cos_omega3_tau2_by_eta*t253 - omega3_by_eta*t257 + sin_omega3_tau2_by_eta*t254 + t38*z1_3_on_boundary_by_z20_by_eta + t40*v2_3_on_boundary_by_z20_by_eta;
+    const double carried_v2_4_by_z10_by_eta = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_eta + cos_omega3_tau2_by_eta*v2_3_on_boundary_by_z10 + omega3_by_eta*t258 + sin_omega3_tau2_by_eta*t255 + t127*z1_3_on_boundary_by_z10_by_eta - t127*z2_3_on_boundary_by_z10_by_eta;
+    const double carried_v2_4_by_z20_by_eta = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_eta + cos_omega3_tau2_by_eta*v2_3_on_boundary_by_z20 + omega3_by_eta*t259 + sin_omega3_tau2_by_eta*t256 + t127*z1_3_on_boundary_by_z20_by_eta - t127*z2_3_on_boundary_by_z20_by_eta;
+    /* d/dV of: Phi along tau2 */
+    const double carried_z2_4_by_z20_by_V = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_V + t38*z1_3_on_boundary_by_z20_by_V + t40*v2_3_on_boundary_by_z20_by_V;
+    const double carried_v2_4_by_z10_by_V = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_V + t127*z1_3_on_boundary_by_z10_by_V - t127*z2_3_on_boundary_by_z10_by_V;
+    const double carried_v2_4_by_z20_by_V = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_V + t127*z1_3_on_boundary_by_z20_by_V - t127*z2_3_on_boundary_by_z20_by_V;
+    /* d/dz10 of: rate of the exit boundary after tau2 */
+    const double rate_4_by_z10 = -t236*z2_4_by_z10 + t237;
+    /* d/dz20 of: rate of the exit boundary after tau2 */
+    const double rate_4_by_z20 = -t236*z2_4_by_z20 + t239;
+    /* d/dtau of: rate of the exit boundary after tau2 */
+    const double rate_4_by_tau = -t236*z2_4_by_tau + t241;
+    /* d/dtau1 of: rate of the exit boundary after tau2 */
+    const double rate_4_by_tau1 = -t236*z2_4_by_tau1 + t243;
+    /* d/dtau2 of: rate of the exit boundary after tau2 */
+    const double rate_4_by_tau2 = eta*t45 - t236*z2_4_by_tau2;
+    /* d/dchi of: rate of the exit boundary after tau2 */
+    const double rate_4_by_chi = -t236*z2_4_by_chi + t246 + t65 - t66;
+    /* d/deta of: rate of the exit boundary after tau2 */
+    const double rate_4_by_eta = chi*z1_4 - chi*z2_4 - t236*z2_4_by_eta + t249;
+    /* d/dV of: rate of the exit boundary after tau2 */
+    const double rate_4_by_V = t236*z1_4_by_V - t236*z2_4_by_V;
+    /* d/dz10 of: derivatives of tau2 on the boundary */
+    const double t260 = (1.0/(rate_4*rate_4));
+    const double t261 = rate_4_by_z10*t260;
+    const double tau2_by_z10_by_z10 = carried_v2_4_by_z10*t261 - carried_v2_4_by_z10_by_z10*t67;
+    const double tau2_by_z20_by_z10 = carried_v2_4_by_z20*t261 - carried_v2_4_by_z20_by_z10*t67;
+    /* d/dz20 of: derivatives of tau2 on the boundary */
+    const double t262 = rate_4_by_z20*t260;
+    const double tau2_by_z10_by_z20 = carried_v2_4_by_z10*t262 - carried_v2_4_by_z10_by_z20*t67;
+    const double tau2_by_z20_by_z20 = carried_v2_4_by_z20*t262 - carried_v2_4_by_z20_by_z20*t67;
+    /* d/dtau of: derivatives of tau2 on the boundary */
+    const double t263 = rate_4_by_tau*t260;
+    const double tau2_by_z10_by_tau = carried_v2_4_by_z10*t263 - carried_v2_4_by_z10_by_tau*t67;
+    const double tau2_by_z20_by_tau = carried_v2_4_by_z20*t263 - carried_v2_4_by_z20_by_tau*t67;
+    /* d/dtau1 of: derivatives of tau2 on the boundary */
+    const double t264 = rate_4_by_tau1*t260;
+    const double tau2_by_z10_by_tau1 = carried_v2_4_by_z10*t264 - carried_v2_4_by_z10_by_tau1*t67;
+    const double tau2_by_z20_by_tau1 = carried_v2_4_by_z20*t264 - carried_v2_4_by_z20_by_tau1*t67;
+    /* d/dtau2 of: derivatives of tau2 on the boundary */
+    const double t265 = rate_4_by_tau2*t260;
+    const double tau2_by_z10_by_tau2 = carried_v2_4_by_z10*t265 - carried_v2_4_by_z10_by_tau2*t67;
+    const double tau2_by_z20_by_tau2 = carried_v2_4_by_z20*t265 - carried_v2_4_by_z20_by_tau2*t67;
+    /* d/dchi of: derivatives of tau2 on the boundary */
+    const double t266 = rate_4_by_chi*t260;
+    const double tau2_by_z10_by_chi = carried_v2_4_by_z10*t266 - carried_v2_4_by_z10_by_chi*t67;
+    const double tau2_by_z20_by_chi = carried_v2_4_by_z20*t266 - carried_v2_4_by_z20_by_chi*t67;
+    /* d/deta of: derivatives of tau2 on the boundary */
+    const double t267 = rate_4_by_eta*t260;
+    const double tau2_by_z10_by_eta = carried_v2_4_by_z10*t267 - carried_v2_4_by_z10_by_eta*t67;
+    const double tau2_by_z20_by_eta = carried_v2_4_by_z20*t267 - carried_v2_4_by_z20_by_eta*t67;
+    /* d/dV of: derivatives of tau2 on the boundary */
+    const double t268 = rate_4_by_V*t260;
+    const double tau2_by_z10_by_V = carried_v2_4_by_z10*t268 - carried_v2_4_by_z10_by_V*t67;
+    const double tau2_by_z20_by_V = carried_v2_4_by_z20*t268 - carried_v2_4_by_z20_by_V*t67;
+    /* d/dz10 of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_z10 = V*tau2_by_z10_by_z10 + z1_3_on_boundary_by_z10_by_z10;
+    const double z2_4_on_boundary_by_z20_by_z10 = carried_z2_4_by_z20_by_z10 + tau2_by_z20*v2_4_by_z10 + tau2_by_z20_by_z10*v2_4;
+    /* d/dz20 of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_z20 = V*tau2_by_z10_by_z20 + z1_3_on_boundary_by_z10_by_z20;
+    const double z2_4_on_boundary_by_z20_by_z20 = carried_z2_4_by_z20_by_z20 + tau2_by_z20*v2_4_by_z20 + tau2_by_z20_by_z20*v2_4;
+    /* d/dtau of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_tau = V*tau2_by_z10_by_tau + z1_3_on_boundary_by_z10_by_tau;
+    const double z2_4_on_boundary_by_z20_by_tau = carried_z2_4_by_z20_by_tau + tau2_by_z20*v2_4_by_tau + tau2_by_z20_by_tau*v2_4;
+    /* d/dtau1 of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_tau1 = V*tau2_by_z10_by_tau1 + z1_3_on_boundary_by_z10_by_tau1;
+    const double z2_4_on_boundary_by_z20_by_tau1 = carried_z2_4_by_z20_by_tau1 + tau2_by_z20*v2_4_by_tau1 + tau2_by_z20_by_tau1*v2_4;
+    /* d/dtau2 of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_tau2 = V*tau2_by_z10_by_tau2;
+    const double z2_4_on_boundary_by_z20_by_tau2 = carried_z2_4_by_z20_by_tau2 + tau2_by_z20*v2_4_by_tau2 + tau2_by_z20_by_tau2*v2_4;
+    /* d/dchi of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_chi = V*tau2_by_z10_by_chi + z1_3_on_boundary_by_z10_by_chi;
+    const double z2_4_on_boundary_by_z20_by_chi = carried_z2_4_by_z20_by_chi + tau2_by_z20*v2_4_by_chi + tau2_by_z20_by_chi*v2_4;
+    /* d/deta of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_eta = V*tau2_by_z10_by_eta + z1_3_on_boundary_by_z10_by_eta;
+    const double z2_4_on_boundary_by_z20_by_eta = carried_z2_4_by_z20_by_eta + tau2_by_z20*v2_4_by_eta + tau2_by_z20_by_eta*v2_4;
+    /* d/dV of: perturbation on the boundary after tau2 */
+    const double z1_4_on_boundary_by_z10_by_V = V*tau2_by_z10_by_V + tau2_by_z10 + z1_3_on_boundary_by_z10_by_V;
+    const double z2_4_on_boundary_by_z20_by_V = carried_z2_4_by_z20_by_V + tau2_by_z20*v2_4_by_V + tau2_by_z20_by_V*v2_4;
+    trace_gradient[0] = z1_4_on_boundary_by_z10_by_z10 + z2_4_on_boundary_by_z20_by_z10;
+    trace_gradient[1] = z1_4_on_boundary_by_z10_by_z20 + z2_4_on_boundary_by_z20_by_z20;
+    trace_gradient[2] = z1_4_on_boundary_by_z10_by_tau + z2_4_on_boundary_by_z20_by_tau;
+    trace_gradient[3] = z1_4_on_boundary_by_z10_by_tau1 + z2_4_on_boundary_by_z20_by_tau1;
+    trace_gradient[4] = z1_4_on_boundary_by_z10_by_tau2 + z2_4_on_boundary_by_z20_by_tau2;
+    trace_gradient[5] = 0;
+    trace_gradient[6] = z1_4_on_boundary_by_z10_by_chi + z2_4_on_boundary_by_z20_by_chi;
+    trace_gradient[7] = z1_4_on_boundary_by_z10_by_eta + z2_4_on_boundary_by_z20_by_eta;
+    trace_gradient[8] = z1_4_on_boundary_by_z10_by_V + z2_4_on_boundary_by_z20_by_V;
+    trace_gradient[9] = 0;
+}
+
+/* State at the start and behind each transition, row by row.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives states (5, 4), row by row.
+ * Operations: 105. Intermediate terms: 29. */
+void dry_friction_solution_ii_states(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double states[20])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20;
+    /* functions of tau1 in slip-slip */
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t4 = (1.0/(omega1));
+    const double t5 = sin_omega1_tau1*t4;
+    const double t6 = 1 - p1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + v1_2*(p1*t5 + t6*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t6) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
+    const double t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t9 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7);
+    const double t10 = omega1*sin_omega1_tau1;
+    const double v2_3 = V*t9 + t8*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t10) + z2_2*(-omega2*p1*sin_omega2_tau1 - t10*t6);
+    /* functions of tau2 in stick-slip */
+    const double t11 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t11);
+    const double sin_omega3_tau2 = sin(t11);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t12 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t12 + tau2) + cos_omega3_tau2*z2_3 + t12*v2_3 + z1_3*(1 - cos_omega3_tau2);
+    states[0] = z10;
+    states[1] = z20;
+    states[2] = V;
+    states[3] = V;
+    states[4] = z10;
+    states[5] = z20;
+    states[6] = V;
+    states[7] = V;
+    states[8] = z1_2;
+    states[9] = z2_2;
+    states[10] = v1_2;
+    states[11] = V;
+    states[12] = z1_3;
+    states[13] = z2_3;
+    states[14] = V;
+    states[15] = v2_3;
+    states[16] = z1_4;
+    states[17] = z2_4;
+    states[18] = V;
+    states[19] = V;
+}
+
+/* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives coefficients (44), frequencies (4), row by row.
+ * Operations: 171. Intermediate terms: 43. */
+void dry_friction_solution_ii_boundary_functions(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double coefficients[44], double frequencies[4])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double e1 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20;
+    /* functions of tau1 in slip-slip */
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t4 = (1.0/(omega1));
+    const double t5 = sin_omega1_tau1*t4;
+    const double t6 = 1 - p1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + v1_2*(p1*t5 + t6*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t6) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
+    const double t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t9 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7);
+    const double t10 = omega1*sin_omega1_tau1;
+    const double v2_3 = V*t9 + t8*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t10) + z2_2*(-omega2*p1*sin_omega2_tau1 - t10*t6);
+    /* outputs */
+    const double t11 = chi*z20;
+    const double t12 = t11 - z10;
+    const double t14 = V*chi;
+    const double t15 = -V + t14;
+    const double t18 = chi*z10;
+    const double t19 = e2 - t11;
+    const double t20 = e2 + t11;
+    const double t21 = (chi*chi);
+    const double t22 = t21*z20;
+    const double t23 = V*t21 - t14;
+    const double t24 = -chi*t12;
+    const double t25 = -chi*t15;
+    const double t26 = V*p2;
+    const double t27 = omega1*z1_2;
+    const double t28 = p2*z2_2;
+    const double t29 = p3*v1_2;
+    const double t30 = chi*z1_3;
+    const double t31 = chi*(-z1_3 + z2_3);
+    const double t32 = (1.0/(omega3));
+    const double t33 = chi*(-V*t32 + t32*v2_3);
+    coefficients[0] = -e1 - t12;
+    coefficients[1] = -t15;
+    coefficients[2] = -e1 + t11 - z10;
+    coefficients[3] = t15;
+    coefficients[4] = -t18 - t19;
+    coefficients[5] = 0;
+    coefficients[6] = t18 - t20;
+    coefficients[7] = 0;
+    coefficients[8] = t15;
+    coefficients[9] = 0;
+    coefficients[10] = -t15;
+    coefficients[11] = t12;
+    coefficients[12] = -t19 - t22;
+    coefficients[13] = -t23;
+    coefficients[14] = -t24;
+    coefficients[15] = -t25;
+    coefficients[16] = -t20 + t22;
+    coefficients[17] = t23;
+    coefficients[18] = t24;
+    coefficients[19] = t25;
+    coefficients[20] = -V;
+    coefficients[21] = 0;
+    coefficients[22] = p1*v1_2 + t26;
+    coefficients[23] = -t26 + t6*v1_2;
+    coefficients[24] = -omega1*t28 - p1*t27;
+    coefficients[25] = omega2*t28 - omega2*t6*z1_2;
+    coefficients[26] = -V;
+    coefficients[27] = 0;
+    coefficients[28] = V*t6 + t29;
+    coefficients[29] = V*p1 - t29;
+    coefficients[30] = -omega1*t6*z2_2 - p3*t27;
+    coefficients[31] = -omega2*p1*z2_2 + omega2*p3*z1_2;
+    coefficients[32] = -e1 - t30 + z1_3;
+    coefficients[33] = -t15;
+    coefficients[34] = -t31;
+    coefficients[35] = -t33;
+    coefficients[36] = -e1 + t30 - z1_3;
+    coefficients[37] = t15;
+    coefficients[38] = t31;
+    coefficients[39] = t33;
+    coefficients[40] = 0;
+    coefficients[41] = 0;
+    coefficients[42] = -V + v2_3;
+    coefficients[43] = omega3*z1_3 - omega3*z2_3;
+    frequencies[0] = 1;
+    frequencies[1] = omega1;
+    frequencies[2] = omega2;
+    frequencies[3] = omega3;
+}
+
+/* State after a time in stick-stick.
+ * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 4. Intermediate terms: 0. */
+void dry_friction_solution_ii_flow_stick_stick(
+    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    (void)spectrum;
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    state_after[0] = t*v1 + z1;
+    state_after[1] = t*v2 + z2;
+    state_after[2] = v1;
+    state_after[3] = v2;
+}
+
+/* State after a time in slip-stick.
+ * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 23. Intermediate terms: 4. */
+void dry_friction_solution_ii_flow_slip_stick(
+    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    const double chi = parameters[0];
+    (void)spectrum;
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = sin(t);
+    const double t1 = chi*t0;
+    const double t2 = cos(t);
+    const double t3 = -chi*t2 + chi;
+    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*t - t1);
+    state_after[1] = t*v2 + z2;
+    state_after[2] = -t0*z1 + t1*z2 + t2*v1 + t3*v2;
+    state_after[3] = v2;
+}
+
+/* State after a time in slip-slip.
+ * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 82. Intermediate terms: 16. */
+void dry_friction_solution_ii_flow_slip_slip(
+    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = (1.0/(omega1));
+    const double t1 = omega1*t;
+    const double t2 = sin(t1);
+    const double t3 = t0*t2;
+    const double t4 = 1 - p1;
+    const double t5 = omega2*t;
+    const double t6 = sin(t5);
+    const double t7 = t6/omega2;
+    const double t8 = cos(t1);
+    const double t9 = cos(t5);
+    const double t10 = p1*t8 + t4*t9;
+    const double t11 = p2*t8 - p2*t9;
+    const double t12 = p3*t8 - p3*t9;
+    const double t13 = p1*t9 + t4*t8;
+    const double t14 = omega2*t6;
+    const double t15 = omega1*t2;
+    state_after[0] = t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
+    state_after[1] = t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
+    state_after[2] = t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15);
+    state_after[3] = t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4);
+}
+
+/* State after a time in stick-slip.
+ * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 23. Intermediate terms: 6. */
+void dry_friction_solution_ii_flow_stick_slip(
+    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    const double omega3 = spectrum[6];
+    const double t = time;
+    const double z1 = state[0];
+    const double z2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = omega3*t;
+    const double t1 = sin(t0);
+    const double t2 = t1/omega3;
+    const double t3 = cos(t0);
+    const double t4 = 1 - t3;
+    const double t5 = omega3*t1;
+    state_after[0] = t*v1 + z1;
+    state_after[1] = t2*v2 + t3*z2 + t4*z1 + v1*(t - t2);
+    state_after[2] = v1;
+    state_after[3] = t3*v2 + t4*v1 + t5*z1 - t5*z2;
+}
+
+/* Reduced equations and their derivatives by the reduced unknowns.
+ * Takes parameters (4), spectrum (7), reduced (3); gives residual (3), jacobian (3, 3), row by row.
+ * Operations: 303. Intermediate terms: 99. */
+void dry_friction_solution_ii_reduced(
+    const double parameters[4], const double spectrum[7], const double reduced[3], double residual[3], double jacobian[9])
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double tau = reduced[0];
+    const double tau1 = reduced[1];
+    const double e1 = reduced[2];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* z2_1: linear in second-breaks-forward */
+    const double t2 = V*tau;
+    const double t3 = (1.0/((chi - 1)));
+    const double t4 = cos_tau*t3;
+    const double z2_1 = V*sin_tau - e1*t4 - t2 - e2*t3/chi;
+    /* slip-stick for tau */
+    const double t5 = chi*z2_1;
+    const double t6 = e1 + t5;
+    const double t7 = -chi*cos_tau + chi;
+    const double z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t6 + t7*z2_1;
+    const double z2_2 = t2 + z2_1;
+    const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+    /* functions of tau1 in slip-slip */
+    const double t8 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t8);
+    const double sin_omega1_tau1 = sin(t8);
+    const double t9 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t9);
+    const double sin_omega2_tau1 = sin(t9);
+    /* slip-slip for tau1 */
+    const double t10 = (1.0/(omega1));
+    const double t13 = sin_omega2_tau1/omega2;
+    const double t11 = sin_omega1_tau1*t10;
+    const double t12 = 1 - p1;
+    const double t14 = p1*t11 + t12*t13;
+    const double t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t12;
+    const double t16 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t10 - p2*t13) + t14*v1_2 + t15*z1_2 + t16*z2_2;
+    const double t17 = p3*sin_omega1_tau1*t10 - p3*t13;
+    const double t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t19 = cos_omega1_tau1*t12 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t13 + t11*t12) + t17*v1_2 + t18*z1_2 + t19*z2_2;
+    const double t20 = omega2*sin_omega2_tau1;
+    const double t21 = omega1*sin_omega1_tau1;
+    const double t22 = -p1*t21 - t12*t20;
+    const double t23 = omega2*p2*sin_omega2_tau1 - p2*t21;
+    const double v1_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
+    const double t24 = omega2*p3*sin_omega2_tau1 - p3*t21;
+    const double t25 = -p1*t20 - t12*t21;
+    const double v2_3 = V*t19 + t18*v1_2 + t24*z1_2 + t25*z2_2;
+    /* first return of tau2 */
+    const double cosine_part_tau2 = -V + v2_3;
+    const double sine_part_tau2 = omega3*z1_3 - omega3*z2_3;
+    /* first return of tau2 */
+    const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
+    /* first return of tau2 */
+    const double t26 = (1.0/(amplitude_tau2));
+    const double cos_tau2_return = sine_part_tau2*t26;
+    const double sin_tau2_return = -cosine_part_tau2*t26;
+    /* tau2: first return */
+    const double t27 = (1.0/(omega3));
+    const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+    /* stick-stick for no time */
+    const double z1_5 = V*tau2 + sine_part_tau2*t27 + z2_3;
+    const double z2_5 = -amplitude_tau2*t27 + z1_5;
+    /* d/dtau of: functions of tau in slip-stick */
+    const double cos_tau_by_tau = -sin_tau;
+    const double sin_tau_by_tau = cos_tau;
+    /* d/dtau of: z2_1: linear in second-breaks-forward */
+    const double t29 = cos_tau_by_tau*e1;
+    const double z2_1_by_tau = V*sin_tau_by_tau - V - t29*t3;
+    /* d/de1 of: z2_1: linear in second-breaks-forward */
+    const double z2_1_by_e1 = -t4;
+    /* d/dtau of: slip-stick for tau */
+    const double t30 = V*chi;
+    const double t31 = V - t30;
+    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t31 + t29 + t30;
+    const double z2_2_by_tau = V + z2_1_by_tau;
+    const double v1_2_by_tau = cos_tau_by_tau*t31 - e1*sin_tau_by_tau;
+    /* d/de1 of: slip-stick for tau */
+    const double z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau;
+    const double v1_2_by_e1 = -sin_tau;
+    /* d/dtau of: slip-slip for tau1 */
+    const double z1_3_by_tau = t14*v1_2_by_tau + t15*z1_2_by_tau + t16*z2_2_by_tau;
+    const double z2_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t19*z2_2_by_tau;
+    const double v1_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau;
+    const double v2_3_by_tau = t18*v1_2_by_tau + t24*z1_2_by_tau + t25*z2_2_by_tau;
+    /* d/dtau1 of: slip-slip for tau1 */
+    const double t32 = chi*z2_3;
+    const double v1_3_by_tau1 = t32 - z1_3;
+    const double v2_3_by_tau1 = chi*eta*z1_3 - eta*t32;
+    /* d/de1 of: slip-slip for tau1 */
+    const double z1_3_by_e1 = t14*v1_2_by_e1 + t15*z1_2_by_e1 + t16*z2_1_by_e1;
+    const double z2_3_by_e1 = t17*v1_2_by_e1 + t18*z1_2_by_e1 + t19*z2_1_by_e1;
+    const double v1_3_by_e1 = t15*v1_2_by_e1 + t22*z1_2_by_e1 + t23*z2_1_by_e1;
+    const double v2_3_by_e1 = t18*v1_2_by_e1 + t24*z1_2_by_e1 + t25*z2_1_by_e1;
+    /* d/dtau of: first return of tau2 */
+    const double sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau;
+    /* d/dtau1 of: first return of tau2 */
+    const double sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3;
+    /* d/de1 of: first return of tau2 */
+    const double sine_part_tau2_by_e1 = omega3*z1_3_by_e1 - omega3*z2_3_by_e1;
+    /* d/dtau of: first return of tau2 */
+    const double t33 = 2*cosine_part_tau2;
+    const double t34 = 2*sine_part_tau2;
+    const double t35 = (1.0/2.0)*t26;
+    const double amplitude_tau2_by_tau = t35*(sine_part_tau2_by_tau*t34 + t33*v2_3_by_tau);
+    /* d/dtau1 of: first return of tau2 */
+    const double amplitude_tau2_by_tau1 = t35*(sine_part_tau2_by_tau1*t34 + t33*v2_3_by_tau1);
+    /* d/de1 of: first return of tau2 */
+    const double amplitude_tau2_by_e1 = t35*(sine_part_tau2_by_e1*t34 + t33*v2_3_by_e1);
+    /* d/dtau of: first return of tau2 */
+    const double t36 = (1.0/(amplitude_tau2*amplitude_tau2));
+    const double cos_tau2_return_by_tau = -amplitude_tau2_by_tau*sine_part_tau2*t36 + sine_part_tau2_by_tau*t26;
+    const double sin_tau2_return_by_tau = amplitude_tau2_by_tau*cosine_part_tau2*t36 - t26*v2_3_by_tau;
+    /* d/dtau1 of: first return of tau2 */
+    const double cos_tau2_return_by_tau1 = -amplitude_tau2_by_tau1*sine_part_tau2*t36 + sine_part_tau2_by_tau1*t26;
+    const double sin_tau2_return_by_tau1 = amplitude_tau2_by_tau1*cosine_part_tau2*t36 - t26*v2_3_by_tau1;
+    /* d/de1 of: first return of tau2 */
+    const double cos_tau2_return_by_e1 = -amplitude_tau2_by_e1*sine_part_tau2*t36 + sine_part_tau2_by_e1*t26;
+    const double sin_tau2_return_by_e1 = amplitude_tau2_by_e1*cosine_part_tau2*t36 - t26*v2_3_by_e1;
+    /* d/dtau of: tau2: first return */
+    const double t37 = t27/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
+    const double t38 = cos_tau2_return*t37;
+    const double t39 = sin_tau2_return*t37;
+    const double tau2_by_tau = -cos_tau2_return_by_tau*t39 + sin_tau2_return_by_tau*t38;
+    /* d/dtau1 of: tau2: first return */
+    const double tau2_by_tau1 = -cos_tau2_return_by_tau1*t39 + sin_tau2_return_by_tau1*t38;
+    /* d/de1 of: tau2: first return */
+    const double tau2_by_e1 = -cos_tau2_return_by_e1*t39 + sin_tau2_return_by_e1*t38;
+    /* d/dtau of: stick-stick for no time */
+    const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t27 + z2_3_by_tau;
+    const double z2_5_by_tau = -amplitude_tau2_by_tau*t27 + z1_5_by_tau;
+    /* d/dtau1 of: stick-stick for no time */
+    const double z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t27 + v2_3;
+    const double z2_5_by_tau1 = -amplitude_tau2_by_tau1*t27 + z1_5_by_tau1;
+    /* d/de1 of: stick-stick for no time */
+    const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t27 + z2_3_by_e1;
+    const double z2_5_by_e1 = -amplitude_tau2_by_e1*t27 + z1_5_by_e1;
+    residual[0] = -V + v1_3;
+    residual[1] = -chi*z2_5 - e1 + z1_5;
+    residual[2] = -z2_1 + z2_5;
+    jacobian[0] = v1_3_by_tau;
+    jacobian[1] = v1_3_by_tau1;
+    jacobian[2] = v1_3_by_e1;
+    jacobian[3] = -chi*z2_5_by_tau + z1_5_by_tau;
+    jacobian[4] = -chi*z2_5_by_tau1 + z1_5_by_tau1;
+    jacobian[5] = -chi*z2_5_by_e1 + z1_5_by_e1 - 1;
+    jacobian[6] = -z2_1_by_tau + z2_5_by_tau;
+    jacobian[7] = z2_5_by_tau1;
+    jacobian[8] = -z2_1_by_e1 + z2_5_by_e1;
+}
+
+/* All unknowns from the reduced ones.
+ * Takes parameters (4), spectrum (7), reduced (3); gives unknowns (6), row by row.
+ * Operations: 124. Intermediate terms: 36. */
+void dry_friction_solution_ii_expand(
+    const double parameters[4], const double spectrum[7], const double reduced[3], double unknowns[6])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double tau = reduced[0];
+    const double tau1 = reduced[1];
+    const double e1 = reduced[2];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* z2_1: linear in second-breaks-forward */
+    const double t0 = V*tau;
+    const double t1 = (1.0/((chi - 1)));
+    const double z2_1 = V*sin_tau - cos_tau*e1*t1 - t0 - e2*t1/chi;
+    /* slip-stick for tau */
+    const double t2 = chi*z2_1;
+    const double t3 = e1 + t2;
+    const double t4 = -chi*cos_tau + chi;
+    const double z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t3 + t4*z2_1;
+    const double z2_2 = t0 + z2_1;
+    const double v1_2 = V*cos_tau + V*t4 + sin_tau*t2 - sin_tau*t3;
+    /* functions of tau1 in slip-slip */
+    const double t5 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t5);
+    const double sin_omega1_tau1 = sin(t5);
+    const double t6 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t6);
+    const double sin_omega2_tau1 = sin(t6);
+    /* slip-slip for tau1 */
+    const double t7 = (1.0/(omega1));
+    const double t8 = sin_omega1_tau1*t7;
+    const double t9 = 1 - p1;
+    const double t10 = sin_omega2_tau1/omega2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t7 - p2*t10) + v1_2*(p1*t8 + t10*t9) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t9) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
+    const double t11 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t12 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t10 + t8*t9) + t11*z1_2 + t12*z2_2 + v1_2*(p3*sin_omega1_tau1*t7 - p3*t10);
+    const double t13 = omega1*sin_omega1_tau1;
+    const double v2_3 = V*t12 + t11*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t13) + z2_2*(-omega2*p1*sin_omega2_tau1 - t13*t9);
+    /* first return of tau2 */
+    const double cosine_part_tau2 = -V + v2_3;
+    const double sine_part_tau2 = omega3*z1_3 - omega3*z2_3;
+    /* first return of tau2 */
+    const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
+    /* first return of tau2 */
+    const double t14 = (1.0/(amplitude_tau2));
+    const double cos_tau2_return = sine_part_tau2*t14;
+    const double sin_tau2_return = -cosine_part_tau2*t14;
+    /* tau2: first return */
+    const double t15 = (1.0/(omega3));
+    const double tau2 = t15*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+    /* outputs */
+    const double t16 = V*tau2 + sine_part_tau2*t15 + z2_3;
+    unknowns[0] = t16;
+    unknowns[1] = -amplitude_tau2*t15 + t16;
+    unknowns[2] = tau;
+    unknowns[3] = tau1;
+    unknowns[4] = tau2;
+    unknowns[5] = e1;
+}
+
+/* Newton's method on the reduced equations for `count` points.
+ * Takes parameters (4) and guess (2: tau, tau1) for each point, row by row; gives unknowns
+ * (5), the trace, the largest reduced residual, iterations and a status for each point.
+ * In one step a dwell time changes by a factor of four at most; a point has converged when
+ * a whole step is below 1e-9 max(1, |x|).
+ * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
+ * 5 the linear equations for the start are singular. */
+NONSMOOTH_MULTIVERSION
+void dry_friction_symmetric_solve(
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
+    double *trace, double *residual, int32_t *iterations, int32_t *status)
+{
+    enum { lanes = 8, most = 32 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[4][lanes], x[2][lanes], fixed[41][lanes];
+        double taken[lanes], open[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < 4; ++i)
+                parameter[i][lane] = parameters[4 * point + i];
+            open[lane] = 1.0;
+            for (int i = 0; i < 2; ++i)
+                x[i][lane] = guess[2 * point + i];
+            taken[lane] = 0.0;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double eta = parameter[1][lane];
+            const double V = parameter[2][lane];
+            const double e2 = parameter[3][lane];
+            const double gap1 = sqrt(4*(chi*chi)*eta + ((-chi*eta + 1)*(-chi*eta + 1)));
+            const double omega1 = sqrt((1.0/2.0)*chi*eta + (1.0/2.0)*gap1 + 1.0/2.0);
+            const double omega2 = sqrt(chi)*sqrt(eta)*sqrt(1 - chi)/omega1;
+            const double p1 = 1.0/2.0 + (1.0/2.0)*(-chi*eta + 1)/gap1;
+            const double p2 = -chi/gap1;
+            const double p3 = -chi*eta/gap1;
+            /* coefficients of the linear equations */
+            const double t8 = (1.0/(omega2));
+            const double t10 = (1.0/(omega1));
+            const double t11 = p1*t10;
+            const double t15 = (1.0/(chi));
+            const double t19 = e2*t15;
+            const double t21 = V*t10;
+            const double h0 = -p1;
+            const double h1 = -p2;
+            const double h2 = e2*t15;
+            const double h3 = e2*p1*t15;
+            const double h4 = V*p1;
+            const double h5 = V*p2;
+            const double h6 = V*p2*t8;
+            const double h7 = -t19;
+            /* d/dtau of: functions of half_tau in slip-slip */
+            const double t24 = (1.0/2.0)*omega1;
+            const double h8 = -t24;
+            const double t25 = (1.0/2.0)*omega2;
+            const double h9 = -t25;
+            /* d/dtau of: coefficients of the linear equations */
+            const double t26 = p1*t8;
+            const double h10 = -t26 + t8;
+            const double h11 = -p1*t19;
+            const double h12 = -p2*t21;
+            /* d/dtau1 of: right-hand sides of the linear equations */
+            const double t30 = (1.0/2.0)*V;
+            const double h13 = (1.0/2.0)*V*p1;
+            const double h14 = (1.0/2.0)*V*p2;
+            const double t36 = 1 - p1;
+            const double h15 = p2*t10;
+            const double h16 = -p3;
+            const double h17 = p3*t10;
+            const double h18 = t10*t36;
+            const double h19 = -omega2*p2;
+            const double h20 = -omega2*p3;
+            const double h21 = -chi;
+            const double h22 = -eta;
+            const double h23 = chi*eta;
+            /* rate of the exit boundary after tau1 */
+            const double t55 = V*chi;
+            const double t60 = p3*t19;
+            fixed[0][lane] = omega1;
+            fixed[1][lane] = omega2;
+            fixed[2][lane] = p1;
+            fixed[3][lane] = p2;
+            fixed[4][lane] = p3;
+            fixed[5][lane] = t8;
+            fixed[6][lane] = t10;
+            fixed[7][lane] = t11;
+            fixed[8][lane] = t19;
+            fixed[9][lane] = t21;
+            fixed[10][lane] = h0;
+            fixed[11][lane] = h1;
+            fixed[12][lane] = h2;
+            fixed[13][lane] = h3;
+            fixed[14][lane] = h4;
+            fixed[15][lane] = h5;
+            fixed[16][lane] = h6;
+            fixed[17][lane] = h7;
+            fixed[18][lane] = t24;
+            fixed[19][lane] = h8;
+            fixed[20][lane] = t25;
+            fixed[21][lane] = h9;
+            fixed[22][lane] = t26;
+            fixed[23][lane] = h10;
+            fixed[24][lane] = h11;
+            fixed[25][lane] = h12;
+            fixed[26][lane] = t30;
+            fixed[27][lane] = h13;
+            fixed[28][lane] = h14;
+            fixed[29][lane] = t36;
+            fixed[30][lane] = h15;
+            fixed[31][lane] = h16;
+            fixed[32][lane] = h17;
+            fixed[33][lane] = h18;
+            fixed[34][lane] = h19;
+            fixed[35][lane] = h20;
+            fixed[36][lane] = h21;
+            fixed[37][lane] = h22;
+            fixed[38][lane] = h23;
+            fixed[39][lane] = t55;
+            fixed[40][lane] = t60;
+        }
+        for (int iteration = 0; iteration < most; ++iteration) {
+            double running = 0.0;
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+                const double chi = parameter[0][lane];
+                const double V = parameter[2][lane];
+                const double omega1 = fixed[0][lane];
+                const double omega2 = fixed[1][lane];
+                const double p1 = fixed[2][lane];
+                const double p2 = fixed[3][lane];
+                const double p3 = fixed[4][lane];
+                const double t8 = fixed[5][lane];
+                const double t10 = fixed[6][lane];
+                const double t11 = fixed[7][lane];
+                const double t19 = fixed[8][lane];
+                const double t21 = fixed[9][lane];
+                const double h0 = fixed[10][lane];
+                const double h1 = fixed[11][lane];
+                const double h2 = fixed[12][lane];
+                const double h3 = fixed[13][lane];
+                const double h4 = fixed[14][lane];
+                const double h5 = fixed[15][lane];
+                const double h6 = fixed[16][lane];
+                const double t24 = fixed[18][lane];
+                const double h8 = fixed[19][lane];
+                const double t25 = fixed[20][lane];
+                const double h9 = fixed[21][lane];
+                const double t26 = fixed[22][lane];
+                const double h10 = fixed[23][lane];
+                const double h11 = fixed[24][lane];
+                const double h12 = fixed[25][lane];
+                const double t30 = fixed[26][lane];
+                const double h13 = fixed[27][lane];
+                const double h14 = fixed[28][lane];
+                const double h16 = fixed[31][lane];
+                const double h17 = fixed[32][lane];
+                const double t55 = fixed[39][lane];
+                const double t60 = fixed[40][lane];
+                const double tau = x[0][lane];
+                const double tau1 = x[1][lane];
+                /* half of tau */
+                const double half_tau = (1.0/2.0)*tau;
+                /* functions of half_tau in slip-slip */
+                const double t0 = half_tau*omega1;
+                double sine_0, cosine_0;
+                nonsmooth_sincos(t0, &sine_0, &cosine_0);
+                const double cos_omega1_half_tau = cosine_0;
+                const double sin_omega1_half_tau = sine_0;
+                const double t3 = half_tau*omega2;
+                double sine_1, cosine_1;
+                nonsmooth_sincos(t3, &sine_1, &cosine_1);
+                const double cos_omega2_half_tau = cosine_1;
+                const double sin_omega2_half_tau = sine_1;
+                /* half of tau1 */
+                const double half_tau1 = (1.0/2.0)*tau1;
+                double sine_2, cosine_2;
+                nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
+                const double cos_half_tau1 = cosine_2;
+                const double sin_half_tau1 = sine_2;
+                const double t9 = sin_omega2_half_tau*t8;
+                const double t12 = p1*t9;
+                const double coefficient11 = sin_omega1_half_tau*t11 - t12 + t9;
+                /* right-hand sides of the linear equations */
+                const double t13 = V*half_tau1;
+                const double t14 = cos_omega2_half_tau*t13;
+                const double t16 = p1*t13;
+                const double t17 = cos_omega1_half_tau*t16;
+                const double t18 = p2*t13;
+                const double t20 = cos_omega2_half_tau*t19;
+                const double t22 = sin_omega1_half_tau*t21;
+                const double right1 = cos_omega1_half_tau*h3 - cos_omega1_half_tau*t18 + cos_omega2_half_tau*h2 + cos_omega2_half_tau*h4*half_tau1 + cos_omega2_half_tau*h5*half_tau1 + h0*t20 + h1*t22 + h6*sin_omega2_half_tau - t14 - t17;
+                /* determinant of the linear equations */
+                const double determinant = coefficient11;
+                /* v10 by Cramer's rule */
+                const double t23 = (1.0/(determinant));
+                const double v10 = right1*t23;
+                const double cos_omega1_half_tau_by_tau = h8*sin_omega1_half_tau;
+                const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t24;
+                const double cos_omega2_half_tau_by_tau = h9*sin_omega2_half_tau;
+                const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t25;
+                /* d/dtau1 of: functions of half_tau1 in slip-stick */
+                const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
+                const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
+                const double coefficient11_by_tau = h10*sin_omega2_half_tau_by_tau + sin_omega1_half_tau_by_tau*t11;
+                /* d/dtau of: right-hand sides of the linear equations */
+                const double t27 = h11 + t16 + t18;
+                const double t29 = -t13 + t19;
+                const double right1_by_tau = -cos_omega1_half_tau_by_tau*t27 + cos_omega2_half_tau_by_tau*(t27 + t29) + h12*sin_omega1_half_tau_by_tau + h6*sin_omega2_half_tau_by_tau;
+                const double t31 = cos_omega2_half_tau*t30;
+                const double t32 = cos_omega1_half_tau*t30;
+                const double t33 = p1*t32;
+                const double right1_by_tau1 = cos_omega2_half_tau*h13 + cos_omega2_half_tau*h14 + h1*t32 - t31 - t33;
+                /* d/dtau of: v10 by Cramer's rule */
+                const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t23;
+                /* d/dtau1 of: v10 by Cramer's rule */
+                const double v10_by_tau1 = right1_by_tau1*t23;
+                /* outputs */
+                const double t57 = cos_omega1_half_tau*t13;
+                const double t58 = p3*v10;
+                const double t59 = t10*t58;
+                const double t61 = cos_half_tau1*t13;
+                const double t62 = h16*t13 + t16 + t60;
+                const double t63 = h16*t9 + h17*sin_omega1_half_tau;
+                const double residual_0 = V*t12 - cos_omega1_half_tau*t60 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t57 + sin_omega1_half_tau*t59 - t17 + t22 + t57 - t58*t9;
+                const double residual_1 = chi*t61 + cos_half_tau1*t19 - sin_half_tau1*t55 + sin_half_tau1*v10 - t61;
+                const double jacobian_0 = cos_omega1_half_tau_by_tau*(t13 - t62) + cos_omega2_half_tau_by_tau*t62 + sin_omega1_half_tau_by_tau*(-p1*t21 + t21 + t59) + sin_omega2_half_tau_by_tau*(V*t26 - t58*t8) + t63*v10_by_tau;
+                const double jacobian_1 = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t63*v10_by_tau1;
+                const double jacobian_2 = sin_half_tau1*v10_by_tau;
+                const double jacobian_3 = -cos_half_tau1*t30 + (1.0/2.0)*cos_half_tau1*t55 + cos_half_tau1_by_tau1*(chi*t13 + t29) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t55 + v10);
+                const double inverse = (1.0/((jacobian_0*jacobian_3 - jacobian_1*jacobian_2)));
+                const double wanted_0 = tau - (-jacobian_1*residual_1 + jacobian_3*residual_0)*inverse;
+                const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
+                const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
+                const double wanted_1 = tau1 - (jacobian_0*residual_1 - jacobian_2*residual_0)*inverse;
+                const double next_1 = wanted_1 < 0.25*tau1 ? 0.25*tau1 : wanted_1 > 4.0*tau1 ? 4.0*tau1 : wanted_1;
+                const double size_1 = fabs(next_1) > 1.0 ? fabs(next_1) : 1.0;
+                x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
+                x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
+                taken[lane] += open[lane];
+                open[lane] = (fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1) ? 0.0 : open[lane];
+            }
+            for (int lane = 0; lane < lanes; ++lane)
+                running += open[lane];
+            if (running == 0.0)
+                break;
+        }
+        double result[5][lanes], slope[lanes], defect[lanes], determinate[lanes];
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double V = parameter[2][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double t8 = fixed[5][lane];
+            const double t10 = fixed[6][lane];
+            const double t11 = fixed[7][lane];
+            const double t19 = fixed[8][lane];
+            const double t21 = fixed[9][lane];
+            const double h0 = fixed[10][lane];
+            const double h1 = fixed[11][lane];
+            const double h2 = fixed[12][lane];
+            const double h3 = fixed[13][lane];
+            const double h4 = fixed[14][lane];
+            const double h5 = fixed[15][lane];
+            const double h6 = fixed[16][lane];
+            const double h7 = fixed[17][lane];
+            const double t26 = fixed[22][lane];
+            const double t36 = fixed[29][lane];
+            const double h15 = fixed[30][lane];
+            const double h16 = fixed[31][lane];
+            const double h17 = fixed[32][lane];
+            const double h18 = fixed[33][lane];
+            const double h19 = fixed[34][lane];
+            const double h20 = fixed[35][lane];
+            const double h21 = fixed[36][lane];
+            const double h22 = fixed[37][lane];
+            const double h23 = fixed[38][lane];
+            const double t55 = fixed[39][lane];
+            const double t60 = fixed[40][lane];
+            const double tau = x[0][lane];
+            const double tau1 = x[1][lane];
+            /* half of tau */
+            const double half_tau = (1.0/2.0)*tau;
+            /* functions of half_tau in slip-slip */
+            const double t0 = half_tau*omega1;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(t0, &sine_0, &cosine_0);
+            const double cos_omega1_half_tau = cosine_0;
+            const double sin_omega1_half_tau = sine_0;
+            const double t3 = half_tau*omega2;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            const double cos_omega2_half_tau = cosine_1;
+            const double sin_omega2_half_tau = sine_1;
+            /* half of tau1 */
+            const double half_tau1 = (1.0/2.0)*tau1;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
+            const double cos_half_tau1 = cosine_2;
+            const double sin_half_tau1 = sine_2;
+            const double t9 = sin_omega2_half_tau*t8;
+            const double t12 = p1*t9;
+            const double coefficient11 = sin_omega1_half_tau*t11 - t12 + t9;
+            /* right-hand sides of the linear equations */
+            const double t13 = V*half_tau1;
+            const double t14 = cos_omega2_half_tau*t13;
+            const double t16 = p1*t13;
+            const double t17 = cos_omega1_half_tau*t16;
+            const double t18 = p2*t13;
+            const double t20 = cos_omega2_half_tau*t19;
+            const double t22 = sin_omega1_half_tau*t21;
+            const double right1 = cos_omega1_half_tau*h3 - cos_omega1_half_tau*t18 + cos_omega2_half_tau*h2 + cos_omega2_half_tau*h4*half_tau1 + cos_omega2_half_tau*h5*half_tau1 + h0*t20 + h1*t22 + h6*sin_omega2_half_tau - t14 - t17;
+            /* determinant of the linear equations */
+            const double determinant = coefficient11;
+            /* v10 by Cramer's rule */
+            const double t23 = (1.0/(determinant));
+            const double v10 = right1*t23;
+            /* z10: linear in: second-breaks-forward ends slip-stick */
+            const double z10 = h7 + t13;
+            /* z20: linear in: z2 vanishes halfway through slip-stick */
+            const double z20 = t13;
+            /* functions of tau in slip-slip */
+            const double t34 = omega1*tau;
+            double sine_3, cosine_3;
+            nonsmooth_sincos(t34, &sine_3, &cosine_3);
+            const double cos_omega1_tau = cosine_3;
+            const double sin_omega1_tau = sine_3;
+            const double t35 = omega2*tau;
+            double sine_4, cosine_4;
+            nonsmooth_sincos(t35, &sine_4, &cosine_4);
+            const double cos_omega2_tau = cosine_4;
+            const double sin_omega2_tau = sine_4;
+            /* slip-slip for tau, until second-reaches-belt */
+            const double t37 = sin_omega2_tau*t8;
+            const double t38 = sin_omega1_tau*t11 + t36*t37;
+            const double t39 = cos_omega1_tau*p1 + cos_omega2_tau*t36;
+            const double t40 = cos_omega1_tau*p2 + cos_omega2_tau*h1;
+            const double z1_1 = V*(h1*t37 + h15*sin_omega1_tau) + t38*v10 + t39*z10 + t40*z20;
+            const double t41 = h16*t37 + h17*sin_omega1_tau;
+            const double t42 = cos_omega1_tau*p3 + cos_omega2_tau*h16;
+            const double t43 = cos_omega1_tau*t36 + cos_omega2_tau*p1;
+            const double z2_1 = V*(h18*sin_omega1_tau + sin_omega2_tau*t26) + t41*v10 + t42*z10 + t43*z20;
+            const double t44 = omega2*sin_omega2_tau;
+            const double t45 = omega1*sin_omega1_tau;
+            const double t46 = p1*t45 + t36*t44;
+            const double t47 = h19*sin_omega2_tau + p2*t45;
+            const double v1_1 = V*t40 + t39*v10 - t46*z10 - t47*z20;
+            const double t48 = h20*sin_omega2_tau + p3*t45;
+            const double t49 = p1*t44 + t36*t45;
+            const double v2_1 = V*t43 + t42*v10 - t48*z10 - t49*z20;
+            double sine_5, cosine_5;
+            nonsmooth_sincos(tau1, &sine_5, &cosine_5);
+            const double cos_tau1 = cosine_5;
+            const double sin_tau1 = sine_5;
+            /* slip-stick for tau1, until second-breaks-forward */
+            const double t50 = chi + cos_tau1*h21;
+            const double t51 = chi*sin_tau1;
+            const double z1_2 = V*(chi*tau1 - t51) + cos_tau1*z1_1 + sin_tau1*v1_1 + t50*z2_1;
+            const double z2_2 = V*tau1 + z2_1;
+            const double v1_2 = V*t50 + cos_tau1*v1_1 - sin_tau1*z1_1 + t51*z2_1;
+            /* Phi along tau */
+            const double carried_z1_1_by_z20 = t39 + t40;
+            const double carried_z1_1_by_v10 = t38;
+            const double carried_z2_1_by_z20 = t42 + t43;
+            const double carried_z2_1_by_v10 = t41;
+            const double carried_v1_1_by_z20 = -t46 - t47;
+            const double carried_v1_1_by_v10 = t39;
+            const double carried_v2_1_by_z20 = -t48 - t49;
+            const double carried_v2_1_by_v10 = t42;
+            /* rate of the exit boundary after tau */
+            const double t52 = chi*z2_1;
+            const double rate_1 = h22*t52 + h23*z1_1;
+            /* derivatives of tau on the boundary */
+            const double t53 = (1.0/(rate_1));
+            const double tau_by_z20 = -carried_v2_1_by_z20*t53;
+            const double tau_by_v10 = -carried_v2_1_by_v10*t53;
+            /* perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
+            const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
+            const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
+            const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+            const double t54 = t52 - z1_1;
+            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t54*tau_by_z20;
+            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t54*tau_by_v10;
+            /* Phi along tau1 */
+            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t50*z2_1_on_boundary_by_z20;
+            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t50*z2_1_on_boundary_by_v10;
+            const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t51*z2_1_on_boundary_by_v10;
+            const double rate_2 = h21*v1_2 + t55;
+            /* derivatives of tau1 on the boundary */
+            const double t56 = (1.0/(rate_2));
+            const double tau1_by_z20 = t56*(carried_z1_2_by_z20*chi + h21*z2_1_on_boundary_by_z20);
+            const double tau1_by_v10 = t56*(carried_z1_2_by_v10*chi + h21*z2_1_on_boundary_by_v10);
+            /* perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20;
+            const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + tau1_by_v10*(chi*z2_2 - z1_2);
+            /* outputs */
+            const double t57 = cos_omega1_half_tau*t13;
+            const double t58 = p3*v10;
+            const double t59 = t10*t58;
+            const double t61 = cos_half_tau1*t13;
+            result[0][lane] = z10;
+            result[1][lane] = z20;
+            result[2][lane] = v10;
+            result[3][lane] = tau;
+            result[4][lane] = tau1;
+            slope[lane] = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
+            double largest = 0.0;
+            largest = fabs(V*t12 - cos_omega1_half_tau*t60 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t57 + sin_omega1_half_tau*t59 - t17 + t22 + t57 - t58*t9) > largest ? fabs(V*t12 - cos_omega1_half_tau*t60 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t57 + sin_omega1_half_tau*t59 - t17 + t22 + t57 - t58*t9) : largest;
+            largest = fabs(chi*t61 + cos_half_tau1*t19 - sin_half_tau1*t55 + sin_half_tau1*v10 - t61) > largest ? fabs(chi*t61 + cos_half_tau1*t19 - sin_half_tau1*t55 + sin_half_tau1*v10 - t61) : largest;
+            defect[lane] = largest;
+            determinate[lane] = (fabs(determinant/fabs(coefficient11)) <= 1e-12) ? 0.0 : 1.0;
+        }
+        for (int lane = 0; lane < here; ++lane) {
+            const ptrdiff_t point = start + lane;
+            int sound = isfinite(slope[lane]) != 0;
+            for (int i = 0; i < 5; ++i) {
+                unknowns[5 * point + i] = result[i][lane];
+                sound &= isfinite(result[i][lane]) != 0;
+            }
+            trace[point] = slope[lane];
+            residual[point] = defect[lane];
+            iterations[point] = (int32_t)taken[lane];
+            status[point] = determinate[lane] == 0.0 ? 5
+                            : !sound                 ? 2
+                            : open[lane] != 0.0      ? 1
+                            : (result[3][lane] <= 0.0 || result[4][lane] <= 0.0)              ? 3
+                                                     : 0;
+        }
+    }
+}
+
+/* Is each of `count` orbits a motion of the real system?
+ * Takes parameters (4) and unknowns (5) for each, row by row. Gives the least values of the
+ * open parameters (us2) under which it is; the row of
+ * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
+ * data that are not finite), by how much, and how long after the start of the phase. */
+void dry_friction_symmetric_admissible(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
+    int32_t *boundary, double *excess, double *instant)
+{
+    static const int sums[] = {2, 3}, terms[] = {2, 1}, at_once[] = {0, 0};
+    static const int opened[] = {-1, -1, -1, -1, 0};
+    static const double per_unit[] = {0.0, 0.0, 0.0, 0.0, 2.0};
+    for (ptrdiff_t point = 0; point < count; ++point) {
+        const double *const p = parameters + 4 * point, *const u = unknowns + 5 * point;
+        const double q[2] = {p[0], p[1]};
+        const double durations[] = {u[3], u[4]};
+        double spectral[7], derivatives[14], coefficients[24], frequencies[3];
+        dry_friction_spectrum(q, spectral, derivatives);
+        dry_friction_symmetric_boundary_functions(p, spectral, u, coefficients, frequencies);
+        /* the coefficients are differences of the data and carry their rounding */
+        double noise = 0.0;
+        for (int i = 0; i < 4; ++i)
+            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        for (int i = 0; i < 5; ++i)
+            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
+        noise *= 32.0 * DBL_EPSILON;
+        double least[1], most = 0.0, when = 0.0;
+        int found = -1, row = 0;
+        const double *coefficient = coefficients, *frequency = frequencies;
+        for (int i = 0; i < 1; ++i)
+            least[i] = 0.0;
+        for (int phase = 0; phase < 2 && found == -1; ++phase) {
+            const double duration = durations[phase];
+            const int length = 2 + 2 * terms[phase];
+            double floor[3], maximum[3], time[3];
+            if (!(duration > 0.0) && !at_once[phase])
+                found = duration <= 0.0 ? -2 : -3;
+            for (int i = 0; i < sums[phase]; ++i)
+                floor[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency,
+                                                 coefficient + i * length, duration)
+                    : least[opened[row + i]] * per_unit[row + i];
+            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
+                             maximum, time);
+            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+                if (!(maximum[i] >= floor[i])) {
+                    found = -3;
+                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
+                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
+                } else if (maximum[i] > floor[i]) {
+                    found = row + i;
+                    most = maximum[i];
+                    when = time[i];
+                }
+            }
+            row += sums[phase];
+            coefficient += sums[phase] * length;
+            frequency += terms[phase];
+        }
+        for (int i = 0; i < 1; ++i)
+            bounds[1 * point + i] = least[i];
+        boundary[point] = found;
+        excess[point] = most;
+        instant[point] = when;
+    }
+}
+
 /* Newton's method on the reduced equations for `count` points.
  * Takes parameters (5) and guess (2: tau, tau1) for each point, row by row; gives unknowns
  * (6), the trace, the largest reduced residual, iterations and a status for each point.
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive. */
+ * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
+ * 5 the linear equations for the start are singular. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_global_stick_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
@@ -2315,10 +7413,10 @@ void dry_friction_global_stick_solve(
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < 5; ++i)
                 parameter[i][lane] = parameters[5 * point + i];
+            open[lane] = 1.0;
             for (int i = 0; i < 2; ++i)
                 x[i][lane] = guess[2 * point + i];
             taken[lane] = 0.0;
-            open[lane] = 1.0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
@@ -2545,7 +7643,7 @@ void dry_friction_global_stick_solve(
             if (running == 0.0)
                 break;
         }
-        double result[6][lanes], slope[lanes], defect[lanes];
+        double result[6][lanes], slope[lanes], defect[lanes], determinate[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
@@ -2687,6 +7785,7 @@ void dry_friction_global_stick_solve(
             largest = fabs(-V + v1_3) > largest ? fabs(-V + v1_3) : largest;
             largest = fabs(amplitude_tau2*t27*t3 - t4 - z2_1) > largest ? fabs(amplitude_tau2*t27*t3 - t4 - z2_1) : largest;
             defect[lane] = largest;
+            determinate[lane] = 1.0;
         }
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
@@ -2698,26 +7797,31 @@ void dry_friction_global_stick_solve(
             trace[point] = slope[lane];
             residual[point] = defect[lane];
             iterations[point] = (int32_t)taken[lane];
-            status[point] = !sound ? 2 : open[lane] != 0.0 ? 1 : (result[2][lane] <= 0.0 || result[3][lane] <= 0.0 || result[4][lane] <= 0.0 || result[5][lane] <= 0.0) ? 3 : 0;
+            status[point] = determinate[lane] == 0.0 ? 5
+                            : !sound                 ? 2
+                            : open[lane] != 0.0      ? 1
+                            : (result[2][lane] <= 0.0 || result[3][lane] <= 0.0 || result[4][lane] <= 0.0 || result[5][lane] <= 0.0)              ? 3
+                                                     : 0;
         }
     }
 }
 
 /* Is each of `count` orbits a motion of the real system?
  * Takes parameters (5) and unknowns (6) for each, row by row. Gives the least values of the
- * open parameters (us1, us2) under which it is; the row of the boundary that is crossed inside
- * a phase (-1 none, -2 a dwell time is not positive, -3 data that are not finite), by how
- * much, and how long after the start of the phase. */
+ * open parameters (us1, us2) under which it is; the row of
+ * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
+ * data that are not finite), by how much, and how long after the start of the phase. */
 void dry_friction_global_stick_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
 {
-    static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, dwell[] = {2, 3, 4, 5};
+    static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {0, 0, 0, 0};
     static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
     static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 5 * point, *const u = unknowns + 6 * point;
         const double q[2] = {p[0], p[1]};
+        const double durations[] = {u[2], u[3], u[4], u[5]};
         double spectral[7], derivatives[14], coefficients[44], frequencies[4];
         dry_friction_spectrum(q, spectral, derivatives);
         dry_friction_global_stick_boundary_functions(p, spectral, u, coefficients, frequencies);
@@ -2734,10 +7838,609 @@ void dry_friction_global_stick_admissible(
         for (int i = 0; i < 2; ++i)
             least[i] = 0.0;
         for (int phase = 0; phase < 4 && found == -1; ++phase) {
-            const double duration = u[dwell[phase]];
+            const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double floor[4], maximum[4], time[4];
-            if (!(duration > 0.0))
+            if (!(duration > 0.0) && !at_once[phase])
+                found = duration <= 0.0 ? -2 : -3;
+            for (int i = 0; i < sums[phase]; ++i)
+                floor[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency,
+                                                 coefficient + i * length, duration)
+                    : least[opened[row + i]] * per_unit[row + i];
+            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
+                             maximum, time);
+            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+                if (!(maximum[i] >= floor[i])) {
+                    found = -3;
+                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
+                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
+                } else if (maximum[i] > floor[i]) {
+                    found = row + i;
+                    most = maximum[i];
+                    when = time[i];
+                }
+            }
+            row += sums[phase];
+            coefficient += sums[phase] * length;
+            frequency += terms[phase];
+        }
+        for (int i = 0; i < 2; ++i)
+            bounds[2 * point + i] = least[i];
+        boundary[point] = found;
+        excess[point] = most;
+        instant[point] = when;
+    }
+}
+
+/* Newton's method on the reduced equations for `count` points.
+ * Takes parameters (4) and guess (3: tau, tau1, e1) for each point, row by row; gives unknowns
+ * (6), the trace, the largest reduced residual, iterations and a status for each point.
+ * In one step a dwell time changes by a factor of four at most; a point has converged when
+ * a whole step is below 1e-9 max(1, |x|).
+ * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
+ * 5 the linear equations for the start are singular. */
+NONSMOOTH_MULTIVERSION
+void dry_friction_solution_ii_solve(
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
+    double *trace, double *residual, int32_t *iterations, int32_t *status)
+{
+    enum { lanes = 8, most = 32 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[4][lanes], x[3][lanes], fixed[38][lanes];
+        double taken[lanes], open[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < 4; ++i)
+                parameter[i][lane] = parameters[4 * point + i];
+            open[lane] = 1.0;
+            for (int i = 0; i < 3; ++i)
+                x[i][lane] = guess[3 * point + i];
+            taken[lane] = 0.0;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double eta = parameter[1][lane];
+            const double V = parameter[2][lane];
+            const double e2 = parameter[3][lane];
+            const double gap1 = sqrt(4*(chi*chi)*eta + ((-chi*eta + 1)*(-chi*eta + 1)));
+            const double omega1 = sqrt((1.0/2.0)*chi*eta + (1.0/2.0)*gap1 + 1.0/2.0);
+            const double omega2 = sqrt(chi)*sqrt(eta)*sqrt(1 - chi)/omega1;
+            const double p1 = 1.0/2.0 + (1.0/2.0)*(-chi*eta + 1)/gap1;
+            const double p2 = -chi/gap1;
+            const double p3 = -chi*eta/gap1;
+            const double omega3 = sqrt(chi)*sqrt(eta);
+            const double t3 = (1.0/((chi - 1)));
+            const double h0 = -e2*t3/chi;
+            const double h1 = -chi;
+            /* slip-slip for tau1 */
+            const double t11 = (1.0/(omega1));
+            const double h2 = (1.0/(omega2));
+            const double t13 = 1 - p1;
+            const double h3 = -p2;
+            const double h4 = p2*t11;
+            const double h5 = -p3;
+            const double h6 = p3*t11;
+            const double h7 = -p1;
+            const double h8 = -t13;
+            const double h9 = omega2*p2;
+            const double h10 = omega2*p3;
+            const double h11 = -V;
+            /* tau2: first return */
+            const double t30 = (1.0/(omega3));
+            const double h12 = -t30;
+            const double h13 = -t3;
+            /* d/dtau of: slip-stick for tau */
+            const double t35 = V*chi;
+            const double t36 = V - t35;
+            const double t39 = chi*eta;
+            const double h14 = -eta;
+            const double h15 = -omega3;
+            /* rate of the exit boundary after ta */
+            const double rate_1 = t36;
+            /* derivatives of ta on the boundary */
+            const double t54 = (1.0/(rate_1));
+            const double ta_by_z10 = -t54;
+            const double ta_by_z20 = chi*t54;
+            /* perturbation on the boundary after ta */
+            const double t55 = V*ta_by_z10;
+            const double z1_1_on_boundary_by_z10 = t55 + 1;
+            const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+            const double z2_1_on_boundary_by_z10 = t55;
+            const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
+            const double h16 = -z1_1_on_boundary_by_z10;
+            const double h17 = -z1_1_on_boundary_by_z20;
+            const double h18 = -chi*z2_1_on_boundary_by_z10;
+            const double h19 = -chi*z2_1_on_boundary_by_z20;
+            const double h20 = -t39;
+            fixed[0][lane] = omega1;
+            fixed[1][lane] = omega2;
+            fixed[2][lane] = p1;
+            fixed[3][lane] = p2;
+            fixed[4][lane] = p3;
+            fixed[5][lane] = omega3;
+            fixed[6][lane] = t3;
+            fixed[7][lane] = h0;
+            fixed[8][lane] = h1;
+            fixed[9][lane] = t11;
+            fixed[10][lane] = h2;
+            fixed[11][lane] = t13;
+            fixed[12][lane] = h3;
+            fixed[13][lane] = h4;
+            fixed[14][lane] = h5;
+            fixed[15][lane] = h6;
+            fixed[16][lane] = h7;
+            fixed[17][lane] = h8;
+            fixed[18][lane] = h9;
+            fixed[19][lane] = h10;
+            fixed[20][lane] = h11;
+            fixed[21][lane] = t30;
+            fixed[22][lane] = h12;
+            fixed[23][lane] = h13;
+            fixed[24][lane] = t35;
+            fixed[25][lane] = t36;
+            fixed[26][lane] = t39;
+            fixed[27][lane] = h14;
+            fixed[28][lane] = h15;
+            fixed[29][lane] = z1_1_on_boundary_by_z10;
+            fixed[30][lane] = z1_1_on_boundary_by_z20;
+            fixed[31][lane] = z2_1_on_boundary_by_z10;
+            fixed[32][lane] = z2_1_on_boundary_by_z20;
+            fixed[33][lane] = h16;
+            fixed[34][lane] = h17;
+            fixed[35][lane] = h18;
+            fixed[36][lane] = h19;
+            fixed[37][lane] = h20;
+        }
+        for (int iteration = 0; iteration < most; ++iteration) {
+            double running = 0.0;
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+                const double chi = parameter[0][lane];
+                const double V = parameter[2][lane];
+                const double omega1 = fixed[0][lane];
+                const double omega2 = fixed[1][lane];
+                const double p1 = fixed[2][lane];
+                const double p2 = fixed[3][lane];
+                const double p3 = fixed[4][lane];
+                const double omega3 = fixed[5][lane];
+                const double t3 = fixed[6][lane];
+                const double h0 = fixed[7][lane];
+                const double h1 = fixed[8][lane];
+                const double t11 = fixed[9][lane];
+                const double h2 = fixed[10][lane];
+                const double t13 = fixed[11][lane];
+                const double h3 = fixed[12][lane];
+                const double h4 = fixed[13][lane];
+                const double h5 = fixed[14][lane];
+                const double h6 = fixed[15][lane];
+                const double h7 = fixed[16][lane];
+                const double h8 = fixed[17][lane];
+                const double h9 = fixed[18][lane];
+                const double h10 = fixed[19][lane];
+                const double h11 = fixed[20][lane];
+                const double t30 = fixed[21][lane];
+                const double h12 = fixed[22][lane];
+                const double h13 = fixed[23][lane];
+                const double t35 = fixed[24][lane];
+                const double t36 = fixed[25][lane];
+                const double t39 = fixed[26][lane];
+                const double h14 = fixed[27][lane];
+                const double h15 = fixed[28][lane];
+                const double tau = x[0][lane];
+                const double tau1 = x[1][lane];
+                const double e1 = x[2][lane];
+                double sine_0, cosine_0;
+                nonsmooth_sincos(tau, &sine_0, &cosine_0);
+                const double cos_tau = cosine_0;
+                const double sin_tau = sine_0;
+                /* z2_1: linear in second-breaks-forward */
+                const double t2 = V*tau;
+                const double t4 = cos_tau*t3;
+                const double z2_1 = V*sin_tau - e1*t4 + h0 - t2;
+                /* slip-stick for tau */
+                const double t5 = chi*z2_1;
+                const double t6 = e1 + t5;
+                const double t7 = chi + cos_tau*h1;
+                const double t8 = chi*sin_tau;
+                const double z1_2 = V*sin_tau + V*(chi*tau - t8) + cos_tau*t6 + t7*z2_1;
+                const double z2_2 = t2 + z2_1;
+                const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+                /* functions of tau1 in slip-slip */
+                const double t9 = omega1*tau1;
+                double sine_1, cosine_1;
+                nonsmooth_sincos(t9, &sine_1, &cosine_1);
+                const double cos_omega1_tau1 = cosine_1;
+                const double sin_omega1_tau1 = sine_1;
+                const double t10 = omega2*tau1;
+                double sine_2, cosine_2;
+                nonsmooth_sincos(t10, &sine_2, &cosine_2);
+                const double cos_omega2_tau1 = cosine_2;
+                const double sin_omega2_tau1 = sine_2;
+                const double t14 = h2*sin_omega2_tau1;
+                const double t12 = sin_omega1_tau1*t11;
+                const double t15 = p1*t12 + t13*t14;
+                const double t16 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13;
+                const double t17 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
+                const double z1_3 = V*(h3*t14 + h4*sin_omega1_tau1) + t15*v1_2 + t16*z1_2 + t17*z2_2;
+                const double t18 = h5*t14 + h6*sin_omega1_tau1;
+                const double t19 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
+                const double t20 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1;
+                const double z2_3 = V*(p1*t14 + t12*t13) + t18*v1_2 + t19*z1_2 + t20*z2_2;
+                const double t21 = omega2*sin_omega2_tau1;
+                const double t22 = omega1*sin_omega1_tau1;
+                const double t23 = h7*t22 + h8*t21;
+                const double t24 = h3*t22 + h9*sin_omega2_tau1;
+                const double v1_3 = V*t17 + t16*v1_2 + t23*z1_2 + t24*z2_2;
+                const double t25 = h10*sin_omega2_tau1 + h5*t22;
+                const double t26 = h7*t21 + h8*t22;
+                const double v2_3 = V*t20 + t19*v1_2 + t25*z1_2 + t26*z2_2;
+                /* first return of tau2 */
+                const double cosine_part_tau2 = h11 + v2_3;
+                const double t27 = omega3*z1_3;
+                const double t28 = omega3*z2_3;
+                const double sine_part_tau2 = t27 - t28;
+                /* first return of tau2 */
+                const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
+                /* first return of tau2 */
+                const double t29 = (1.0/(amplitude_tau2));
+                const double cos_tau2_return = sine_part_tau2*t29;
+                const double sin_tau2_return = -cosine_part_tau2*t29;
+                const double tau2 = t30*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+                /* stick-stick for no time */
+                const double t31 = V*tau2;
+                const double z1_5 = sine_part_tau2*t30 + t31 + z2_3;
+                const double z2_5 = amplitude_tau2*h12 + z1_5;
+                /* d/dtau of: functions of tau in slip-stick */
+                const double cos_tau_by_tau = -sin_tau;
+                const double sin_tau_by_tau = cos_tau;
+                /* d/dtau of: z2_1: linear in second-breaks-forward */
+                const double t34 = cos_tau_by_tau*e1;
+                const double z2_1_by_tau = V*sin_tau_by_tau + h11 + h13*t34;
+                /* d/de1 of: z2_1: linear in second-breaks-forward */
+                const double z2_1_by_e1 = -t4;
+                const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t36 + t34 + t35;
+                const double z2_2_by_tau = V + z2_1_by_tau;
+                const double v1_2_by_tau = cos_tau_by_tau*t36 - e1*sin_tau_by_tau;
+                /* d/de1 of: slip-stick for tau */
+                const double z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau;
+                const double v1_2_by_e1 = -sin_tau;
+                /* d/dtau of: slip-slip for tau1 */
+                const double z1_3_by_tau = t15*v1_2_by_tau + t16*z1_2_by_tau + t17*z2_2_by_tau;
+                const double z2_3_by_tau = t18*v1_2_by_tau + t19*z1_2_by_tau + t20*z2_2_by_tau;
+                const double v1_3_by_tau = t16*v1_2_by_tau + t23*z1_2_by_tau + t24*z2_2_by_tau;
+                const double v2_3_by_tau = t19*v1_2_by_tau + t25*z1_2_by_tau + t26*z2_2_by_tau;
+                /* d/dtau1 of: slip-slip for tau1 */
+                const double t37 = chi*z2_3;
+                const double v1_3_by_tau1 = t37 - z1_3;
+                const double v2_3_by_tau1 = h14*t37 + t39*z1_3;
+                /* d/de1 of: slip-slip for tau1 */
+                const double z1_3_by_e1 = t15*v1_2_by_e1 + t16*z1_2_by_e1 + t17*z2_1_by_e1;
+                const double z2_3_by_e1 = t18*v1_2_by_e1 + t19*z1_2_by_e1 + t20*z2_1_by_e1;
+                const double v1_3_by_e1 = t16*v1_2_by_e1 + t23*z1_2_by_e1 + t24*z2_1_by_e1;
+                const double v2_3_by_e1 = t19*v1_2_by_e1 + t25*z1_2_by_e1 + t26*z2_1_by_e1;
+                /* d/dtau of: first return of tau2 */
+                const double sine_part_tau2_by_tau = h15*z2_3_by_tau + omega3*z1_3_by_tau;
+                /* d/dtau1 of: first return of tau2 */
+                const double sine_part_tau2_by_tau1 = h15*v2_3 + omega3*v1_3;
+                /* d/de1 of: first return of tau2 */
+                const double sine_part_tau2_by_e1 = h15*z2_3_by_e1 + omega3*z1_3_by_e1;
+                /* d/dtau of: first return of tau2 */
+                const double t41 = 2*cosine_part_tau2;
+                const double t42 = 2*sine_part_tau2;
+                const double t43 = (1.0/2.0)*t29;
+                const double amplitude_tau2_by_tau = t43*(sine_part_tau2_by_tau*t42 + t41*v2_3_by_tau);
+                /* d/dtau1 of: first return of tau2 */
+                const double amplitude_tau2_by_tau1 = t43*(sine_part_tau2_by_tau1*t42 + t41*v2_3_by_tau1);
+                /* d/de1 of: first return of tau2 */
+                const double amplitude_tau2_by_e1 = t43*(sine_part_tau2_by_e1*t42 + t41*v2_3_by_e1);
+                /* d/dtau of: first return of tau2 */
+                const double t44 = (1.0/(amplitude_tau2*amplitude_tau2));
+                const double cos_tau2_return_by_tau = -amplitude_tau2_by_tau*sine_part_tau2*t44 + sine_part_tau2_by_tau*t29;
+                const double sin_tau2_return_by_tau = amplitude_tau2_by_tau*cosine_part_tau2*t44 - t29*v2_3_by_tau;
+                /* d/dtau1 of: first return of tau2 */
+                const double cos_tau2_return_by_tau1 = -amplitude_tau2_by_tau1*sine_part_tau2*t44 + sine_part_tau2_by_tau1*t29;
+                const double sin_tau2_return_by_tau1 = amplitude_tau2_by_tau1*cosine_part_tau2*t44 - t29*v2_3_by_tau1;
+                /* d/de1 of: first return of tau2 */
+                const double cos_tau2_return_by_e1 = -amplitude_tau2_by_e1*sine_part_tau2*t44 + sine_part_tau2_by_e1*t29;
+                const double sin_tau2_return_by_e1 = amplitude_tau2_by_e1*cosine_part_tau2*t44 - t29*v2_3_by_e1;
+                /* d/dtau of: tau2: first return */
+                const double t45 = t30/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
+                const double t46 = cos_tau2_return*t45;
+                const double t47 = sin_tau2_return*t45;
+                const double tau2_by_tau = -cos_tau2_return_by_tau*t47 + sin_tau2_return_by_tau*t46;
+                /* d/dtau1 of: tau2: first return */
+                const double tau2_by_tau1 = -cos_tau2_return_by_tau1*t47 + sin_tau2_return_by_tau1*t46;
+                /* d/de1 of: tau2: first return */
+                const double tau2_by_e1 = -cos_tau2_return_by_e1*t47 + sin_tau2_return_by_e1*t46;
+                /* d/dtau of: stick-stick for no time */
+                const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t30 + z2_3_by_tau;
+                const double z2_5_by_tau = amplitude_tau2_by_tau*h12 + z1_5_by_tau;
+                /* d/dtau1 of: stick-stick for no time */
+                const double z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t30 + v2_3;
+                const double z2_5_by_tau1 = amplitude_tau2_by_tau1*h12 + z1_5_by_tau1;
+                /* d/de1 of: stick-stick for no time */
+                const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t30 + z2_3_by_e1;
+                const double z2_5_by_e1 = amplitude_tau2_by_e1*h12 + z1_5_by_e1;
+                const double residual_0 = -V + v1_3;
+                const double residual_1 = -chi*z2_5 - e1 + z1_5;
+                const double residual_2 = -z2_1 + z2_5;
+                const double jacobian_0 = v1_3_by_tau;
+                const double jacobian_1 = v1_3_by_tau1;
+                const double jacobian_2 = v1_3_by_e1;
+                const double jacobian_3 = -chi*z2_5_by_tau + z1_5_by_tau;
+                const double jacobian_4 = -chi*z2_5_by_tau1 + z1_5_by_tau1;
+                const double jacobian_5 = -chi*z2_5_by_e1 + z1_5_by_e1 - 1;
+                const double jacobian_6 = -z2_1_by_tau + z2_5_by_tau;
+                const double jacobian_7 = z2_5_by_tau1;
+                const double jacobian_8 = -z2_1_by_e1 + z2_5_by_e1;
+                const double inverse = (1.0/((jacobian_0*jacobian_4*jacobian_8 - jacobian_0*jacobian_5*jacobian_7 - jacobian_1*jacobian_3*jacobian_8 + jacobian_1*jacobian_5*jacobian_6 + jacobian_2*jacobian_3*jacobian_7 - jacobian_2*jacobian_4*jacobian_6)));
+                const double wanted_0 = tau - (residual_0*(jacobian_4*jacobian_8 - jacobian_5*jacobian_7) + residual_1*(-jacobian_1*jacobian_8 + jacobian_2*jacobian_7) + residual_2*(jacobian_1*jacobian_5 - jacobian_2*jacobian_4))*inverse;
+                const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
+                const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
+                const double wanted_1 = tau1 - (residual_0*(-jacobian_3*jacobian_8 + jacobian_5*jacobian_6) + residual_1*(jacobian_0*jacobian_8 - jacobian_2*jacobian_6) + residual_2*(-jacobian_0*jacobian_5 + jacobian_2*jacobian_3))*inverse;
+                const double next_1 = wanted_1 < 0.25*tau1 ? 0.25*tau1 : wanted_1 > 4.0*tau1 ? 4.0*tau1 : wanted_1;
+                const double size_1 = fabs(next_1) > 1.0 ? fabs(next_1) : 1.0;
+                const double wanted_2 = e1 - (residual_0*(jacobian_3*jacobian_7 - jacobian_4*jacobian_6) + residual_1*(-jacobian_0*jacobian_7 + jacobian_1*jacobian_6) + residual_2*(jacobian_0*jacobian_4 - jacobian_1*jacobian_3))*inverse;
+                const double next_2 = wanted_2;
+                const double size_2 = fabs(next_2) > 1.0 ? fabs(next_2) : 1.0;
+                x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
+                x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
+                x[2][lane] = open[lane] != 0.0 ? next_2 : e1;
+                taken[lane] += open[lane];
+                open[lane] = (fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1) & (fabs(wanted_2 - e1) <= 1e-9*size_2) ? 0.0 : open[lane];
+            }
+            for (int lane = 0; lane < lanes; ++lane)
+                running += open[lane];
+            if (running == 0.0)
+                break;
+        }
+        double result[6][lanes], slope[lanes], defect[lanes], determinate[lanes];
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double V = parameter[2][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega3 = fixed[5][lane];
+            const double t3 = fixed[6][lane];
+            const double h0 = fixed[7][lane];
+            const double h1 = fixed[8][lane];
+            const double t11 = fixed[9][lane];
+            const double h2 = fixed[10][lane];
+            const double t13 = fixed[11][lane];
+            const double h3 = fixed[12][lane];
+            const double h4 = fixed[13][lane];
+            const double h5 = fixed[14][lane];
+            const double h6 = fixed[15][lane];
+            const double h7 = fixed[16][lane];
+            const double h8 = fixed[17][lane];
+            const double h9 = fixed[18][lane];
+            const double h10 = fixed[19][lane];
+            const double h11 = fixed[20][lane];
+            const double t30 = fixed[21][lane];
+            const double h12 = fixed[22][lane];
+            const double t35 = fixed[24][lane];
+            const double t39 = fixed[26][lane];
+            const double h14 = fixed[27][lane];
+            const double z1_1_on_boundary_by_z10 = fixed[29][lane];
+            const double z1_1_on_boundary_by_z20 = fixed[30][lane];
+            const double z2_1_on_boundary_by_z10 = fixed[31][lane];
+            const double z2_1_on_boundary_by_z20 = fixed[32][lane];
+            const double h16 = fixed[33][lane];
+            const double h17 = fixed[34][lane];
+            const double h18 = fixed[35][lane];
+            const double h19 = fixed[36][lane];
+            const double h20 = fixed[37][lane];
+            const double tau = x[0][lane];
+            const double tau1 = x[1][lane];
+            const double e1 = x[2][lane];
+            double sine_0, cosine_0;
+            nonsmooth_sincos(tau, &sine_0, &cosine_0);
+            const double cos_tau = cosine_0;
+            const double sin_tau = sine_0;
+            /* z2_1: linear in second-breaks-forward */
+            const double t2 = V*tau;
+            const double t4 = cos_tau*t3;
+            const double z2_1 = V*sin_tau - e1*t4 + h0 - t2;
+            /* slip-stick for tau */
+            const double t5 = chi*z2_1;
+            const double t6 = e1 + t5;
+            const double t7 = chi + cos_tau*h1;
+            const double t8 = chi*sin_tau;
+            const double z1_2 = V*sin_tau + V*(chi*tau - t8) + cos_tau*t6 + t7*z2_1;
+            const double z2_2 = t2 + z2_1;
+            const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+            /* functions of tau1 in slip-slip */
+            const double t9 = omega1*tau1;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t9, &sine_1, &cosine_1);
+            const double cos_omega1_tau1 = cosine_1;
+            const double sin_omega1_tau1 = sine_1;
+            const double t10 = omega2*tau1;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(t10, &sine_2, &cosine_2);
+            const double cos_omega2_tau1 = cosine_2;
+            const double sin_omega2_tau1 = sine_2;
+            const double t14 = h2*sin_omega2_tau1;
+            const double t12 = sin_omega1_tau1*t11;
+            const double t15 = p1*t12 + t13*t14;
+            const double t16 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13;
+            const double t17 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
+            const double z1_3 = V*(h3*t14 + h4*sin_omega1_tau1) + t15*v1_2 + t16*z1_2 + t17*z2_2;
+            const double t18 = h5*t14 + h6*sin_omega1_tau1;
+            const double t19 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
+            const double t20 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1;
+            const double z2_3 = V*(p1*t14 + t12*t13) + t18*v1_2 + t19*z1_2 + t20*z2_2;
+            const double t21 = omega2*sin_omega2_tau1;
+            const double t22 = omega1*sin_omega1_tau1;
+            const double t23 = h7*t22 + h8*t21;
+            const double t24 = h3*t22 + h9*sin_omega2_tau1;
+            const double v1_3 = V*t17 + t16*v1_2 + t23*z1_2 + t24*z2_2;
+            const double t25 = h10*sin_omega2_tau1 + h5*t22;
+            const double t26 = h7*t21 + h8*t22;
+            const double v2_3 = V*t20 + t19*v1_2 + t25*z1_2 + t26*z2_2;
+            /* first return of tau2 */
+            const double cosine_part_tau2 = h11 + v2_3;
+            const double t27 = omega3*z1_3;
+            const double t28 = omega3*z2_3;
+            const double sine_part_tau2 = t27 - t28;
+            /* first return of tau2 */
+            const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
+            /* first return of tau2 */
+            const double t29 = (1.0/(amplitude_tau2));
+            const double cos_tau2_return = sine_part_tau2*t29;
+            const double sin_tau2_return = -cosine_part_tau2*t29;
+            const double tau2 = t30*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+            /* stick-stick for no time */
+            const double t31 = V*tau2;
+            const double z1_5 = sine_part_tau2*t30 + t31 + z2_3;
+            const double z2_5 = amplitude_tau2*h12 + z1_5;
+            /* d/dtau1 of: slip-slip for tau1 */
+            const double t37 = chi*z2_3;
+            const double v1_3_by_tau1 = t37 - z1_3;
+            const double v2_3_by_tau1 = h14*t37 + t39*z1_3;
+            /* functions of tau2 in stick-slip */
+            const double t51 = omega3*tau2;
+            double sine_3, cosine_3;
+            nonsmooth_sincos(t51, &sine_3, &cosine_3);
+            const double cos_omega3_tau2 = cosine_3;
+            const double sin_omega3_tau2 = sine_3;
+            /* stick-slip for tau2, until second-reaches-belt */
+            const double z1_4 = t31 + z1_3;
+            const double t52 = 1 - cos_omega3_tau2;
+            const double t53 = sin_omega3_tau2*t30;
+            const double z2_4 = V*(-t53 + tau2) + cos_omega3_tau2*z2_3 + t52*z1_3 + t53*v2_3;
+            const double v2_4 = V*t52 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t27 - sin_omega3_tau2*t28;
+            /* Phi along tau */
+            const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t7*z2_1_on_boundary_by_z10;
+            const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t7*z2_1_on_boundary_by_z20;
+            const double carried_v1_2_by_z10 = h16*sin_tau + t8*z2_1_on_boundary_by_z10;
+            const double carried_v1_2_by_z20 = h17*sin_tau + t8*z2_1_on_boundary_by_z20;
+            /* rate of the exit boundary after tau */
+            const double rate_2 = h1*v1_2 + t35;
+            /* derivatives of tau on the boundary */
+            const double t57 = (1.0/(rate_2));
+            const double tau_by_z10 = t57*(carried_z1_2_by_z10*chi + h18);
+            const double tau_by_z20 = t57*(carried_z1_2_by_z20*chi + h19);
+            /* perturbation on the boundary after tau */
+            const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
+            const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
+            const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
+            const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+            const double t58 = chi*z2_2 - z1_2;
+            const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t58*tau_by_z10;
+            const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t58*tau_by_z20;
+            /* Phi along tau1 */
+            const double carried_z1_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t16*z1_2_on_boundary_by_z10 + t17*z2_2_on_boundary_by_z10;
+            const double carried_z1_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t16*z1_2_on_boundary_by_z20 + t17*z2_2_on_boundary_by_z20;
+            const double carried_z2_3_by_z10 = t18*v1_2_on_boundary_by_z10 + t19*z1_2_on_boundary_by_z10 + t20*z2_2_on_boundary_by_z10;
+            const double carried_z2_3_by_z20 = t18*v1_2_on_boundary_by_z20 + t19*z1_2_on_boundary_by_z20 + t20*z2_2_on_boundary_by_z20;
+            const double carried_v1_3_by_z10 = t16*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t24*z2_2_on_boundary_by_z10;
+            const double carried_v1_3_by_z20 = t16*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t24*z2_2_on_boundary_by_z20;
+            const double carried_v2_3_by_z10 = t19*v1_2_on_boundary_by_z10 + t25*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10;
+            const double carried_v2_3_by_z20 = t19*v1_2_on_boundary_by_z20 + t25*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20;
+            /* rate of the exit boundary after tau1 */
+            const double rate_3 = v1_3_by_tau1;
+            /* derivatives of tau1 on the boundary */
+            const double t59 = (1.0/(rate_3));
+            const double tau1_by_z10 = -carried_v1_3_by_z10*t59;
+            const double tau1_by_z20 = -carried_v1_3_by_z20*t59;
+            /* perturbation on the boundary after tau1 */
+            const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
+            const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
+            const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
+            const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+            const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + tau1_by_z10*v2_3_by_tau1;
+            const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + tau1_by_z20*v2_3_by_tau1;
+            /* Phi along tau2 */
+            const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t52*z1_3_on_boundary_by_z20 + t53*v2_3_on_boundary_by_z20;
+            const double t60 = omega3*sin_omega3_tau2;
+            const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t60*z1_3_on_boundary_by_z10 - t60*z2_3_on_boundary_by_z10;
+            const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t60*z1_3_on_boundary_by_z20 - t60*z2_3_on_boundary_by_z20;
+            /* rate of the exit boundary after tau2 */
+            const double rate_4 = h20*z2_4 + t39*z1_4;
+            /* derivatives of tau2 on the boundary */
+            const double t61 = (1.0/(rate_4));
+            const double tau2_by_z10 = -carried_v2_4_by_z10*t61;
+            const double tau2_by_z20 = -carried_v2_4_by_z20*t61;
+            /* perturbation on the boundary after tau2 */
+            const double z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10;
+            const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4;
+            result[0][lane] = z1_5;
+            result[1][lane] = z2_5;
+            result[2][lane] = tau;
+            result[3][lane] = tau1;
+            result[4][lane] = tau2;
+            result[5][lane] = e1;
+            slope[lane] = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20;
+            double largest = 0.0;
+            largest = fabs(-V + v1_3) > largest ? fabs(-V + v1_3) : largest;
+            largest = fabs(-chi*z2_5 - e1 + z1_5) > largest ? fabs(-chi*z2_5 - e1 + z1_5) : largest;
+            largest = fabs(-z2_1 + z2_5) > largest ? fabs(-z2_1 + z2_5) : largest;
+            defect[lane] = largest;
+            determinate[lane] = 1.0;
+        }
+        for (int lane = 0; lane < here; ++lane) {
+            const ptrdiff_t point = start + lane;
+            int sound = isfinite(slope[lane]) != 0;
+            for (int i = 0; i < 6; ++i) {
+                unknowns[6 * point + i] = result[i][lane];
+                sound &= isfinite(result[i][lane]) != 0;
+            }
+            trace[point] = slope[lane];
+            residual[point] = defect[lane];
+            iterations[point] = (int32_t)taken[lane];
+            status[point] = determinate[lane] == 0.0 ? 5
+                            : !sound                 ? 2
+                            : open[lane] != 0.0      ? 1
+                            : (result[2][lane] <= 0.0 || result[3][lane] <= 0.0 || result[4][lane] <= 0.0)              ? 3
+                                                     : 0;
+        }
+    }
+}
+
+/* Is each of `count` orbits a motion of the real system?
+ * Takes parameters (4) and unknowns (6) for each, row by row. Gives the least values of the
+ * open parameters (us1, us2) under which it is; the row of
+ * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
+ * data that are not finite), by how much, and how long after the start of the phase. */
+void dry_friction_solution_ii_admissible(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
+    int32_t *boundary, double *excess, double *instant)
+{
+    static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {1, 0, 0, 0};
+    static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
+    static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
+    for (ptrdiff_t point = 0; point < count; ++point) {
+        const double *const p = parameters + 4 * point, *const u = unknowns + 6 * point;
+        const double q[2] = {p[0], p[1]};
+        const double durations[] = {0, u[2], u[3], u[4]};
+        double spectral[7], derivatives[14], coefficients[44], frequencies[4];
+        dry_friction_spectrum(q, spectral, derivatives);
+        dry_friction_solution_ii_boundary_functions(p, spectral, u, coefficients, frequencies);
+        /* the coefficients are differences of the data and carry their rounding */
+        double noise = 0.0;
+        for (int i = 0; i < 4; ++i)
+            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        for (int i = 0; i < 6; ++i)
+            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
+        noise *= 32.0 * DBL_EPSILON;
+        double least[2], most = 0.0, when = 0.0;
+        int found = -1, row = 0;
+        const double *coefficient = coefficients, *frequency = frequencies;
+        for (int i = 0; i < 2; ++i)
+            least[i] = 0.0;
+        for (int phase = 0; phase < 4 && found == -1; ++phase) {
+            const double duration = durations[phase];
+            const int length = 2 + 2 * terms[phase];
+            double floor[4], maximum[4], time[4];
+            if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
             for (int i = 0; i < sums[phase]; ++i)
                 floor[i] = opened[row + i] < 0

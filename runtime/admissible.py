@@ -21,6 +21,7 @@ from nonsmooth.runtime.orbit import Orbit
 
 __all__ = [
     "Admissibility",
+    "Coincidence",
     "Requirement",
     "Violation",
     "admissible_points",
@@ -61,6 +62,24 @@ class Requirement:
 
 
 @dataclass(frozen=True)
+class Coincidence:
+    """Boundaries that are reached at one instant: a border collision.
+
+    Attributes
+    ----------
+    phase : int
+        The phase that takes no time; counted from 0.
+    boundaries : tuple of str
+    time : float
+        Since the start of the orbit; nondimensional.
+    """
+
+    phase: int
+    boundaries: tuple[str, ...]
+    time: float
+
+
+@dataclass(frozen=True)
 class Admissibility:
     """Verdict on a solution.
 
@@ -71,22 +90,26 @@ class Admissibility:
     violations : tuple of Violation
     requires : tuple of Requirement
         Also for the parameters that combine with an open one (ur1 = us1 + e1).
+    coincidences : tuple of Coincidence
+        Where they are the orbit is a limit of motions: admissible, but not strictly.
     """
 
     verdict: bool | str
     violations: tuple[Violation, ...]
     requires: tuple[Requirement, ...]
+    coincidences: tuple[Coincidence, ...] = ()
 
 
 def assess_admissibility(orbit: Orbit) -> Admissibility:
     """Check all boundaries along all phases of an orbit, in double precision."""
     kernels = orbit.kernels
     phases = kernels.table["phases"]
-    dwell = [float(orbit.values[name]) for name in kernels.dwell_times]
+    dwell = [float(time) for time in orbit.dwell_times.values()]
+    at_once = [name in kernels.table["vanishing"] for name in kernels.dwell_times]
     starts = np.concatenate([[0.0], np.cumsum(dwell)])
     violations: list[Violation] = []
     for phase, duration in enumerate(dwell):
-        if not duration > 0:
+        if not duration > 0 and not at_once[phase]:
             configuration, boundary, name = phases[phase]
             violations.append(
                 Violation(phase, configuration, boundary, float(starts[phase]), -duration)
@@ -118,15 +141,19 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
                     found.value,
                 )
             )
+    coincidences = tuple(
+        Coincidence(phase, (phases[phase - 1][1], phases[phase][1]), float(starts[phase or -1]))
+        for phase in np.flatnonzero(at_once).tolist()
+    )
     if violations:
-        return Admissibility(False, tuple(violations), ())
+        return Admissibility(False, tuple(violations), (), coincidences)
     requires = [Requirement(name, bound) for name, bound in least.items()]
     for name, terms in kernels.combined.items():
         for opened, bound in least.items():
             for other in terms.keys() - {opened} if opened in terms else ():
                 rest = float(orbit.values[name]) - terms[opened] * bound
                 requires.append(Requirement(other, rest / terms[other]))
-    return Admissibility("conditional" if least else True, (), tuple(requires))
+    return Admissibility("conditional" if least else True, (), tuple(requires), coincidences)
 
 
 def _noise(data: Sequence[float]) -> float:
@@ -196,8 +223,9 @@ def admissible_points(
         allowed, bounds = _admissible_numpy(kernels, points, unknowns)
     else:
         with np.errstate(all="ignore"):  # points without an orbit are NaN
-            bounds, boundary, _, _ = kernels.admissible(points, unknowns)
-        allowed, bounds = np.asarray(boundary == -1), np.asarray(bounds)
+            *bounded, boundary, _, _ = kernels.admissible(points, unknowns)
+        allowed = np.asarray(boundary == -1)
+        bounds = np.asarray(bounded[0]) if bounded else np.empty((len(points), 0))
     bounds[~allowed] = np.nan
     return allowed, bounds
 
@@ -209,10 +237,11 @@ def _admissible_numpy(
     allowed = np.zeros(len(points), dtype=bool)
     opened = [p.name for p in kernels.open_parameters]
     bounds = np.zeros((len(points), len(opened)))
-    dwell = [kernels.unknowns.index(name) for name in kernels.dwell_times]
-    sound = np.flatnonzero(
-        np.isfinite(unknowns).all(axis=-1) & (unknowns[:, dwell] > 0).all(axis=-1)
-    )
+    values = dict(zip(kernels.parameter_names, points.T, strict=True))
+    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
+    dwell = np.stack([np.broadcast_to(d, len(points)) for d in durations.values()], axis=-1)
+    timed = [name not in kernels.table["vanishing"] for name in durations]
+    sound = np.flatnonzero(np.isfinite(unknowns).all(axis=-1) & (dwell[:, timed] > 0).all(axis=-1))
     spectrum, _ = kernels.spectrum(points[sound])
     coefficients, frequencies = kernels.evaluate(
         "boundary_functions", points[sound], spectrum, unknowns[sound]
@@ -221,7 +250,7 @@ def _admissible_numpy(
         noise = _noise([*points[point], *unknowns[point]])
         try:
             for boundary, function in sums_of(kernels, coefficients[row], frequencies[row]):
-                duration = unknowns[point, dwell[boundary.phase]]
+                duration = float(dwell[point, boundary.phase])
                 if boundary.open_parameter is None:
                     floor = function.rounding(duration) + noise
                     if maximum(function, duration, floor).value > floor:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
@@ -13,8 +13,8 @@ import numpy as np
 
 from nonsmooth.runtime.admissible import admissible_points
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.newton import CONVERGED, NEGATIVE, Solved, solve_reduced
+from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable, load_orbit
+from nonsmooth.runtime.newton import CONVERGED, NEGATIVE, OUTSIDE, Solved, solve_reduced
 from nonsmooth.runtime.orbit import STATUS
 from nonsmooth.runtime.parameters import check_arrays
 
@@ -174,13 +174,14 @@ class _Results:
         shape: tuple[int, ...],
     ) -> Orbits:
         unknowns = _columns(self.unknowns, kernels.unknowns, shape)
+        full = {n: np.broadcast_to(parameters[n], shape) for n in kernels.parameter_names}
         opened, bounds = [p.name for p in kernels.open_parameters], self.bounds
         return Orbits(
             name,
             parameters,
             unknowns,
             self.trace.reshape(shape),
-            np.asarray(sum(unknowns[n] for n in kernels.dwell_times)),
+            np.asarray(sum(kernels.durations({**full, **unknowns}).values())),
             self.residual.reshape(shape),
             self.iterations.reshape(shape),
             self.status.reshape(shape),
@@ -216,6 +217,10 @@ def _fill(kernels: OrbitKernels, points: np.ndarray, results: _Results, part: sl
 
 def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
     """Solve from the prediction, and what is lost from each further start in turn."""
+    valid = _inside(kernels, points)
+    sound = np.where(valid[:, None], points, np.nan)
+    if not kernels.reduced:
+        return solve_reduced(kernels, sound, np.empty((len(points), 0)))
     predictor = _predictor(kernels)
     # summed in a fixed order: a matrix product rounds differently for other numbers of points
     distances = (points - predictor.parameters).T
@@ -224,9 +229,8 @@ def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
         for slopes, start in zip(predictor.slopes.T, predictor.reduced, strict=True)
     ]
     guess = np.stack(columns, axis=-1)
-    guess = np.clip(guess, 0.25 * predictor.reduced, 4.0 * predictor.reduced)
-    valid = _inside(kernels, points)
-    solved = solve_reduced(kernels, np.where(valid[:, None], points, np.nan), guess)
+    guess = np.clip(guess, *np.sort([0.25 * predictor.reduced, 4.0 * predictor.reduced], axis=0))
+    solved = solve_reduced(kernels, sound, guess)
     for start in predictor.starts:
         lost = np.flatnonzero(valid & (solved.status != CONVERGED))
         if not len(lost):
@@ -238,19 +242,33 @@ def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
         )
         for array, found in zip(solved, again, strict=True):
             array[lost[better]] = found[better]
+    outside = ~_allowed(kernels.other_parameters, kernels.unknowns, solved.unknowns)
+    solved.status[outside & (solved.status == CONVERGED)] = OUTSIDE
     return solved
 
 
 def _inside(kernels: OrbitKernels, points: np.ndarray) -> np.ndarray:
     """Which points lie in the domains of all parameters."""
-    inside = np.isfinite(points).all(axis=-1)
-    for column, table in zip(points.T, kernels.parameters, strict=True):
+    allowed = _allowed(kernels.parameters, kernels.parameter_names, points)
+    return np.asarray(np.isfinite(points).all(axis=-1) & allowed)
+
+
+def _allowed(
+    tables: Iterable[ParameterTable], names: Sequence[str], points: np.ndarray
+) -> np.ndarray:
+    """At which points those of the parameters that are among the names lie in their domains."""
+    inside = np.full(len(points), True)
+    for table in tables:
+        if table.name not in names:
+            continue
+        column = points[:, names.index(table.name)]
         if table.lower is not None:
             lower = float(table.lower)
             inside &= (column > lower) | (table.closed & (column == lower))
         if table.upper is not None:
-            inside &= column < float(table.upper)
-    return np.asarray(inside)
+            upper = float(table.upper)
+            inside &= (column < upper) | (table.upper_closed & (column == upper))
+    return inside
 
 
 @dataclass(frozen=True)

@@ -238,4 +238,6 @@ def _domain(parameter: Mapping[str, Any]) -> str:
     text: str = parameter["name"]
     if parameter["lower"] is not None:
         text = f"{parameter['lower']} {'<=' if parameter['closed'] else '<'} {text}"
-    return text if parameter["upper"] is None else f"{text} < {parameter['upper']}"
+    if parameter["upper"] is None:
+        return text
+    return f"{text} {'<=' if parameter['upper_closed'] else '<'} {parameter['upper']}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import import_module
@@ -37,13 +37,17 @@ _REMEDY = "run `nonsmooth regenerate`, or install the package again"
 
 @dataclass(frozen=True)
 class ParameterTable:
-    """Name, meaning and domain of a parameter; an absent end is infinite."""
+    """Name, meaning and domain of a parameter; an absent end is infinite.
+
+    `closed` says whether the lower end belongs to the domain, `upper_closed` the upper one.
+    """
 
     name: str
     description: str
     lower: str | None
     upper: str | None
     closed: bool
+    upper_closed: bool
 
 
 @dataclass(frozen=True)
@@ -192,6 +196,22 @@ class OrbitKernels:
         return tuple(ParameterTable(**entry) for entry in self.table["open_parameters"])
 
     @cached_property
+    def other_parameters(self) -> tuple[ParameterTable, ...]:
+        """Parameters of the system that this orbit does not depend on, or does not leave free."""
+        return tuple(ParameterTable(**entry) for entry in self.table["other_parameters"])
+
+    @cached_property
+    def required(self) -> dict[str, str]:
+        """Values that parameters must have for such an orbit to exist, as text."""
+        return dict(self.table["required"])
+
+    @cached_property
+    def solved_for(self) -> tuple[str, ...]:
+        """Parameters among the unknowns."""
+        others = [p.name for p in self.other_parameters]
+        return tuple(name for name in self.unknowns if name in others)
+
+    @cached_property
     def parameter_names(self) -> tuple[str, ...]:
         """Names of the equations' parameters, in the kernels' order."""
         return tuple(p.name for p in self.parameters)
@@ -203,8 +223,23 @@ class OrbitKernels:
 
     @cached_property
     def dwell_times(self) -> tuple[str, ...]:
-        """Names of the dwell times, one for each phase."""
+        """Names of the dwell times, one for each phase; not all need be unknowns."""
         return tuple(self.table["dwell_times"])
+
+    @cached_property
+    def timed(self) -> tuple[str, ...]:
+        """Dwell times among the unknowns."""
+        return tuple(name for name in self.unknowns if name in self.dwell_times)
+
+    def durations(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Dwell time of each phase, from parameters and unknowns.
+
+        One that is no unknown is the period, what the others leave of it, or zero.
+        """
+        return {
+            name: sum(factor * values[term] for term, factor in terms.items())
+            for name, terms in zip(self.dwell_times, self.table["durations"], strict=True)
+        }
 
     @cached_property
     def reduced(self) -> tuple[str, ...]:
@@ -250,6 +285,18 @@ class OrbitKernels:
             "spectrum", values[..., self.spectrum_places]
         )
         return result
+
+    def expand(self, parameters: Any, spectrum: Any, reduced: Any) -> tuple[Any, Any]:
+        """All unknowns from the reduced ones, and determinants in units of their bounds.
+
+        Floats, arrays (..., n) and (..., d); d is the number of linear systems that were
+        solved on the way.
+        """
+        arrays = (parameters, spectrum, *([reduced] if self.reduced else []))
+        found = self.evaluate("expand", *arrays)
+        if isinstance(found, tuple):
+            return found
+        return found, np.ones((*np.shape(found)[:-1], 0))
 
     @property
     def solver(self) -> Callable[..., Any] | None:

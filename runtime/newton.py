@@ -15,6 +15,7 @@ __all__ = [
     "INVALID",
     "NEGATIVE",
     "OUTSIDE",
+    "SINGULAR",
     "STALLED",
     "Solved",
     "solve_full",
@@ -24,10 +25,12 @@ __all__ = [
 # the compiled solver's numbers
 CONVERGED, STALLED, INVALID, NEGATIVE = 0, 1, 2, 3
 OUTSIDE = 4  # only of exchanged equations
+SINGULAR = 5
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
 MOST_ITERATIONS = 32
 DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
-SINGULAR = 1e12  # condition number beyond which a choice of unknowns is refused
+MOST_CONDITION = 1e12  # condition number beyond which a choice of unknowns is refused
+LEAST_DETERMINANT = 1e-12  # in units of its bound; the compiled solver's number
 
 
 class Solved(NamedTuple):
@@ -48,7 +51,7 @@ def solve_reduced(kernels: OrbitKernels, parameters: Any, guess: Any) -> Solved:
     kernels : OrbitKernels
     parameters : array (..., p)
     guess : array (..., m)
-        Start of the reduced unknowns.
+        Start of the reduced unknowns; of none where all is explicit.
 
     Returns
     -------
@@ -57,7 +60,7 @@ def solve_reduced(kernels: OrbitKernels, parameters: Any, guess: Any) -> Solved:
     """
     if kernels.solver is not None:
         with np.errstate(all="ignore"):
-            return Solved(*kernels.solver(parameters, guess))
+            return Solved(*kernels.solver(parameters, *([guess] if kernels.reduced else [])))
     parameters, guess = np.asarray(parameters, float), np.asarray(guess, float)
     lead = np.broadcast_shapes(parameters.shape[:-1], guess.shape[:-1])
     flat = np.broadcast_to(parameters, (*lead, parameters.shape[-1])).reshape(
@@ -76,7 +79,7 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
     spectrum, _ = kernels.spectrum(parameters)
     timed = np.array([name in kernels.dwell_times for name in kernels.reduced])
     taken = np.zeros(len(x), dtype=np.int32)
-    running = np.arange(len(x))
+    running = np.arange(len(x) if kernels.reduced else 0)
     for _ in range(MOST_ITERATIONS):
         if not len(running):
             break
@@ -93,14 +96,20 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
         taken[running] += 1
         size = np.maximum(np.abs(following), 1.0)
         running = running[~(np.abs(wanted - here) <= TOLERANCE * size).all(axis=-1)]
-    residual, _ = kernels.evaluate("reduced", parameters, spectrum, x)
-    unknowns = kernels.evaluate("expand", parameters, spectrum, x)
+    residual = np.zeros((len(x), 1))
+    if kernels.reduced:
+        residual, _ = kernels.evaluate("reduced", parameters, spectrum, x)
+    unknowns, determinants = kernels.expand(parameters, spectrum, x)
     trace = kernels.evaluate("trace", parameters, spectrum, unknowns)
     status = np.full(len(x), CONVERGED, dtype=np.int32)
-    dwell = [kernels.unknowns.index(name) for name in kernels.dwell_times]
-    status[(unknowns[:, dwell] <= 0).any(axis=-1)] = NEGATIVE
+    values = dict(zip(kernels.parameter_names, parameters.T, strict=True))
+    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
+    for name, duration in durations.items():
+        if name not in kernels.table["vanishing"]:
+            status[duration <= 0] = NEGATIVE
     status[running] = STALLED
     status[~(np.isfinite(unknowns).all(axis=-1) & np.isfinite(trace))] = INVALID
+    status[(np.abs(determinants) <= LEAST_DETERMINANT).any(axis=-1)] = SINGULAR
     return Solved(unknowns, trace, np.abs(residual).max(axis=-1), taken, status)
 
 
@@ -164,7 +173,7 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
             if fraction == 1 and (abs(step) <= TOLERANCE * np.maximum(abs(here), 1)).all():
                 status = CONVERGED
                 break
-    if status != INVALID and (condition := condition_number(jacobian)) > SINGULAR:
+    if status != INVALID and (condition := condition_number(jacobian)) > MOST_CONDITION:
         raise _undetermined(solved_for, condition)
     error = np.inf
     if status == CONVERGED:
@@ -176,7 +185,8 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
             error = float(np.max(np.abs(np.linalg.inv(jacobian)) @ noise / size))
         if not error < DETERMINED:
             raise _undetermined(solved_for, float(np.linalg.cond(jacobian * size)))
-        if any(x[names.index(name)] <= 0 for name in kernels.dwell_times):
+        durations = kernels.durations(dict(zip(names, x, strict=True)))
+        if any(durations[n] <= 0 for n in durations if n not in kernels.table["vanishing"]):
             status = NEGATIVE
     found = {name: float(value) for name, value in zip(names, x, strict=True)}
     return Full(found, float(np.abs(residual).max()), iterations, status, error)

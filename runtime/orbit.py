@@ -12,7 +12,14 @@ import numpy as np
 from nonsmooth.runtime.arithmetic import Mpmath
 from nonsmooth.runtime.errors import unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.newton import CONVERGED, INVALID, NEGATIVE, OUTSIDE, STALLED
+from nonsmooth.runtime.newton import (
+    CONVERGED,
+    INVALID,
+    NEGATIVE,
+    OUTSIDE,
+    SINGULAR,
+    STALLED,
+)
 from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
@@ -35,6 +42,8 @@ STATUS = {
     " change the parameters or search without a guess",
     OUTSIDE: "a parameter that was solved for is outside its domain: no such system exists;"
     " change what is given",
+    SINGULAR: "singular: at these parameters (a resonance) the equations do not determine an"
+    " orbit; there is none, or a whole family: change a parameter",
 }
 
 
@@ -127,7 +136,7 @@ class Orbit:
     @property
     def dwell_times(self) -> dict[str, Any]:
         """Duration of each phase; nondimensional."""
-        return {name: self.values[name] for name in self.kernels.dwell_times}
+        return self.kernels.durations(self.values)
 
     @property
     def period(self) -> Any:
@@ -156,6 +165,29 @@ class Orbit:
         from nonsmooth.runtime.admissible import assess_admissibility
 
         return assess_admissibility(self)
+
+    @cached_property
+    def saltations(self) -> Any:
+        """Saltation matrix of each transition (Sec. 4).
+
+        A perturbation in front of the transition, times the matrix, is that behind it, to
+        first order at the same time. Array (phases, N, N) of floats, or a list of nested
+        lists of mpmath numbers.
+        """
+        rows = self.evaluate("saltations")
+        size = len(self.kernels.table["states"])
+        if not self.precise:
+            return rows.reshape(-1, size, size)
+        return [rows[k : k + size] for k in range(0, len(rows), size)]
+
+    @cached_property
+    def monodromy(self) -> Any:
+        """Monodromy matrix (N, N): the product of flows and saltation matrices over a period.
+
+        It maps the vector field at the start to itself; its other eigenvalues are the
+        multipliers.
+        """
+        return self.evaluate("monodromy")
 
     @property
     def trace(self) -> Any:
@@ -217,7 +249,7 @@ class Orbit:
         slopes = dict(zip(names, gradient if self.precise else gradient.tolist(), strict=True))
         return Sensitivity(
             dict(zip(self.unknowns, solution, strict=True)),
-            sum(rates.get(name, 0) for name in kernels.dwell_times),
+            sum(kernels.durations({**dict.fromkeys(names, 0), **rates}).values()),
             sum(slopes[name] * rate for name, rate in rates.items()),
         )
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.values import Value, as_value, parse
 
@@ -57,15 +57,30 @@ def resolve(
     InputError
         For an unknown name, a value outside its domain or not a number, or values that
         contradict each other.
+    NoConvergence
+        If a parameter has a value with which there is no such orbit.
     """
     without = set(without)
     values = {name: _value(name, value) for name, value in given.items()}
-    known = [*kernels.parameter_names, *_extra_names(kernels)]
+    tables = _tables(kernels)
     for name in values:
-        if name not in known:
-            raise unknown_name("parameter", str(name), known)
+        if name not in tables:
+            raise unknown_name("parameter", str(name), list(tables))
         if name in without:
             raise InputError(f"parameter {name} is both given and to be solved for")
+        if name in kernels.solved_for:
+            raise InputError(
+                f"{name} is an unknown of {kernels.name}: to give it, solve for another"
+                f" parameter in its place (--unknown NAME --given {name}={values[name]})"
+            )
+        _check_domain(tables[name], values[name])
+    for name, text in kernels.required.items():
+        if name in values and not _same(values[name], parse(text)):
+            raise NoConvergence(
+                f"{kernels.name} exists only for {name} = {text}: with {name} = {values[name]}"
+                " no orbit has this itinerary"
+            )
+    without |= set(kernels.solved_for)
     for name, terms in kernels.combined.items():
         _combine(kernels, name, terms, values, without)
     defaults = default_parameters(kernels)
@@ -82,8 +97,6 @@ def resolve(
     if missing:
         raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
     opened = {p.name: values[p.name] for p in kernels.open_parameters if p.name in values}
-    tables = {p.name: p for p in (*kernels.system.parameters, *kernels.open_parameters)}
-    tables |= {p.name: p for p in kernels.parameters}
     for name, value in {**values, **point}.items():
         _check_domain(tables[name], value)
     return Point(point, opened)
@@ -115,12 +128,10 @@ def check_arrays(kernels: OrbitKernels, arrays: Mapping[str, Any]) -> dict[str, 
     return found
 
 
-def _extra_names(kernels: OrbitKernels) -> list[str]:
-    """Physical parameters that stand for combined or open ones."""
-    names = [p.name for p in kernels.open_parameters]
-    for terms in kernels.combined.values():
-        names += [name for name in terms if name not in names]
-    return names
+def _tables(kernels: OrbitKernels) -> dict[str, ParameterTable]:
+    """All parameters that may be given, by name, those of the equations first."""
+    every = (*kernels.parameters, *kernels.open_parameters, *kernels.other_parameters)
+    return {p.name: p for p in every}
 
 
 def _value(name: str, value: object) -> Value:
@@ -147,7 +158,7 @@ def _combine(
             raise InputError(
                 f"{name} = {values[name]} contradicts {_sum_text(terms)} = {float(total)!r}"
             )
-        table = next(p for p in kernels.parameters if p.name == name)
+        table = _tables(kernels)[name]
         if not in_domain(table, float(total)):
             given = ", ".join(f"{term} = {values[term]}" for term in terms)
             raise InputError(
@@ -200,7 +211,9 @@ def in_domain(table: ParameterTable, number: float) -> bool:
     """Whether a parameter may have this value."""
     lower = float("-inf") if table.lower is None else float(parse(table.lower))
     upper = float("inf") if table.upper is None else float(parse(table.upper))
-    return lower < number < upper or (table.closed and number == lower)
+    if lower < number < upper:
+        return True
+    return (table.closed and number == lower) or (table.upper_closed and number == upper)
 
 
 def _check_domain(table: ParameterTable, value: Value) -> None:
@@ -210,4 +223,5 @@ def _check_domain(table: ParameterTable, value: Value) -> None:
 
 def _domain(table: ParameterTable) -> str:
     opening = "[" if table.closed else "("
-    return f"{opening}{table.lower or '-oo'}, {table.upper or 'oo'})"
+    closing = "]" if table.upper_closed else ")"
+    return f"{opening}{table.lower or '-oo'}, {table.upper or 'oo'}{closing}"

@@ -40,6 +40,7 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
     return {
         "orbit": orbit.name,
         "parameters": {name: text(orbit.values[name]) for name in orbit.given}
+        | orbit.kernels.required
         | {name: text(float(value)) for name, value in orbit.opened.items()},
         "unknowns": {name: text(value) for name, value in orbit.unknowns.items()},
         "period": text(orbit.period),
@@ -52,6 +53,7 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
         "trace": text(stability.trace),
         "margin": text(stability.margin),
         "stability": stability.verdict,
+        **({"one_sided": stability.one_sided} if stability.one_sided else {}),
         **admissibility_json(orbit),
     }
 
@@ -76,6 +78,11 @@ def admissibility_json(orbit: Orbit) -> dict[str, Any]:
             {"parameter": r.parameter, "greater_than": repr(r.greater_than)}
             for r in admissibility.requires
         ]
+    if admissibility.coincidences:
+        found["coincidences"] = [
+            {"phase": c.phase, "boundaries": list(c.boundaries), "time": repr(c.time)}
+            for c in admissibility.coincidences
+        ]
     return found
 
 
@@ -98,10 +105,11 @@ def systems_json() -> dict[str, Any]:
 
 
 def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
-    defaults = default_parameters(kernels)
+    defaults = kernels.required | default_parameters(kernels)
     tables = [*kernels.parameters, *kernels.open_parameters]
-    combining = {name for terms in kernels.combined.values() for name in terms}
-    combining -= {p.name for p in tables}
+    used = {*kernels.parameter_names, *kernels.solved_for}
+    combining = {n for name, terms in kernels.combined.items() if name in used for n in terms}
+    combining = (combining | set(kernels.required)) - {p.name for p in tables}
     tables += [p for p in kernels.system.parameters if p.name in combining]
     return {
         "name": kernels.name,
@@ -121,6 +129,7 @@ def _parameter_json(parameter: ParameterTable) -> dict[str, Any]:
         "lower": parameter.lower,
         "upper": parameter.upper,
         "closed": parameter.closed,
+        "upper_closed": parameter.upper_closed,
     }
 
 

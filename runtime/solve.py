@@ -79,7 +79,7 @@ def solve(
         else _ordinary(kernels, point, start, searching=guess is None)
     )
     if throw and not found.converged:
-        searched = guess is None and not swapped
+        searched = guess is None and not swapped and found.kernels.reduced
         reason = "no orbit was found at these parameters" if searched else found.message
         raise NoConvergence(f"{orbit}: {reason} (tried: {', '.join(tried)})")
     return found
@@ -135,6 +135,8 @@ def _ordinary(
     guess = np.array([start[name] for name in names])
     tried = ["the reference point's guess" if searching else "the guess"]
     first = _orbit(kernels, point, solve_reduced(kernels, parameters, guess))
+    if not names:
+        return first, ["the explicit solution"]
     if not searching or _good(first):
         return first, tried
     tried.append(f"continuation in {CONTINUATION_STEPS} steps")
@@ -184,6 +186,9 @@ def _orbit(kernels: OrbitKernels, point: Point, solved: Any) -> Orbit:
     unknowns = {n: float(x) for n, x in zip(kernels.unknowns, solved.unknowns, strict=True)}
     status = int(solved.status)
     residual, digits = float(solved.residual), 0
+    tables = {p.name: p for p in kernels.other_parameters}
+    if not all(in_domain(tables[name], unknowns[name]) for name in kernels.solved_for):
+        status = OUTSIDE
     if status == CONVERGED:
         values = {**{name: float(v) for name, v in point.values.items()}, **unknowns}
         residual, error = _quality(kernels, values)

@@ -39,9 +39,13 @@ class Stability:
         that dimension; with rank one |trace| < 1 decides.
     margin : number
         1 - the largest nontrivial |multiplier|; 1 - |trace| for rank one.
-    verdict : {"stable", "unstable", "undecided"}
+    verdict : {"stable", "neutral", "unstable", "undecided"}
         "stable" is the paper's "conditionally stable": with respect to perturbations that
-        keep the sequence of switches. Undecided if the margin is within its own error.
+        keep the sequence of switches. "neutral": a conservative orbit whose nontrivial
+        multipliers lie on the unit circle. Undecided if the margin is within its own error.
+    one_sided : str
+        On which side derivatives are taken, as "ta > 0", where the orbit is a border
+        collision; else empty.
     """
 
     multipliers: tuple[Multiplier, ...]
@@ -49,6 +53,7 @@ class Stability:
     rank: int
     margin: Any
     verdict: str
+    one_sided: str
 
     @property
     def rank_one(self) -> bool:
@@ -58,18 +63,53 @@ class Stability:
 
 def assess_stability(orbit: Orbit) -> Stability:
     """Multipliers of an orbit and what they mean, to the orbit's own digits."""
+    table = orbit.kernels.table
     zero = orbit.arithmetic.mp.zero if orbit.precise else 0.0
     trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
-    rank, dimension = orbit.kernels.table["rank"], len(orbit.kernels.table["section"])
-    nonzero = [Multiplier(trace, zero)] if rank == 1 else _eigenvalues(orbit)[:rank]
+    rank, dimension = table["rank"], len(table["section"])
+    if rank == 1:
+        nonzero = [Multiplier(trace, zero)]
+    elif table["conservative"] and dimension == 3:
+        nonzero = _conservative(orbit, trace)
+    else:
+        nonzero = _eigenvalues(orbit)[:rank]
     found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
+    found.sort(key=lambda m: -float(_modulus(m, orbit)))
     largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
     margin = 1 - largest
     # what is carried beyond the digits asked for decides too
     ten = orbit.arithmetic.mp.mpf(10) if orbit.precise else 10.0
-    uncertain = abs(margin) <= ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
-    verdict = "undecided" if uncertain else "stable" if margin > 0 else "unstable"
-    return Stability(tuple(found), trace, rank, margin, verdict)
+    error = ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
+    # of a reciprocal pair it is s = mu + 1/mu, not |mu|, that is known to this error
+    distance = 2 - abs(trace - 1) if table["conservative"] else margin
+    if abs(distance) <= error:
+        verdict = "undecided"
+    elif distance < 0:
+        verdict = "unstable"
+    else:
+        verdict = "neutral" if table["conservative"] else "stable"
+    sides = " and ".join(f"{name} > 0" for name in table["vanishing"])
+    return Stability(tuple(found), trace, rank, margin, verdict, sides)
+
+
+def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
+    """A trivial 1 and the pair mu, 1/mu: the map keeps energy and area.
+
+    From mu + 1/mu = tr J - 1 (tr M - 2 of the monodromy matrix M, where 1 is double and
+    defective), whose digits are those of the trace.
+    """
+    mp = orbit.arithmetic.mp
+    root = mp.sqrt if orbit.precise else np.sqrt
+    zero, one = 0 * trace, 0 * trace + 1
+    half = (trace - 1) / 2
+    if abs(half) <= 1:
+        height = root((1 - half) * (1 + half))
+        pair = [Multiplier(half, height), Multiplier(half, -height)]
+    else:
+        # the larger one first: the smaller is its reciprocal, without cancellation
+        larger = half + (1 if half > 0 else -1) * root((half - 1) * (half + 1))
+        pair = [Multiplier(larger, zero), Multiplier(1 / larger, zero)]
+    return [*pair, Multiplier(one, zero, trivial=True)]
 
 
 def _eigenvalues(orbit: Orbit) -> list[Multiplier]:

@@ -9,24 +9,23 @@ import sympy as sp
 from nonsmooth.derive.codegen.c import print_c
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations import EquationSystem
-from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["admissible_prototype", "admissible_source"]
 
 _ADMISSIBLE = Template("""\
 /* Is each of `count` orbits a motion of the real system?
- * Takes parameters ($p) and unknowns ($n) for each, row by row. Gives the least values of the
- * open parameters ($open) under which it is; the row of the boundary that is crossed inside
- * a phase (-1 none, -2 a dwell time is not positive, -3 data that are not finite), by how
- * much, and how long after the start of the phase. */
+ * Takes parameters ($p) and unknowns ($n) for each, row by row. Gives$bounds_text the row of
+ * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
+ * data that are not finite), by how much, and how long after the start of the phase. */
 $prototype
 {
-    static const int sums[] = {$sums}, terms[] = {$terms}, dwell[] = {$dwell};
+    static const int sums[] = {$sums}, terms[] = {$terms}, at_once[] = {$at_once};
     static const int opened[] = {$opened};
     static const double per_unit[] = {$per_unit};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + $p * point, *const u = unknowns + $n * point;
         const double q[$nq] = {$spectral_parameters};
+        const double durations[] = {$durations};
         double spectral[$ns], derivatives[$nd], coefficients[$nc], frequencies[$nf];
         $spectrum(q, spectral, derivatives);
         $functions(p, spectral, u, coefficients, frequencies);
@@ -37,16 +36,16 @@ $prototype
         for (int i = 0; i < $n; ++i)
             noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
         noise *= 32.0 * DBL_EPSILON;
-        double least[$open_count], most = 0.0, when = 0.0;
+        double least[$least_count], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
-        for (int i = 0; i < $open_count; ++i)
+        for (int i = 0; i < $least_count; ++i)
             least[i] = 0.0;
         for (int phase = 0; phase < $phases && found == -1; ++phase) {
-            const double duration = u[dwell[phase]];
+            const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double floor[$most_sums], maximum[$most_sums], time[$most_sums];
-            if (!(duration > 0.0))
+            if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
             for (int i = 0; i < sums[phase]; ++i)
                 floor[i] = opened[row + i] < 0
@@ -70,9 +69,7 @@ $prototype
             coefficient += sums[phase] * length;
             frequency += terms[phase];
         }
-        for (int i = 0; i < $open_count; ++i)
-            bounds[$open_count * point + i] = least[i];
-        boundary[point] = found;
+$bounds        boundary[point] = found;
         excess[point] = most;
         instant[point] = when;
     }
@@ -82,22 +79,15 @@ $prototype
 def admissible_prototype(orbit: EquationSystem) -> str:
     """Declaration of the compiled admissibility test, without the semicolon."""
     name = c_function(orbit.system.name, "admissible", orbit.itinerary.name)
+    bounds = " double *bounds," if orbit.open_parameters else ""
     return (
         f"void {name}(\n    ptrdiff_t count, const double *parameters, const double *unknowns,"
-        " double *bounds,\n    int32_t *boundary, double *excess, double *instant)"
+        f"{bounds}\n    int32_t *boundary, double *excess, double *instant)"
     )
 
 
 def admissible_source(orbit: EquationSystem) -> str:
-    """Definition of the compiled admissibility test of an orbit.
-
-    Raises
-    ------
-    DerivationError
-        If the orbit leaves no parameter open: its bounds would be arrays of no length.
-    """
-    if not orbit.open_parameters:
-        raise DerivationError(f"orbit {orbit.itinerary.name!r} leaves no parameter open")
+    """Definition of the compiled admissibility test of an orbit."""
     functions, spectrum = orbit.boundary_functions, orbit.spectrum
     sums = [sum(b.phase == k for b in functions) for k in range(len(orbit.chain.links))]
     terms = [len(w) for w in orbit.frequencies]
@@ -105,15 +95,34 @@ def admissible_source(orbit: EquationSystem) -> str:
         -1 if b.open_parameter is None else orbit.open_parameters.index(b.open_parameter)
         for b in functions
     ]
+    names = ", ".join(map(str, orbit.open_parameters))
+    many = len(orbit.open_parameters)
+    places = {
+        symbol: sp.Symbol(f"{array}[{i}]")
+        for array, symbols in (("p", orbit.parameters), ("u", orbit.unknowns))
+        for i, symbol in enumerate(symbols)
+    }
     return _ADMISSIBLE.substitute(
         p=len(orbit.parameters),
         n=len(orbit.unknowns),
-        open=", ".join(map(str, orbit.open_parameters)),
+        bounds_text=(
+            f" the least values of the\n * open parameters ({names}) under which it is;"
+            if many
+            else ""
+        ),
+        bounds=(
+            f"        for (int i = 0; i < {many}; ++i)\n"
+            f"            bounds[{many} * point + i] = least[i];\n"
+            if many
+            else ""
+        ),
+        least_count=max(many, 1),
         prototype=admissible_prototype(orbit),
         phases=len(sums),
         sums=", ".join(map(str, sums)),
         terms=", ".join(map(str, terms)),
-        dwell=", ".join(str(orbit.unknowns.index(link.dwell)) for link in orbit.chain.links),
+        at_once=", ".join(str(int(link.duration == 0)) for link in orbit.chain.links),
+        durations=", ".join(print_c(link.duration.xreplace(places)) for link in orbit.chain.links),
         opened=", ".join(map(str, opened)),
         per_unit=", ".join(print_c(sp.Float(-b.open_coefficient)) for b in functions),
         ns=len(spectrum.symbols),
@@ -124,7 +133,6 @@ def admissible_source(orbit: EquationSystem) -> str:
         spectral_parameters=", ".join(
             f"p[{orbit.parameters.index(q)}]" for q in spectrum.parameters
         ),
-        open_count=len(orbit.open_parameters),
         most_sums=max(sums),
         spectrum=c_function(orbit.system.name, "spectrum", None),
         functions=c_function(orbit.system.name, "boundary_functions", orbit.itinerary.name),

@@ -25,6 +25,7 @@ from nonsmooth.derive.codegen.tables import system_tables
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.document.markdown import to_markdown
 from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.kernels import flow_kernels, orbit_kernels, spectrum_kernel
 from nonsmooth.derive.modal import derive_flows
@@ -86,6 +87,8 @@ def emit_system(
     for orbit in orbits:
         progress(f"{name}/{orbit.name}: equations")
         derived.append(derive_equations(orbit))
+        if derived[-1].spectrum != spectrum:
+            raise DerivationError(f"{name}/{orbit.name}: its presentation changes the spectrum")
         kernels += [(k, orbit.name) for k in orbit_kernels(derived[-1])]
     tables = system_tables(system, spectrum, derived, kernels)
     progress(f"{name}: Python")

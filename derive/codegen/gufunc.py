@@ -70,17 +70,22 @@ def wrapped_solvers(orbit: EquationSystem) -> list[Wrapped]:
     parameters = Array((len(orbit.parameters),))
     unknowns = Array((len(orbit.unknowns),))
     scalar, count = Array(()), Array((), "int32_t")
+    # NumPy takes no cores of no entries
+    guess, bounds = (
+        tuple(Array((len(symbols),)) for symbols in (group,) if symbols)
+        for group in (orbit.reduction.unknowns, orbit.open_parameters)
+    )
     return [
         Wrapped(
             c_function(system, "solve", name),
-            (parameters, Array((len(orbit.reduction.unknowns),))),
+            (parameters, *guess),
             (unknowns, scalar, scalar, count, count),
             many=True,
         ),
         Wrapped(
             c_function(system, "admissible", name),
             (parameters, unknowns),
-            (Array((len(orbit.open_parameters),)), count, scalar, scalar),
+            (*bounds, count, scalar, scalar),
             many=True,
         ),
     ]

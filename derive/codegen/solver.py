@@ -23,47 +23,36 @@ __all__ = ["MOST_REDUCED", "solve_prototype", "solve_source"]
 
 MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
 TOLERANCE = "1e-9"  # of the last step: Newton's method squares it
+SINGULAR = "1e-12"  # a determinant in units of its bound
 
 _SOLVE = Template("""\
 /* Newton's method on the reduced equations for `count` points.
- * Takes parameters ($p) and guess ($m: $names) for each point, row by row; gives unknowns
+ * Takes parameters ($p)$guess_text for each point, row by row; gives unknowns
  * ($n), the trace, the largest reduced residual, iterations and a status for each point.
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below $tolerance max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive. */
+ * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
+ * 5 the linear equations for the start are singular. */
 NONSMOOTH_MULTIVERSION
 $prototype
 {
     enum { lanes = 8, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[$p][lanes], x[$m][lanes], fixed[$fixed][lanes];
+        double parameter[$p][lanes], x[$most_x][lanes], fixed[$fixed][lanes];
         double taken[lanes], open[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < $p; ++i)
                 parameter[i][lane] = parameters[$p * point + i];
-            for (int i = 0; i < $m; ++i)
-                x[i][lane] = guess[$m * point + i];
+$begin
             taken[lane] = 0.0;
-            open[lane] = 1.0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
 $prelude
         }
-        for (int iteration = 0; iteration < most; ++iteration) {
-            double running = 0.0;
-#pragma omp simd
-            for (int lane = 0; lane < lanes; ++lane) {
-$step
-            }
-            for (int lane = 0; lane < lanes; ++lane)
-                running += open[lane];
-            if (running == 0.0)
-                break;
-        }
-        double result[$n][lanes], slope[lanes], defect[lanes];
+$newton        double result[$n][lanes], slope[lanes], defect[lanes], determinate[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
 $finish
@@ -78,17 +67,37 @@ $finish
             trace[point] = slope[lane];
             residual[point] = defect[lane];
             iterations[point] = (int32_t)taken[lane];
-            status[point] = !sound ? 2 : open[lane] != 0.0 ? 1 : $negative ? 3 : 0;
+            status[point] = determinate[lane] == 0.0 ? 5
+                            : !sound                 ? 2
+                            : open[lane] != 0.0      ? 1
+                            : $negative              ? 3
+                                                     : 0;
         }
     }
 }""")
 
 
+_NEWTON = Template("""\
+        for (int iteration = 0; iteration < most; ++iteration) {
+            double running = 0.0;
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+$step
+            }
+            for (int lane = 0; lane < lanes; ++lane)
+                running += open[lane];
+            if (running == 0.0)
+                break;
+        }
+""")
+
+
 def solve_prototype(orbit: EquationSystem) -> str:
     """Declaration of the compiled solver, without the semicolon."""
     name = c_function(orbit.system.name, "solve", orbit.itinerary.name)
+    guess = " const double *guess," if orbit.reduction.unknowns else ""
     return (
-        f"void {name}(\n    ptrdiff_t count, const double *parameters, const double *guess,"
+        f"void {name}(\n    ptrdiff_t count, const double *parameters,{guess}"
         " double *unknowns,\n    double *trace, double *residual, int32_t *iterations,"
         " int32_t *status)"
     )
@@ -100,23 +109,24 @@ def solve_source(orbit: EquationSystem) -> str:
     Raises
     ------
     DerivationError
-        If the reduction leaves no unknown, or more than `MOST_REDUCED`.
+        If the reduction leaves more than `MOST_REDUCED` unknowns.
     """
     count = len(orbit.reduction.unknowns)
-    if not 1 <= count <= MOST_REDUCED:
+    if count > MOST_REDUCED:
         raise DerivationError(
             f"orbit {orbit.itinerary.name!r}: {count} reduced unknowns,"
-            f" the compiled solver takes 1 to {MOST_REDUCED}"
+            f" the compiled solver takes at most {MOST_REDUCED}"
         )
     body = body_of(reduced_equations(orbit))
-    residual, jacobian, values, (trace,) = body.outputs
+    residual, jacobian, values, (trace,), determinants = body.outputs
     unknowns = orbit.reduction.unknowns
     spectrum = [Line(symbol, expression) for symbol, expression in orbit.spectrum.entries]
     inputs = set(orbit.parameters) | set(orbit.spectrum.symbols)
     fixed, moving = split(hoisted(body, inputs), inputs)
     step = needed(moving, (*residual, *jacobian))
-    finish = needed(moving, (*residual, *values, trace))
-    used = _inputs(step, (*residual, *jacobian)) | _inputs(finish, (*residual, *values, trace))
+    results = (*residual, *values, trace, *determinants)
+    finish = needed(moving, results)
+    used = _inputs(step, (*residual, *jacobian)) | _inputs(finish, results)
     prelude = needed((*spectrum, *fixed), used)
     carried = [line.symbol for line in prelude if line.symbol in used]
 
@@ -131,12 +141,24 @@ def solve_source(orbit: EquationSystem) -> str:
         ]
 
     outer, inner = " " * 12, " " * 16
-    dwell = [orbit.unknowns.index(link.dwell) for link in orbit.chain.links]
+    newton = [
+        *load(step, (*residual, *jacobian), inner),
+        *_lane_sources(step, inner),
+        *_newton(orbit, residual, jacobian, inner),
+    ]
+    names = ", ".join(map(str, unknowns))
+    begin = [f"{outer}open[lane] = {float(count > 0)};"]
+    if count:
+        begin += [
+            f"{outer}for (int i = 0; i < {count}; ++i)",
+            f"{inner}x[i][lane] = guess[{count} * point + i];",
+        ]
     return _SOLVE.substitute(
         p=len(orbit.parameters),
-        m=len(unknowns),
         n=len(orbit.unknowns),
-        names=", ".join(map(str, unknowns)),
+        most_x=max(count, 1),
+        guess_text=f" and guess ({count}: {names})" if count else "",
+        begin="\n".join(begin),
         tolerance=TOLERANCE,
         prototype=solve_prototype(orbit),
         fixed=max(len(carried), 1),
@@ -147,16 +169,10 @@ def solve_source(orbit: EquationSystem) -> str:
                 *(f"{outer}fixed[{i}][lane] = {s};" for i, s in enumerate(carried)),
             ]
         ),
-        step="\n".join(
-            [
-                *load(step, (*residual, *jacobian), inner),
-                *_lane_sources(step, inner),
-                *_newton(orbit, residual, jacobian, inner),
-            ]
-        ),
+        newton=_NEWTON.substitute(step="\n".join(newton)) if count else "",
         finish="\n".join(
             [
-                *load(finish, (*residual, *values, trace), outer),
+                *load(finish, results, outer),
                 *_lane_sources(finish, outer),
                 *(f"{outer}result[{i}][lane] = {print_c(v)};" for i, v in enumerate(values)),
                 f"{outer}slope[lane] = {print_c(trace)};",
@@ -166,10 +182,25 @@ def solve_source(orbit: EquationSystem) -> str:
                     for r in residual
                 ),
                 f"{outer}defect[lane] = largest;",
+                f"{outer}determinate[lane] = {_determinate(determinants)};",
             ]
         ),
-        negative="(" + " || ".join(f"result[{i}][lane] <= 0.0" for i in dwell) + ")",
+        negative=_negative(orbit),
     )
+
+
+def _determinate(determinants: Sequence[sp.Expr]) -> str:
+    """Whether no determinant is far below its bound; one that is no number tells nothing."""
+    tests = [f"(fabs({print_c(d)}) <= {SINGULAR})" for d in determinants]
+    return f"{' | '.join(tests)} ? 0.0 : 1.0" if tests else "1.0"
+
+
+def _negative(orbit: EquationSystem) -> str:
+    """Whether a dwell time is not positive."""
+    places = {s: sp.Symbol(f"result[{i}][lane]") for i, s in enumerate(orbit.unknowns)}
+    places |= {s: sp.Symbol(f"parameter[{i}][lane]") for i, s in enumerate(orbit.parameters)}
+    times = [link.duration.xreplace(places) for link in orbit.chain.links if link.duration != 0]
+    return "(" + " || ".join(f"{print_c(time)} <= 0.0" for time in times) + ")"
 
 
 def _inputs(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:

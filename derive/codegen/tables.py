@@ -69,14 +69,19 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "states": [str(s) for s in orbit.system.states],
         "parameters": [_parameter(by_name[str(s)]) for s in orbit.parameters],
         "open_parameters": [_parameter(by_name[str(s)]) for s in orbit.open_parameters],
+        "other_parameters": [_parameter(p) for p in _others(orbit)],
         "combined": _combined(presentation) if presentation else {},
         "unknowns": [str(u) for u in orbit.unknowns],
         "dwell_times": [str(link.dwell) for link in orbit.chain.links],
+        "durations": [_linear(link.duration) for link in orbit.chain.links],
         "equations": [meaning for meaning, _ in orbit.equations],
         "reduced": [str(u) for u in reduction.unknowns],
         "eliminated": {str(e.unknown): e.rule for e in reduction.eliminations},
         "rank": reduction.rank,
         "section": [str(q) for q in orbit.chain.section.coordinates],
+        "conservative": orbit.conservative,
+        "required": {str(p): str(value) for p, value in orbit.required.items()},
+        "vanishing": list(itinerary.vanishing),
         "terms": [len(w) for w in orbit.frequencies],
         "boundaries": [
             (
@@ -96,6 +101,17 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
     }
 
 
+def _others(orbit: EquationSystem) -> list[Parameter]:
+    """Parameters of the system that neither the equations nor admissibility depend on.
+
+    Those that are solved for or required to have a value are among them, and those that
+    the presentation replaces.
+    """
+    declared = (*orbit.itinerary.system.parameters, *orbit.system.parameters)
+    used = {str(s) for s in (*orbit.parameters, *orbit.open_parameters)}
+    return list({p.name: p for p in declared if p.name not in used}.values())
+
+
 def _parameter(parameter: Parameter) -> dict[str, Any]:
     return {
         "name": parameter.name,
@@ -103,17 +119,22 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
         "lower": None if parameter.lower == -sp.oo else str(parameter.lower),
         "upper": None if parameter.upper == sp.oo else str(parameter.upper),
         "closed": parameter.closed,
+        "upper_closed": parameter.upper_closed,
     }
 
 
 def _combined(presentation: Presentation) -> dict[str, dict[str, int]]:
     """New parameters as sums of multiples of the system's: e = ur - us."""
-    rules = [sp.Eq(old, new) for old, new in presentation.substitution.items()]
     symbols = [p.symbol for p in presentation.parameters]
+    rules = [
+        sp.Eq(old, new)
+        for old, new in presentation.substitution.items()
+        if new.free_symbols & set(symbols)
+    ]
     solution = sp.solve(rules, symbols, dict=True)[0] if rules else {}
     return {str(s): _linear(solution[s]) for s in symbols}
 
 
 def _linear(expression: sp.Expr) -> dict[str, int]:
     terms = sp.expand(expression).as_coefficients_dict()
-    return {str(symbol): int(factor) for symbol, factor in terms.items()}
+    return {str(symbol): int(factor) for symbol, factor in terms.items() if factor}

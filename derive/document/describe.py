@@ -22,6 +22,7 @@ from nonsmooth.derive.document.describe_orbit import (
     equation_section,
     functions_of,
     itinerary_section,
+    symmetry_section,
 )
 from nonsmooth.derive.document.describe_reduction import reduction_section, trace_section
 from nonsmooth.derive.document.describe_system import (
@@ -79,7 +80,7 @@ def describe_orbit(equations: EquationSystem) -> Document:
     notation = Notation(
         (*system.states, *(s for s in itinerary.system.states if s not in states)),
         constants,
-        functions_of(equations.chain),
+        functions_of(equations),
         equations.unknowns,
     )
     naming = Naming(notation, system)
@@ -111,5 +112,8 @@ def describe_orbit(equations: EquationSystem) -> Document:
         Heading("The trace"),
         *trace_section(naming, equations),
     ]
+    if itinerary.reversor:
+        place = blocks.index(Heading("The chain of states"))
+        blocks[place:place] = [Heading("The symmetry"), *symmetry_section(naming, equations)]
     title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"
     return Document(title, tuple(blocks))

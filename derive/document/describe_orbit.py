@@ -6,10 +6,10 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from nonsmooth.derive.chain import Chain
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.wording import Naming, count, enumeration, numbered
 from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.symmetry import halfway
 from nonsmooth.derive.system import TIME
 
 __all__ = [
@@ -18,17 +18,24 @@ __all__ = [
     "equation_section",
     "functions_of",
     "itinerary_section",
+    "symmetry_section",
 ]
 
 
-def functions_of(chain: Chain) -> dict[sp.Symbol, sp.Expr]:
-    """Symbols of the chain that stand for values of functions of time, and those values."""
-    return {
+def functions_of(equations: EquationSystem) -> dict[sp.Symbol, sp.Expr]:
+    """Symbols that stand for values of functions of time, and those values."""
+    found = {
         value: function.subs(TIME, link.dwell)
-        for link in chain.links
+        for link in equations.chain.links
         for function, value in zip(link.flow.basis, link.functions, strict=True)
         if value.is_Symbol and value != link.dwell
     }
+    if equations.itinerary.reversor:
+        assigned = dict(a for stage in equations.stages for a in stage.assignments)
+        halves = {halfway(link.dwell): link.dwell / 2 for link in equations.chain.links}
+        halved = {s: e.subs(halves) for s, e in assigned.items() if set(halves) & e.free_symbols}
+        found |= halves | halved
+    return found
 
 
 def itinerary_section(
@@ -52,20 +59,46 @@ def itinerary_section(
                 f"${notation.latex(notation.tidy(boundary.function))} = 0$",
             )
         )
-    section, state = equations.chain.section, naming.state
+    chain, state = equations.chain, naming.state
+    start = chain.start
     names = rf"\left({', '.join(notation.symbol(s) for s in system.states)}\right)"
-    start = notation.latex(section.start.T.applyfunc(notation.tidy))
-    dwell_times = equations.unknowns[section.dimension :]
+    shown = notation.latex(start.state.T.applyfunc(notation.tidy))
+    dwell_times = [u for u in equations.unknowns if u in {link.dwell for link in chain.links}]
+    swapped = equations.unknowns[start.dimension + len(dwell_times) :]
     opened = (
         f" {naming.list(equations.open_parameters)} do not enter them; they decide on"
         " admissibility alone."
         if equations.open_parameters
         else ""
     )
+    derived = [
+        f"${notation.symbol(link.dwell)} = {notation.latex(link.duration)}$"
+        for link in chain.links
+        if link.duration not in (link.dwell, 0)
+    ]
+    at_once = [link.dwell for link in chain.links if link.duration == 0]
+    remarks = []
+    if itinerary.period is not None:
+        period = notation.symbol(itinerary.period.symbol)
+        remarks.append(f" The period ${period}$ is given{', hence ' if derived else ''}")
+        remarks[-1] += f"{enumeration(derived)}."
+    if at_once:
+        zero = enumeration([f"${notation.symbol(dwell)} = 0$" for dwell in at_once])
+        remarks.append(
+            f" Here {zero}: two boundaries are reached at one instant (border collision), which"
+            f" determines {naming.list(swapped)}. Derivatives of the Poincaré map are one-sided,"
+            f" those for {naming.list(at_once)} from above."
+        )
+    unknown = f"{count(start.dimension, 'coordinate')}, {naming.list(start.coordinates)}."
+    if dwell_times:
+        unknown += f" With the dwell time{'' if len(dwell_times) == 1 else 's'}"
+        unknown += f" {naming.list(dwell_times)}"
+        unknown += f" and {naming.list(swapped)}" if swapped else ""
+        unknown += f" this makes {count(len(equations.unknowns), 'unknown')}."
     return [
         Paragraph(
             f"The orbit has {count(len(rows), 'phase')} to a period. Each phase stays in one"
-            " configuration for its dwell time and ends on one boundary:"
+            f" configuration for its dwell time and ends on one boundary.{''.join(remarks)}"
         ),
         Table(("Phase", "Configuration", "Dwell time", "Flow", "Left by", "Where"), tuple(rows)),
         Paragraph(
@@ -77,17 +110,14 @@ def itinerary_section(
                 Line(
                     f"{state}^{{(0)}}",
                     "=",
-                    (rf"{start}^{{\mathsf{{T}}}},",),
+                    (rf"{shown}^{{\mathsf{{T}}}},",),
                     None,
-                    section.start,
+                    start.state,
                 ),
             )
         ),
         Paragraph(
-            f"with {count(section.dimension, 'coordinate')}, {naming.list(section.coordinates)}."
-            f" With the dwell time{'' if len(dwell_times) == 1 else 's'}"
-            f" {naming.list(dwell_times)} this makes"
-            f" {count(len(equations.unknowns), 'unknown')}. The parameters of the equations are"
+            f"with {unknown} The parameters of the equations are"
             f" {naming.list(equations.parameters)}.{opened}"
         ),
     ]
@@ -125,14 +155,49 @@ def chain_section(
     return blocks
 
 
+def symmetry_section(naming: Naming, equations: EquationSystem) -> list[Block]:
+    """State the reversor, and what the closure of a reversible orbit leaves."""
+    notation, state = naming.notation, naming.state
+    turned = [naming.equal(s, e) for s, e in equations.itinerary.reversor.items()]
+    kept = [s for s in naming.system.states if s not in equations.itinerary.reversor]
+    images = enumeration([rf"$R\,{line.latex}$" for line in turned])
+    blocks: list[Block] = [
+        Paragraph(
+            f"The map $R$ with {images} that keeps {naming.list(kept)} is a reversor of every"
+            f" configuration of the orbit: with ${state}(t)$ also $R\\,{state}(-t)$ is a motion."
+            f" A phase that is on the set of its fixed points, $R\\,{state} = {state}$, halfway"
+            f" through, ends at the image of its start, ${state}(\\tau) = R\\,{state}(0)$. The"
+            " conditions halfway replace the closure, which would contain each of them twice."
+        )
+    ]
+    lines = [f"${notation.symbol(q)} = 0$" for q in equations.vanishing]
+    lines += [f"${notation.symbol(p)} = {sp.latex(v)}$" for p, v in equations.required.items()]
+    if lines:
+        blocks.append(
+            Paragraph(
+                f"What the transitions leave of the closure requires {enumeration(lines)}:"
+                " without that there is no such orbit. Both are inserted."
+                if len(lines) > 1
+                else f"What the transitions leave of the closure requires {lines[0]}."
+            )
+        )
+    return blocks
+
+
 def equation_section(naming: Naming, equations: EquationSystem) -> list[Block]:
     """Number the switching and periodicity equations."""
-    lead = Paragraph(
-        "The switching condition of each phase and the closure of each of the section's own"
-        f" coordinates make {count(len(equations.equations), 'equation')} for"
+    counted = (
+        f" {count(len(equations.equations), 'equation')} for"
         f" {count(len(equations.unknowns), 'unknown')}:"
     )
-    return [lead, *numbered(naming, equations.equations, "")]
+    if equations.itinerary.reversor:
+        lead = "The conditions halfway through the phases, and those on the start, make" + counted
+    else:
+        lead = (
+            "The switching condition of each phase and the closure of each of the start's own"
+            f" coordinates make{counted}"
+        )
+    return [Paragraph(lead), *numbered(naming, equations.equations, "")]
 
 
 def derivative_section(

@@ -28,15 +28,18 @@ def reduction_section(naming: Naming, equations: EquationSystem) -> list[Block]:
     notation, reduction = naming.notation, equations.reduction
     turned = equations.itinerary.rotated(reduction.rotation)
     phase = turned.phases[0]
-    blocks: list[Block] = [
-        Paragraph(
-            "Whatever is linear or explicit is eliminated. The chain is followed from the phase"
-            f" with the smallest section, *{phase.configuration}*"
-            f" (phase {reduction.rotation + 1}), and each switching condition is used as far"
-            f" as it goes, which leaves {count(len(reduction.unknowns), 'unknown')},"
-            f" {naming.list(reduction.unknowns)}."
-        )
-    ]
+    left = count(len(reduction.unknowns), "unknown")
+    if reduction.unknowns:
+        left += f", {naming.list(reduction.unknowns)}"
+    lead = (
+        "The equations are linear in the coordinates of the start, given the dwell times. They"
+        f" are solved for them, which leaves {left}."
+        if equations.itinerary.reversor
+        else "Whatever is linear or explicit is eliminated. The chain is followed from the phase"
+        f" with the smallest section, *{phase.configuration}* (phase {reduction.rotation + 1}),"
+        f" and each switching condition is used as far as it goes, which leaves {left}."
+    )
+    blocks: list[Block] = [Paragraph(lead)]
     if reduction.eliminations:
         rows = [
             (f"${notation.symbol(e.unknown)}$", naming.prose(e.rule))
@@ -65,10 +68,21 @@ def reduction_section(naming: Naming, equations: EquationSystem) -> list[Block]:
             continue
         blocks.append(Paragraph(f"{text}:"))
         blocks.append(Formula(tuple(naming.equal(s, e) for s, e in assignments)))
-    blocks.append(
-        Paragraph(f"The reduced system has {count(len(reduction.equations), 'equation')}:")
-    )
-    blocks += numbered(naming, reduction.equations, "R")
+    if reduction.determinants:
+        symbols = naming.list(d for d, _ in reduction.determinants)
+        blocks.append(
+            Paragraph(
+                f"Where {symbols} vanishes the start is not determined: there is no such orbit, or"
+                " a whole family of them."
+            )
+        )
+    if reduction.equations:
+        blocks.append(
+            Paragraph(f"The reduced system has {count(len(reduction.equations), 'equation')}:")
+        )
+        blocks += numbered(naming, reduction.equations, "R")
+    else:
+        blocks.append(Paragraph("Nothing remains to be solved: the orbit is explicit."))
     others = [(s, e) for s, e in reduction.values.items() if s != e and s in equations.unknowns]
     if others:
         blocks.append(Paragraph("The unknowns that do not appear among the stages are"))
@@ -83,7 +97,7 @@ def _sentence(naming: Naming, elimination: Elimination) -> str:
         return f"The switching condition is linear in {symbol}"
     if elimination.rule == RETURN:
         return f"Hence {symbol}, the first return"
-    boundary = elimination.rule.removeprefix("linear in ")
+    boundary = elimination.rule.removeprefix("linear in ").removeprefix("in: ")
     return f"The condition of {naming.prose(boundary)} is linear in {symbol}"
 
 

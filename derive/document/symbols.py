@@ -29,7 +29,15 @@ _GREEK_NAMES = (
     " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 )
 _GREEK = tuple(_GREEK_NAMES.split())
-_WORDS = {"gap": r"\Delta", "mean": r"\mu", "spread": r"\delta", "equation": "F"}
+_WORDS = {
+    "gap": r"\Delta",
+    "mean": r"\mu",
+    "spread": r"\delta",
+    "equation": "F",
+    "coefficient": "a",
+    "right": "b",
+    "determinant": "D",
+}
 _PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A", "rate": "s"}
 _NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
 _TURNED = re.compile(r"(cos|sin)_(\w+)_return")

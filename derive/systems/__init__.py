@@ -5,7 +5,11 @@ from types import ModuleType
 
 __all__ = ["SYSTEMS", "declaration"]
 
-SYSTEMS = {"dry-friction": "dry_friction"}
+SYSTEMS = {
+    "rigid-stop": "rigid_stop",
+    "elastic-stop": "elastic_stop",
+    "dry-friction": "dry_friction",
+}
 
 
 def declaration(name: str) -> ModuleType:

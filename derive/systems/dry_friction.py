@@ -13,7 +13,7 @@ balance on a mass that sticks.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import sympy as sp
@@ -24,7 +24,15 @@ from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.system import Boundary, Condition, Configuration, System, Transition
 
-__all__ = ["PhysicalData", "from_physical", "global_stick", "orbits", "system"]
+__all__ = [
+    "PhysicalData",
+    "from_physical",
+    "global_stick",
+    "orbits",
+    "solution_ii",
+    "symmetric",
+    "system",
+]
 
 _PARAMETERS = (
     Parameter("chi", "stiffness ratio k2/(k1 + k2), nondimensional", upper=1),
@@ -172,7 +180,51 @@ global_stick = Itinerary(
     ),
 )
 
-orbits = (global_stick,)
+# Sec. 3.2: z1 and z2 are odd in time about the middle of each phase
+symmetric = Itinerary(
+    name="symmetric",
+    system=system,
+    phases=(
+        Phase("slip-slip", "second-reaches-belt", "tau"),
+        Phase("slip-stick", "second-breaks-forward", "tau1"),
+    ),
+    presentation=shifted,
+    start={"z1": "z10", "z2": "z20", "v1": "v10"},
+    reversor={z: -z for z in shifted.states[:2]},
+    reference=Reference(
+        parameters={"chi": "0.4", "eta": "4", "V": "0.6773", "e2": "0.5"},
+        guess={
+            "z10": "-0.4898",
+            "z20": "0.7602",
+            "v10": "-0.111",
+            "tau": "2.651",
+            "tau1": "2.245",
+        },
+    ),
+)
+
+# the limit of the global stick orbit at ta = 0: the second mass reaches the belt at the
+# instant at which the first breaks away, which fixes one parameter
+solution_ii = replace(
+    global_stick,
+    name="solution-ii",
+    vanishing=("ta",),
+    solved_for=("e1",),
+    start={"z1": "z10", "z2": "z20"},
+    reference=Reference(
+        parameters={"chi": "0.5", "eta": "1", "V": "1", "e2": "0.4831"},
+        guess={
+            "z10": "2",
+            "z20": "-3",
+            "tau": "2",
+            "tau1": "1.568",
+            "tau2": "3.28",
+            "e1": "3.5",
+        },
+    ),
+)
+
+orbits = (symmetric, global_stick, solution_ii)
 
 
 @dataclass(frozen=True)

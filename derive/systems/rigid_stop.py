@@ -1,0 +1,83 @@
+"""Coupled oscillators with a rigid stop (the paper's Secs. 2.1 and 2.3, Fig. 1).
+
+Two masses joined by a spring k1, the second tied to the ground by a spring k2. The first
+strikes a rigid stop at the clearance x1 = 1, the unit of length, by Newton's law
+
+    x1'+ = -r x1'-
+
+with the coefficient of restitution r, which is 1 in the paper. (Its Eq. (2) is misprinted:
+it reverses x1 instead of the velocity.)
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.itinerary import Itinerary, Phase, Reference
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+
+__all__ = [
+    "CHAIN",
+    "MASS",
+    "PERIOD",
+    "STIFFNESS",
+    "free",
+    "one_impact",
+    "orbits",
+    "reflection",
+    "states",
+    "system",
+]
+
+CHAIN = (
+    Parameter("m1", "first mass, in the user's consistent units"),
+    Parameter("m2", "second mass"),
+    Parameter("k1", "stiffness of the spring between the masses"),
+    Parameter("k2", "stiffness of the spring between the second mass and the ground"),
+)
+PERIOD = Parameter("T", "period of the orbit")
+_RESTITUTION = Parameter(
+    "r", "coefficient of restitution, nondimensional", upper=1, closed=True, upper_closed=True
+)
+m1, m2, k1, k2 = (p.symbol for p in CHAIN)
+r = _RESTITUTION.symbol
+x1, x2, v1, v2 = states = sp.symbols("x1 x2 v1 v2", real=True)
+
+# the motion read backwards: a symmetry of every undamped configuration
+reflection = {v1: -v1, v2: -v2}
+
+# Eq. (1)
+MASS, STIFFNESS = sp.diag(m1, m2), sp.Matrix([[k1, -k1], [-k1, k1 + k2]])
+free = Configuration(
+    "free",
+    SecondOrder(MASS, STIFFNESS),
+    (Boundary("first-reaches-stop", x1 - 1),),
+)
+
+system = System(
+    name="rigid-stop",
+    description="two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)",
+    states=states,
+    parameters=(*CHAIN, _RESTITUTION),
+    configurations=(free,),
+    transitions=(
+        Transition("free", frozenset({"first-reaches-stop"}), "free", reset={v1: -r * v1}),
+    ),
+)
+
+one_impact = Itinerary(
+    name="one-impact",
+    system=system,
+    phases=(Phase("free", "first-reaches-stop", "T"),),
+    start={"x2": "y", "v1": "u", "v2": "w"},
+    reversor=reflection,
+    period=PERIOD,
+    reference=Reference(
+        parameters={"m1": "1", "m2": "2", "k1": "1", "k2": "5", "T": "2*pi"},
+        guess={"y": "0.162", "u": "-0.372"},
+    ),
+)
+
+orbits = (one_impact,)

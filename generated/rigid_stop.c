@@ -1,0 +1,1411 @@
+/* Generated; do not edit.
+ * Source: nonsmooth.derive.systems.rigid_stop
+ * Again: python scripts/regenerate.py
+ * SymPy 1.14.0, derivation a80d521accc96792 */
+#include "rigid_stop.h"
+
+#include <math.h>
+
+#include "support.h"
+
+/* Frequencies and projector coefficients, with their derivatives by the parameters.
+ * Takes parameters (4); gives spectrum (6), derivatives (6, 4), row by row.
+ * Operations: 170. Intermediate terms: 64. */
+void rigid_stop_spectrum(
+    const double parameters[4], double spectrum[6], double derivatives[24])
+{
+    const double k1 = parameters[0];
+    const double k2 = parameters[1];
+    const double m1 = parameters[2];
+    const double m2 = parameters[3];
+    /* spectrum */
+    const double t0 = (1.0/(m1));
+    const double t1 = k1*t0;
+    const double t2 = (1.0/(m2));
+    const double t3 = k1 + k2;
+    const double t4 = t2*t3;
+    const double t5 = t1 - t4;
+    const double t6 = (k1*k1);
+    const double t7 = 4*t2*t6;
+    const double gap1 = sqrt(t0*t7 + (t5*t5));
+    const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t1 + (1.0/2.0)*t4);
+    const double t8 = (1.0/(omega1));
+    const double t9 = sqrt(k1);
+    const double t10 = sqrt(k2);
+    const double t11 = (1.0/sqrt(m1));
+    const double t12 = (1.0/sqrt(m2));
+    const double t13 = t10*t11*t12*t9;
+    const double omega2 = t13*t8;
+    const double t14 = (1.0/(gap1));
+    const double t15 = (1.0/2.0)*t14;
+    const double p1 = t15*t5 + 1.0/2.0;
+    const double p2 = -t1*t14;
+    const double t16 = t14*t2;
+    const double p3 = -k1*t16;
+    /* d/dk1 of: spectrum */
+    const double gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2));
+    const double t17 = (1.0/2.0)*gap1_by_k1;
+    const double t18 = (1.0/2.0)*t2;
+    const double t19 = (1.0/2.0)*t8;
+    const double omega1_by_k1 = t19*((1.0/2.0)*t0 + t17 + t18);
+    const double t20 = t13/(omega1*omega1);
+    const double omega2_by_k1 = -omega1_by_k1*t20 + (1.0/2.0)*t10*t11*t12*t8/t9;
+    const double t21 = (1.0/(gap1*gap1));
+    const double t22 = t21*t5;
+    const double p1_by_k1 = t15*(t0 - t2) - t17*t22;
+    const double p2_by_k1 = gap1_by_k1*k1*t0*t21 - t0*t14;
+    const double p3_by_k1 = gap1_by_k1*k1*t2*t21 - t16;
+    /* d/dk2 of: spectrum */
+    const double gap1_by_k2 = -t16*t5;
+    const double t23 = (1.0/2.0)*gap1_by_k2;
+    const double omega1_by_k2 = t19*(t18 + t23);
+    const double omega2_by_k2 = -omega1_by_k2*t20 + (1.0/2.0)*t11*t12*t8*t9/t10;
+    const double p1_by_k2 = -t14*t18 - t22*t23;
+    const double t24 = gap1_by_k2*t21;
+    const double p2_by_k2 = t1*t24;
+    const double t25 = k1*t2;
+    const double p3_by_k2 = t24*t25;
+    /* d/dm1 of: spectrum */
+    const double t26 = (1.0/(m1*m1));
+    const double t27 = k1*t26;
+    const double gap1_by_m1 = t15*(-t26*t7 - 2*t27*t5);
+    const double t28 = (1.0/2.0)*gap1_by_m1;
+    const double omega1_by_m1 = t19*(-1.0/2.0*t27 + t28);
+    const double omega2_by_m1 = -omega1_by_m1*t20 - t10*t12*t19*t9/(sqrt(m1)*sqrt(m1)*sqrt(m1));
+    const double p1_by_m1 = -t15*t27 - t22*t28;
+    const double t29 = gap1_by_m1*t21;
+    const double p2_by_m1 = t1*t29 + t14*t27;
+    const double p3_by_m1 = t25*t29;
+    /* d/dm2 of: spectrum */
+    const double t30 = (1.0/(m2*m2));
+    const double gap1_by_m2 = t15*(-4*t0*t30*t6 + 2*t3*t30*t5);
+    const double t31 = (1.0/2.0)*gap1_by_m2;
+    const double t32 = t3*t30;
+    const double omega1_by_m2 = t19*(t31 - 1.0/2.0*t32);
+    const double omega2_by_m2 = -omega1_by_m2*t20 - t10*t11*t19*t9/(sqrt(m2)*sqrt(m2)*sqrt(m2));
+    const double p1_by_m2 = t15*t32 - t22*t31;
+    const double t33 = gap1_by_m2*t21;
+    const double p2_by_m2 = t1*t33;
+    const double p3_by_m2 = k1*t14*t30 + t25*t33;
+    spectrum[0] = gap1;
+    spectrum[1] = omega1;
+    spectrum[2] = omega2;
+    spectrum[3] = p1;
+    spectrum[4] = p2;
+    spectrum[5] = p3;
+    derivatives[0] = gap1_by_k1;
+    derivatives[1] = gap1_by_k2;
+    derivatives[2] = gap1_by_m1;
+    derivatives[3] = gap1_by_m2;
+    derivatives[4] = omega1_by_k1;
+    derivatives[5] = omega1_by_k2;
+    derivatives[6] = omega1_by_m1;
+    derivatives[7] = omega1_by_m2;
+    derivatives[8] = omega2_by_k1;
+    derivatives[9] = omega2_by_k2;
+    derivatives[10] = omega2_by_m1;
+    derivatives[11] = omega2_by_m2;
+    derivatives[12] = p1_by_k1;
+    derivatives[13] = p1_by_k2;
+    derivatives[14] = p1_by_m1;
+    derivatives[15] = p1_by_m2;
+    derivatives[16] = p2_by_k1;
+    derivatives[17] = p2_by_k2;
+    derivatives[18] = p2_by_m1;
+    derivatives[19] = p2_by_m2;
+    derivatives[20] = p3_by_k1;
+    derivatives[21] = p3_by_k2;
+    derivatives[22] = p3_by_m1;
+    derivatives[23] = p3_by_m2;
+}
+
+/* State after a time in free.
+ * Takes parameters (5), spectrum (6), time, state (4); gives state_after (4), row by row.
+ * Operations: 82. Intermediate terms: 16. */
+void rigid_stop_flow_free(
+    const double parameters[5], const double spectrum[6], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double t = time;
+    const double x1 = state[0];
+    const double x2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = (1.0/(omega1));
+    const double t1 = omega1*t;
+    const double t2 = sin(t1);
+    const double t3 = t0*t2;
+    const double t4 = 1 - p1;
+    const double t5 = omega2*t;
+    const double t6 = sin(t5);
+    const double t7 = t6/omega2;
+    const double t8 = cos(t1);
+    const double t9 = cos(t5);
+    const double t10 = p1*t8 + t4*t9;
+    const double t11 = p2*t8 - p2*t9;
+    const double t12 = p3*t8 - p3*t9;
+    const double t13 = p1*t9 + t4*t8;
+    const double t14 = omega1*t2;
+    const double t15 = omega2*t6;
+    state_after[0] = t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
+    state_after[1] = t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
+    state_after[2] = t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14);
+    state_after[3] = t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4);
+}
+
+/* Switching and periodicity equations.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives residual (2), row by row.
+ * Operations: 34. Intermediate terms: 13. */
+void rigid_stop_one_impact_residual(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double residual[2])
+{
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* half of T */
+    const double half_T = (1.0/2.0)*T;
+    /* functions of half_T in free */
+    const double t0 = half_T*omega1;
+    const double cos_omega1_half_T = cos(t0);
+    const double sin_omega1_half_T = sin(t0);
+    const double t1 = half_T*omega2;
+    const double cos_omega2_half_T = cos(t1);
+    const double sin_omega2_half_T = sin(t1);
+    /* outputs */
+    const double t2 = cos_omega1_half_T*u;
+    const double t3 = p2*y;
+    const double t4 = p1 - 1;
+    const double t5 = omega2*sin_omega2_half_T;
+    const double t6 = cos_omega2_half_T*u;
+    const double t7 = omega1*sin_omega1_half_T;
+    residual[0] = p1*t2 - t4*t6 + t5*(t3 + t4) - t7*(p1 + t3);
+    residual[1] = p3*t2 - p3*t6 - t5*(p1*y - p3) + t7*(p1*y - p3 - y);
+}
+
+/* Derivatives of the equations by the unknowns.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives jacobian (2, 2), row by row.
+ * Operations: 23. Intermediate terms: 9. */
+void rigid_stop_one_impact_jacobian(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double jacobian[4])
+{
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    (void)unknowns;
+    /* half of T */
+    const double half_T = (1.0/2.0)*T;
+    /* functions of half_T in free */
+    const double t0 = half_T*omega1;
+    const double cos_omega1_half_T = cos(t0);
+    const double sin_omega1_half_T = sin(t0);
+    const double t1 = half_T*omega2;
+    const double cos_omega2_half_T = cos(t1);
+    const double sin_omega2_half_T = sin(t1);
+    /* outputs */
+    const double t2 = omega1*sin_omega1_half_T;
+    const double t3 = p1 - 1;
+    jacobian[0] = omega2*p2*sin_omega2_half_T - p2*t2;
+    jacobian[1] = cos_omega1_half_T*p1 - cos_omega2_half_T*t3;
+    jacobian[2] = -omega2*p1*sin_omega2_half_T + t2*t3;
+    jacobian[3] = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
+}
+
+/* Equations and their derivatives by the unknowns, sharing all intermediate terms.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives residual (2), jacobian (2, 2), row by row.
+ * Operations: 45. Intermediate terms: 15. */
+void rigid_stop_one_impact_residual_and_jacobian(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double residual[2], double jacobian[4])
+{
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* half of T */
+    const double half_T = (1.0/2.0)*T;
+    /* functions of half_T in free */
+    const double t0 = half_T*omega1;
+    const double cos_omega1_half_T = cos(t0);
+    const double sin_omega1_half_T = sin(t0);
+    const double t1 = half_T*omega2;
+    const double cos_omega2_half_T = cos(t1);
+    const double sin_omega2_half_T = sin(t1);
+    /* outputs */
+    const double t2 = cos_omega1_half_T*p1;
+    const double t3 = p2*y;
+    const double t4 = p1 - 1;
+    const double t5 = omega2*sin_omega2_half_T;
+    const double t6 = cos_omega2_half_T*t4;
+    const double t7 = omega1*sin_omega1_half_T;
+    const double t8 = cos_omega1_half_T*p3;
+    const double t9 = cos_omega2_half_T*p3;
+    residual[0] = t2*u + t5*(t3 + t4) - t6*u - t7*(p1 + t3);
+    residual[1] = -t5*(p1*y - p3) + t7*(p1*y - p3 - y) + t8*u - t9*u;
+    jacobian[0] = omega2*p2*sin_omega2_half_T - p2*t7;
+    jacobian[1] = t2 - t6;
+    jacobian[2] = -p1*t5 + t4*t7;
+    jacobian[3] = t8 - t9;
+}
+
+/* Total derivatives of the equations by the parameters, through the spectrum too.
+ * Takes parameters (5), spectrum (6), spectrum_derivatives (6, 4), unknowns (2); gives parameter_jacobian (2, 5), row by row.
+ * Operations: 212. Intermediate terms: 57. */
+void rigid_stop_one_impact_parameter_jacobian(
+    const double parameters[5], const double spectrum[6], const double spectrum_derivatives[24], const double unknowns[2], double parameter_jacobian[10])
+{
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega1_by_k1 = spectrum_derivatives[4];
+    const double omega1_by_k2 = spectrum_derivatives[5];
+    const double omega1_by_m1 = spectrum_derivatives[6];
+    const double omega1_by_m2 = spectrum_derivatives[7];
+    const double omega2_by_k1 = spectrum_derivatives[8];
+    const double omega2_by_k2 = spectrum_derivatives[9];
+    const double omega2_by_m1 = spectrum_derivatives[10];
+    const double omega2_by_m2 = spectrum_derivatives[11];
+    const double p1_by_k1 = spectrum_derivatives[12];
+    const double p1_by_k2 = spectrum_derivatives[13];
+    const double p1_by_m1 = spectrum_derivatives[14];
+    const double p1_by_m2 = spectrum_derivatives[15];
+    const double p2_by_k1 = spectrum_derivatives[16];
+    const double p2_by_k2 = spectrum_derivatives[17];
+    const double p2_by_m1 = spectrum_derivatives[18];
+    const double p2_by_m2 = spectrum_derivatives[19];
+    const double p3_by_k1 = spectrum_derivatives[20];
+    const double p3_by_k2 = spectrum_derivatives[21];
+    const double p3_by_m1 = spectrum_derivatives[22];
+    const double p3_by_m2 = spectrum_derivatives[23];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* half of T */
+    const double half_T = (1.0/2.0)*T;
+    /* functions of half_T in free */
+    const double t0 = half_T*omega1;
+    const double cos_omega1_half_T = cos(t0);
+    const double sin_omega1_half_T = sin(t0);
+    const double t3 = half_T*omega2;
+    const double cos_omega2_half_T = cos(t3);
+    const double sin_omega2_half_T = sin(t3);
+    /* d/dm1 of: functions of half_T in free */
+    const double t6 = half_T*omega1_by_m1;
+    const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6;
+    const double sin_omega1_half_T_by_m1 = cos_omega1_half_T*t6;
+    const double t7 = half_T*omega2_by_m1;
+    const double cos_omega2_half_T_by_m1 = -sin_omega2_half_T*t7;
+    const double sin_omega2_half_T_by_m1 = cos_omega2_half_T*t7;
+    /* d/dm2 of: functions of half_T in free */
+    const double t8 = half_T*omega1_by_m2;
+    const double cos_omega1_half_T_by_m2 = -sin_omega1_half_T*t8;
+    const double sin_omega1_half_T_by_m2 = cos_omega1_half_T*t8;
+    const double t9 = half_T*omega2_by_m2;
+    const double cos_omega2_half_T_by_m2 = -sin_omega2_half_T*t9;
+    const double sin_omega2_half_T_by_m2 = cos_omega2_half_T*t9;
+    /* d/dk1 of: functions of half_T in free */
+    const double t10 = half_T*omega1_by_k1;
+    const double cos_omega1_half_T_by_k1 = -sin_omega1_half_T*t10;
+    const double sin_omega1_half_T_by_k1 = cos_omega1_half_T*t10;
+    const double t11 = half_T*omega2_by_k1;
+    const double cos_omega2_half_T_by_k1 = -sin_omega2_half_T*t11;
+    const double sin_omega2_half_T_by_k1 = cos_omega2_half_T*t11;
+    /* d/dk2 of: functions of half_T in free */
+    const double t12 = half_T*omega1_by_k2;
+    const double cos_omega1_half_T_by_k2 = -sin_omega1_half_T*t12;
+    const double sin_omega1_half_T_by_k2 = cos_omega1_half_T*t12;
+    const double t13 = half_T*omega2_by_k2;
+    const double cos_omega2_half_T_by_k2 = -sin_omega2_half_T*t13;
+    const double sin_omega2_half_T_by_k2 = cos_omega2_half_T*t13;
+    /* d/dT of: functions of half_T in free */
+    const double t14 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_T_by_T = -sin_omega1_half_T*t14;
+    const double sin_omega1_half_T_by_T = cos_omega1_half_T*t14;
+    const double t15 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_T_by_T = -sin_omega2_half_T*t15;
+    const double sin_omega2_half_T_by_T = cos_omega2_half_T*t15;
+    /* outputs */
+    const double t16 = omega1*sin_omega1_half_T;
+    const double t17 = cos_omega1_half_T*u - cos_omega2_half_T*u + omega2*sin_omega2_half_T - t16;
+    const double t18 = -omega2*sin_omega2_half_T*y + t16*y;
+    const double t20 = p1*u;
+    const double t21 = p2*y;
+    const double t22 = p1 - 1;
+    const double t23 = t21 + t22;
+    const double t24 = sin_omega2_half_T*t23;
+    const double t25 = omega2*t23;
+    const double t26 = t22*u;
+    const double t27 = p1 + t21;
+    const double t28 = sin_omega1_half_T*t27;
+    const double t29 = omega1*t27;
+    const double t30 = p3*u;
+    const double t31 = p1*y - p3 - y;
+    const double t32 = sin_omega1_half_T*t31;
+    const double t33 = omega1*t31;
+    const double t34 = p1*y - p3;
+    const double t35 = sin_omega2_half_T*t34;
+    const double t36 = omega2*t34;
+    parameter_jacobian[0] = cos_omega1_half_T_by_m1*t20 - cos_omega2_half_T_by_m1*t26 - omega1_by_m1*t28 + omega2_by_m1*t24 + p1_by_m1*t17 - p2_by_m1*t18 - sin_omega1_half_T_by_m1*t29 + sin_omega2_half_T_by_m1*t25;
+    parameter_jacobian[1] = cos_omega1_half_T_by_m2*t20 - cos_omega2_half_T_by_m2*t26 - omega1_by_m2*t28 + omega2_by_m2*t24 + p1_by_m2*t17 - p2_by_m2*t18 - sin_omega1_half_T_by_m2*t29 + sin_omega2_half_T_by_m2*t25;
+    parameter_jacobian[2] = cos_omega1_half_T_by_k1*t20 - cos_omega2_half_T_by_k1*t26 - omega1_by_k1*t28 + omega2_by_k1*t24 + p1_by_k1*t17 - p2_by_k1*t18 - sin_omega1_half_T_by_k1*t29 + sin_omega2_half_T_by_k1*t25;
+    parameter_jacobian[3] = cos_omega1_half_T_by_k2*t20 - cos_omega2_half_T_by_k2*t26 - omega1_by_k2*t28 + omega2_by_k2*t24 + p1_by_k2*t17 - p2_by_k2*t18 - sin_omega1_half_T_by_k2*t29 + sin_omega2_half_T_by_k2*t25;
+    parameter_jacobian[4] = cos_omega1_half_T_by_T*t20 - cos_omega2_half_T_by_T*t26 - sin_omega1_half_T_by_T*t29 + sin_omega2_half_T_by_T*t25;
+    parameter_jacobian[5] = cos_omega1_half_T_by_m1*t30 - cos_omega2_half_T_by_m1*t30 + omega1_by_m1*t32 - omega2_by_m1*t35 + p1_by_m1*t18 + p3_by_m1*t17 + sin_omega1_half_T_by_m1*t33 - sin_omega2_half_T_by_m1*t36;
+    parameter_jacobian[6] = cos_omega1_half_T_by_m2*t30 - cos_omega2_half_T_by_m2*t30 + omega1_by_m2*t32 - omega2_by_m2*t35 + p1_by_m2*t18 + p3_by_m2*t17 + sin_omega1_half_T_by_m2*t33 - sin_omega2_half_T_by_m2*t36;
+    parameter_jacobian[7] = cos_omega1_half_T_by_k1*t30 - cos_omega2_half_T_by_k1*t30 + omega1_by_k1*t32 - omega2_by_k1*t35 + p1_by_k1*t18 + p3_by_k1*t17 + sin_omega1_half_T_by_k1*t33 - sin_omega2_half_T_by_k1*t36;
+    parameter_jacobian[8] = cos_omega1_half_T_by_k2*t30 - cos_omega2_half_T_by_k2*t30 + omega1_by_k2*t32 - omega2_by_k2*t35 + p1_by_k2*t18 + p3_by_k2*t17 + sin_omega1_half_T_by_k2*t33 - sin_omega2_half_T_by_k2*t36;
+    parameter_jacobian[9] = cos_omega1_half_T_by_T*t30 - cos_omega2_half_T_by_T*t30 + sin_omega1_half_T_by_T*t33 - sin_omega2_half_T_by_T*t36;
+}
+
+/* Jacobian of the Poincare map in the section's coordinates.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives poincare_jacobian (3, 3), row by row.
+ * Operations: 109. Intermediate terms: 53. */
+void rigid_stop_one_impact_poincare_jacobian(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double poincare_jacobian[9])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* functions of T in free */
+    const double t0 = T*omega1;
+    const double cos_omega1_T = cos(t0);
+    const double sin_omega1_T = sin(t0);
+    const double t1 = T*omega2;
+    const double cos_omega2_T = cos(t1);
+    const double sin_omega2_T = sin(t1);
+    /* free for T, until first-reaches-stop */
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_T*t2;
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega2_T/omega2;
+    const double t6 = p1*t3 + t4*t5;
+    const double t7 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t8 = cos_omega1_T*p1 + cos_omega2_T*t4;
+    const double x1_1 = t6*u + t7*y + t8;
+    const double t9 = p3*sin_omega1_T*t2 - p3*t5;
+    const double t10 = cos_omega1_T*t4 + cos_omega2_T*p1;
+    const double t11 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t10*y + t11 + t9*u;
+    const double t12 = omega1*sin_omega1_T;
+    const double t13 = omega2*p2*sin_omega2_T - p2*t12;
+    const double t14 = omega2*sin_omega2_T;
+    const double v1_1 = -p1*t12 + t13*y - t14*t4 + t8*u;
+    const double t15 = -p1*t14 - t12*t4;
+    const double v2_1 = -p3*t12 + p3*t14 + t11*u + t15*y;
+    /* Phi along T */
+    const double carried_x1_1_by_y = t7;
+    const double carried_x1_1_by_u = t6;
+    const double carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t5;
+    const double carried_x2_1_by_y = t10;
+    const double carried_x2_1_by_u = t9;
+    const double carried_x2_1_by_w = p1*t5 + t3*t4;
+    const double carried_v1_1_by_y = t13;
+    const double carried_v1_1_by_u = t8;
+    const double carried_v1_1_by_w = t7;
+    const double carried_v2_1_by_y = t15;
+    const double carried_v2_1_by_u = t11;
+    const double carried_v2_1_by_w = t10;
+    /* derivatives of T on the boundary */
+    const double t16 = (1.0/(v1_1));
+    const double T_by_y = -carried_x1_1_by_y*t16;
+    const double T_by_u = -carried_x1_1_by_u*t16;
+    const double T_by_w = -carried_x1_1_by_w*t16;
+    /* perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y;
+    const double x2_1_on_boundary_by_u = T_by_u*v2_1 + carried_x2_1_by_u;
+    const double x2_1_on_boundary_by_w = T_by_w*v2_1 + carried_x2_1_by_w;
+    const double t17 = (1.0/(m1));
+    const double t18 = -k1*t17*x1_1 + k1*t17*x2_1;
+    const double v1_1_on_boundary_by_y = -T_by_y*t18 - carried_v1_1_by_y;
+    const double v1_1_on_boundary_by_u = -T_by_u*t18 - carried_v1_1_by_u;
+    const double v1_1_on_boundary_by_w = -T_by_w*t18 - carried_v1_1_by_w;
+    const double t19 = (1.0/(m2));
+    const double t20 = k1*t19*x1_1 - t19*x2_1*(k1 + k2);
+    const double v2_1_on_boundary_by_y = T_by_y*t20 + carried_v2_1_by_y;
+    const double v2_1_on_boundary_by_u = T_by_u*t20 + carried_v2_1_by_u;
+    const double v2_1_on_boundary_by_w = T_by_w*t20 + carried_v2_1_by_w;
+    poincare_jacobian[0] = x2_1_on_boundary_by_y;
+    poincare_jacobian[1] = x2_1_on_boundary_by_u;
+    poincare_jacobian[2] = x2_1_on_boundary_by_w;
+    poincare_jacobian[3] = v1_1_on_boundary_by_y;
+    poincare_jacobian[4] = v1_1_on_boundary_by_u;
+    poincare_jacobian[5] = v1_1_on_boundary_by_w;
+    poincare_jacobian[6] = v2_1_on_boundary_by_y;
+    poincare_jacobian[7] = v2_1_on_boundary_by_u;
+    poincare_jacobian[8] = v2_1_on_boundary_by_w;
+}
+
+/* Saltation matrices of the transitions, one below the other.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives saltations (4, 4), row by row.
+ * Operations: 73. Intermediate terms: 22. */
+void rigid_stop_one_impact_saltations(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double saltations[16])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* functions of T in free */
+    const double t0 = T*omega1;
+    const double cos_omega1_T = cos(t0);
+    const double sin_omega1_T = sin(t0);
+    const double t1 = T*omega2;
+    const double cos_omega2_T = cos(t1);
+    const double sin_omega2_T = sin(t1);
+    /* free for T, until first-reaches-stop */
+    const double t2 = (1.0/(omega1));
+    const double t3 = 1 - p1;
+    const double t4 = sin_omega2_T/omega2;
+    const double t5 = cos_omega1_T*p1 + cos_omega2_T*t3;
+    const double x1_1 = t5 + u*(p1*sin_omega1_T*t2 + t3*t4) + y*(cos_omega1_T*p2 - cos_omega2_T*p2);
+    const double x2_1 = cos_omega1_T*p3 - cos_omega2_T*p3 + u*(p3*sin_omega1_T*t2 - p3*t4) + y*(cos_omega1_T*t3 + cos_omega2_T*p1);
+    const double t6 = omega1*sin_omega1_T;
+    const double v1_1 = -omega2*sin_omega2_T*t3 - p1*t6 + t5*u + y*(omega2*p2*sin_omega2_T - p2*t6);
+    /* transition to free */
+    const double v1_1_reset = -v1_1;
+    /* vector fields at transition 1 */
+    const double t7 = (1.0/(m1));
+    const double before_v1_1 = -k1*t7*x1_1 + k1*t7*x2_1;
+    const double t9 = (1.0/(m2));
+    const double before_v2_1 = k1*t9*x1_1 - t9*x2_1*(k1 + k2);
+    const double behind_v1_1 = before_v1_1;
+    const double behind_v2_1 = before_v2_1;
+    /* outputs */
+    const double t11 = (1.0/(v1_1));
+    saltations[0] = t11*(-v1_1 + v1_1_reset) + 1;
+    saltations[1] = 0;
+    saltations[2] = 0;
+    saltations[3] = 0;
+    saltations[4] = 0;
+    saltations[5] = 1;
+    saltations[6] = 0;
+    saltations[7] = 0;
+    saltations[8] = t11*(before_v1_1 + behind_v1_1);
+    saltations[9] = 0;
+    saltations[10] = -1;
+    saltations[11] = 0;
+    saltations[12] = t11*(-before_v2_1 + behind_v2_1);
+    saltations[13] = 0;
+    saltations[14] = 0;
+    saltations[15] = 1;
+}
+
+/* Monodromy matrix: the product of flows and saltation matrices over a period.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives monodromy (4, 4), row by row.
+ * Operations: 108. Intermediate terms: 62. */
+void rigid_stop_one_impact_monodromy(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double monodromy[16])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* functions of T in free */
+    const double t0 = T*omega1;
+    const double cos_omega1_T = cos(t0);
+    const double sin_omega1_T = sin(t0);
+    const double t1 = T*omega2;
+    const double cos_omega2_T = cos(t1);
+    const double sin_omega2_T = sin(t1);
+    /* free for T, until first-reaches-stop */
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_T*t2;
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega2_T/omega2;
+    const double t6 = p1*t3 + t4*t5;
+    const double t7 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t8 = cos_omega1_T*p1 + cos_omega2_T*t4;
+    const double x1_1 = t6*u + t7*y + t8;
+    const double t9 = p3*sin_omega1_T*t2 - p3*t5;
+    const double t10 = cos_omega1_T*t4 + cos_omega2_T*p1;
+    const double t11 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t10*y + t11 + t9*u;
+    const double t12 = omega1*sin_omega1_T;
+    const double t13 = omega2*p2*sin_omega2_T - p2*t12;
+    const double t14 = omega2*sin_omega2_T;
+    const double t15 = p1*t12 + t14*t4;
+    const double v1_1 = t13*y - t15 + t8*u;
+    /* transition to free */
+    const double v1_1_reset = -v1_1;
+    /* vector fields at transition 1 */
+    const double t16 = (1.0/(m1));
+    const double before_v1_1 = -k1*t16*x1_1 + k1*t16*x2_1;
+    const double t18 = (1.0/(m2));
+    const double before_v2_1 = k1*t18*x1_1 - t18*x2_1*(k1 + k2);
+    const double behind_v1_1 = before_v1_1;
+    const double behind_v2_1 = before_v2_1;
+    /* Phi of phase 1 */
+    const double phi_1_00 = t8;
+    const double phi_1_01 = t7;
+    const double phi_1_02 = t6;
+    const double phi_1_03 = p2*sin_omega1_T*t2 - p2*t5;
+    const double phi_1_10 = t11;
+    const double phi_1_11 = t10;
+    const double phi_1_12 = t9;
+    const double phi_1_13 = p1*t5 + t3*t4;
+    const double phi_1_20 = -t15;
+    const double phi_1_21 = t13;
+    const double phi_1_22 = t8;
+    const double phi_1_23 = t7;
+    const double phi_1_30 = omega2*p3*sin_omega2_T - p3*t12;
+    const double phi_1_31 = -p1*t14 - t12*t4;
+    const double phi_1_32 = t11;
+    const double phi_1_33 = t10;
+    /* saltation of phase 1 */
+    const double t20 = (1.0/(v1_1));
+    const double t21 = t20*(-v1_1 + v1_1_reset) + 1;
+    const double saltation_1_00 = phi_1_00*t21;
+    const double saltation_1_01 = phi_1_01*t21;
+    const double saltation_1_02 = phi_1_02*t21;
+    const double saltation_1_03 = phi_1_03*t21;
+    const double t22 = t20*(before_v1_1 + behind_v1_1);
+    const double saltation_1_20 = phi_1_00*t22 - phi_1_20;
+    const double saltation_1_21 = phi_1_01*t22 - phi_1_21;
+    const double saltation_1_22 = phi_1_02*t22 - phi_1_22;
+    const double saltation_1_23 = phi_1_03*t22 - phi_1_23;
+    const double t23 = t20*(-before_v2_1 + behind_v2_1);
+    const double saltation_1_30 = phi_1_00*t23 + phi_1_30;
+    const double saltation_1_31 = phi_1_01*t23 + phi_1_31;
+    const double saltation_1_32 = phi_1_02*t23 + phi_1_32;
+    const double saltation_1_33 = phi_1_03*t23 + phi_1_33;
+    monodromy[0] = saltation_1_00;
+    monodromy[1] = saltation_1_01;
+    monodromy[2] = saltation_1_02;
+    monodromy[3] = saltation_1_03;
+    monodromy[4] = phi_1_10;
+    monodromy[5] = phi_1_11;
+    monodromy[6] = phi_1_12;
+    monodromy[7] = phi_1_13;
+    monodromy[8] = saltation_1_20;
+    monodromy[9] = saltation_1_21;
+    monodromy[10] = saltation_1_22;
+    monodromy[11] = saltation_1_23;
+    monodromy[12] = saltation_1_30;
+    monodromy[13] = saltation_1_31;
+    monodromy[14] = saltation_1_32;
+    monodromy[15] = saltation_1_33;
+}
+
+/* Trace of the Poincare map's Jacobian.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives trace, row by row.
+ * Operations: 94. Intermediate terms: 35. */
+void rigid_stop_one_impact_trace(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double *trace)
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* functions of T in free */
+    const double t0 = T*omega1;
+    const double cos_omega1_T = cos(t0);
+    const double sin_omega1_T = sin(t0);
+    const double t1 = T*omega2;
+    const double cos_omega2_T = cos(t1);
+    const double sin_omega2_T = sin(t1);
+    /* free for T, until first-reaches-stop */
+    const double t2 = (1.0/(omega1));
+    const double t3 = 1 - p1;
+    const double t4 = sin_omega2_T/omega2;
+    const double t5 = p1*sin_omega1_T*t2 + t3*t4;
+    const double t6 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t7 = cos_omega1_T*p1 + cos_omega2_T*t3;
+    const double x1_1 = t5*u + t6*y + t7;
+    const double t8 = cos_omega1_T*t3 + cos_omega2_T*p1;
+    const double t9 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t8*y + t9 + u*(p3*sin_omega1_T*t2 - p3*t4);
+    const double t10 = omega1*sin_omega1_T;
+    const double t11 = omega2*sin_omega2_T;
+    const double v1_1 = -p1*t10 - t11*t3 + t7*u + y*(omega2*p2*sin_omega2_T - p2*t10);
+    const double v2_1 = -p3*t10 + p3*t11 + t9*u + y*(-p1*t11 - t10*t3);
+    /* Phi along T */
+    const double carried_x1_1_by_y = t6;
+    const double carried_x1_1_by_u = t5;
+    const double carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t4;
+    const double carried_x2_1_by_y = t8;
+    const double carried_v1_1_by_u = t7;
+    const double carried_v2_1_by_w = t8;
+    /* derivatives of T on the boundary */
+    const double t12 = (1.0/(v1_1));
+    const double T_by_y = -carried_x1_1_by_y*t12;
+    const double T_by_u = -carried_x1_1_by_u*t12;
+    const double T_by_w = -carried_x1_1_by_w*t12;
+    /* perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y;
+    const double t13 = (1.0/(m1));
+    const double v1_1_on_boundary_by_u = -T_by_u*(-k1*t13*x1_1 + k1*t13*x2_1) - carried_v1_1_by_u;
+    const double t14 = (1.0/(m2));
+    const double v2_1_on_boundary_by_w = T_by_w*(k1*t14*x1_1 - t14*x2_1*(k1 + k2)) + carried_v2_1_by_w;
+    *trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
+}
+
+/* Derivatives of the trace by the unknowns, then in total by the parameters.
+ * Takes parameters (5), spectrum (6), spectrum_derivatives (6, 4), unknowns (2); gives trace_gradient (7), row by row.
+ * Operations: 847. Intermediate terms: 269. */
+void rigid_stop_one_impact_trace_gradient(
+    const double parameters[5], const double spectrum[6], const double spectrum_derivatives[24], const double unknowns[2], double trace_gradient[7])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega1_by_k1 = spectrum_derivatives[4];
+    const double omega1_by_k2 = spectrum_derivatives[5];
+    const double omega1_by_m1 = spectrum_derivatives[6];
+    const double omega1_by_m2 = spectrum_derivatives[7];
+    const double omega2_by_k1 = spectrum_derivatives[8];
+    const double omega2_by_k2 = spectrum_derivatives[9];
+    const double omega2_by_m1 = spectrum_derivatives[10];
+    const double omega2_by_m2 = spectrum_derivatives[11];
+    const double p1_by_k1 = spectrum_derivatives[12];
+    const double p1_by_k2 = spectrum_derivatives[13];
+    const double p1_by_m1 = spectrum_derivatives[14];
+    const double p1_by_m2 = spectrum_derivatives[15];
+    const double p2_by_k1 = spectrum_derivatives[16];
+    const double p2_by_k2 = spectrum_derivatives[17];
+    const double p2_by_m1 = spectrum_derivatives[18];
+    const double p2_by_m2 = spectrum_derivatives[19];
+    const double p3_by_k1 = spectrum_derivatives[20];
+    const double p3_by_k2 = spectrum_derivatives[21];
+    const double p3_by_m1 = spectrum_derivatives[22];
+    const double p3_by_m2 = spectrum_derivatives[23];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* functions of T in free */
+    const double t0 = T*omega1;
+    const double cos_omega1_T = cos(t0);
+    const double sin_omega1_T = sin(t0);
+    const double t3 = T*omega2;
+    const double cos_omega2_T = cos(t3);
+    const double sin_omega2_T = sin(t3);
+    /* free for T, until first-reaches-stop */
+    const double t6 = (1.0/(omega1));
+    const double t7 = p1 - 1;
+    const double t9 = (1.0/(omega2));
+    const double t10 = sin_omega2_T*t9;
+    const double t11 = p1*sin_omega1_T*t6 - t10*t7;
+    const double t12 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t13 = cos_omega1_T*p1 - cos_omega2_T*t7;
+    const double x1_1 = t11*u + t12*y + t13;
+    const double t14 = p3*sin_omega1_T*t6 - p3*t10;
+    const double t15 = -cos_omega1_T*t7 + cos_omega2_T*p1;
+    const double t16 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t14*u + t15*y + t16;
+    const double t17 = omega1*sin_omega1_T;
+    const double t18 = omega2*p2*sin_omega2_T - p2*t17;
+    const double t19 = p1*sin_omega1_T;
+    const double t20 = -sin_omega2_T*t7;
+    const double v1_1 = -omega1*t19 - omega2*t20 + t13*u + t18*y;
+    const double t21 = omega2*sin_omega2_T;
+    const double t22 = -p1*t21 + t17*t7;
+    const double v2_1 = -p3*t17 + p3*t21 + t16*u + t22*y;
+    /* Phi along T */
+    const double carried_x1_1_by_y = t12;
+    const double carried_x1_1_by_u = t11;
+    const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t10;
+    /* derivatives of T on the boundary */
+    const double t23 = (1.0/(v1_1));
+    const double T_by_y = -carried_x1_1_by_y*t23;
+    const double T_by_u = -carried_x1_1_by_u*t23;
+    const double T_by_w = -carried_x1_1_by_w*t23;
+    /* d/dm1 of: functions of T in free */
+    const double t24 = T*omega1_by_m1;
+    const double cos_omega1_T_by_m1 = -sin_omega1_T*t24;
+    const double sin_omega1_T_by_m1 = cos_omega1_T*t24;
+    const double t25 = T*omega2_by_m1;
+    const double cos_omega2_T_by_m1 = -sin_omega2_T*t25;
+    const double sin_omega2_T_by_m1 = cos_omega2_T*t25;
+    /* d/dm2 of: functions of T in free */
+    const double t26 = T*omega1_by_m2;
+    const double cos_omega1_T_by_m2 = -sin_omega1_T*t26;
+    const double sin_omega1_T_by_m2 = cos_omega1_T*t26;
+    const double t27 = T*omega2_by_m2;
+    const double cos_omega2_T_by_m2 = -sin_omega2_T*t27;
+    const double sin_omega2_T_by_m2 = cos_omega2_T*t27;
+    /* d/dk1 of: functions of T in free */
+    const double t28 = T*omega1_by_k1;
+    const double cos_omega1_T_by_k1 = -sin_omega1_T*t28;
+    const double sin_omega1_T_by_k1 = cos_omega1_T*t28;
+    const double t29 = T*omega2_by_k1;
+    const double cos_omega2_T_by_k1 = -sin_omega2_T*t29;
+    const double sin_omega2_T_by_k1 = cos_omega2_T*t29;
+    /* d/dk2 of: functions of T in free */
+    const double t30 = T*omega1_by_k2;
+    const double cos_omega1_T_by_k2 = -sin_omega1_T*t30;
+    const double sin_omega1_T_by_k2 = cos_omega1_T*t30;
+    const double t31 = T*omega2_by_k2;
+    const double cos_omega2_T_by_k2 = -sin_omega2_T*t31;
+    const double sin_omega2_T_by_k2 = cos_omega2_T*t31;
+    /* d/dT of: functions of T in free */
+    const double cos_omega1_T_by_T = -omega1*sin_omega1_T;
+    const double sin_omega1_T_by_T = cos_omega1_T*omega1;
+    const double cos_omega2_T_by_T = -omega2*sin_omega2_T;
+    const double sin_omega2_T_by_T = cos_omega2_T*omega2;
+    /* d/dy of: free for T, until first-reaches-stop */
+    const double x1_1_by_y = t12;
+    const double x2_1_by_y = t15;
+    const double v1_1_by_y = t18;
+    const double v2_1_by_y = t22;
+    /* d/du of: free for T, until first-reaches-stop */
+    const double x1_1_by_u = t11;
+    const double x2_1_by_u = t14;
+    const double v1_1_by_u = t13;
+    const double v2_1_by_u = t16;
+    /* d/dm1 of: free for T, until first-reaches-stop */
+    const double t32 = p2*y;
+    const double t33 = p1 + t32;
+    const double t34 = -t32 - t7;
+    const double t35 = sin_omega1_T*t6 - t10;
+    const double t36 = cos_omega1_T - cos_omega2_T;
+    const double t37 = t35*u + t36;
+    const double t38 = p2_by_m1*t36;
+    const double t39 = sin_omega1_T_by_m1*t6;
+    const double t40 = p1*t39;
+    const double t41 = sin_omega2_T_by_m1*t9;
+    const double t42 = -t41*t7;
+    const double t43 = (1.0/(omega1*omega1));
+    const double t44 = omega1_by_m1*t43;
+    const double t45 = t19*t44;
+    const double t46 = (1.0/(omega2*omega2));
+    const double t47 = omega2_by_m1*t46;
+    const double t48 = t20*t47;
+    const double x1_1_by_m1 = cos_omega1_T_by_m1*t33 + cos_omega2_T_by_m1*t34 + p1_by_m1*t37 + t38*y + t40*u + t42*u - t45*u - t48*u;
+    const double t49 = -t7*y;
+    const double t50 = p3 + t49;
+    const double t51 = p1*y;
+    const double t52 = -p3 + t51;
+    const double t54 = -p1_by_m1*t36;
+    const double t55 = p3*u;
+    const double t56 = p3*sin_omega2_T*u;
+    const double t57 = p3*sin_omega1_T;
+    const double t58 = t57*u;
+    const double x2_1_by_m1 = cos_omega1_T_by_m1*t50 + cos_omega2_T_by_m1*t52 + p3_by_m1*t37 + t39*t55 - t41*t55 - t44*t58 + t47*t56 + t54*y;
+    const double t59 = -sin_omega1_T*t32 - t19;
+    const double t60 = sin_omega2_T*t32 - t20;
+    const double t61 = -t17 + t21 + t36*u;
+    const double t62 = -omega1*p1 - omega1*t32;
+    const double t63 = omega2*t32 + omega2*t7;
+    const double t64 = cos_omega1_T_by_m1*p1;
+    const double t65 = -cos_omega2_T_by_m1*t7;
+    const double t66 = -omega2*sin_omega2_T + t17;
+    const double t67 = -t66*y;
+    const double v1_1_by_m1 = omega1_by_m1*t59 + omega2_by_m1*t60 + p1_by_m1*t61 + p2_by_m1*t67 + sin_omega1_T_by_m1*t62 + sin_omega2_T_by_m1*t63 + t64*u + t65*u;
+    const double t68 = -sin_omega1_T*t49 - t57;
+    const double t69 = p3*sin_omega2_T - sin_omega2_T*t51;
+    const double t70 = -omega1*p3 - omega1*t49;
+    const double t71 = omega2*p3 - omega2*t51;
+    const double t72 = t66*y;
+    const double v2_1_by_m1 = cos_omega1_T_by_m1*t55 - cos_omega2_T_by_m1*t55 + omega1_by_m1*t68 + omega2_by_m1*t69 + p1_by_m1*t72 + p3_by_m1*t61 + sin_omega1_T_by_m1*t70 + sin_omega2_T_by_m1*t71;
+    /* d/dm2 of: free for T, until first-reaches-stop */
+    const double t73 = p2_by_m2*t36;
+    const double t74 = sin_omega1_T_by_m2*t6;
+    const double t75 = p1*t74;
+    const double t76 = sin_omega2_T_by_m2*t9;
+    const double t77 = -t7*t76;
+    const double t78 = omega1_by_m2*t43;
+    const double t79 = t19*t78;
+    const double t80 = omega2_by_m2*t46;
+    const double t81 = t20*t80;
+    const double x1_1_by_m2 = cos_omega1_T_by_m2*t33 + cos_omega2_T_by_m2*t34 + p1_by_m2*t37 + t73*y + t75*u + t77*u - t79*u - t81*u;
+    const double t82 = -p1_by_m2*t36;
+    const double x2_1_by_m2 = cos_omega1_T_by_m2*t50 + cos_omega2_T_by_m2*t52 + p3_by_m2*t37 + t55*t74 - t55*t76 + t56*t80 - t58*t78 + t82*y;
+    const double t83 = cos_omega1_T_by_m2*p1;
+    const double t84 = -cos_omega2_T_by_m2*t7;
+    const double v1_1_by_m2 = omega1_by_m2*t59 + omega2_by_m2*t60 + p1_by_m2*t61 + p2_by_m2*t67 + sin_omega1_T_by_m2*t62 + sin_omega2_T_by_m2*t63 + t83*u + t84*u;
+    const double v2_1_by_m2 = cos_omega1_T_by_m2*t55 - cos_omega2_T_by_m2*t55 + omega1_by_m2*t68 + omega2_by_m2*t69 + p1_by_m2*t72 + p3_by_m2*t61 + sin_omega1_T_by_m2*t70 + sin_omega2_T_by_m2*t71;
+    /* d/dk1 of: free for T, until first-reaches-stop */
+    const double t85 = p2_by_k1*t36;
+    const double t86 = sin_omega1_T_by_k1*t6;
+    const double t87 = p1*t86;
+    const double t88 = sin_omega2_T_by_k1*t9;
+    const double t89 = -t7*t88;
+    const double t90 = omega1_by_k1*t43;
+    const double t91 = t19*t90;
+    const double t92 = omega2_by_k1*t46;
+    const double t93 = t20*t92;
+    const double x1_1_by_k1 = cos_omega1_T_by_k1*t33 + cos_omega2_T_by_k1*t34 + p1_by_k1*t37 + t85*y + t87*u + t89*u - t91*u - t93*u;
+    const double t94 = -p1_by_k1*t36;
+    const double x2_1_by_k1 = cos_omega1_T_by_k1*t50 + cos_omega2_T_by_k1*t52 + p3_by_k1*t37 + t55*t86 - t55*t88 + t56*t92 - t58*t90 + t94*y;
+    const double t95 = cos_omega1_T_by_k1*p1;
+    const double t96 = -cos_omega2_T_by_k1*t7;
+    const double v1_1_by_k1 = omega1_by_k1*t59 + omega2_by_k1*t60 + p1_by_k1*t61 + p2_by_k1*t67 + sin_omega1_T_by_k1*t62 + sin_omega2_T_by_k1*t63 + t95*u + t96*u;
+    const double v2_1_by_k1 = cos_omega1_T_by_k1*t55 - cos_omega2_T_by_k1*t55 + omega1_by_k1*t68 + omega2_by_k1*t69 + p1_by_k1*t72 + p3_by_k1*t61 + sin_omega1_T_by_k1*t70 + sin_omega2_T_by_k1*t71;
+    /* d/dk2 of: free for T, until first-reaches-stop */
+    const double t97 = p2_by_k2*t36;
+    const double t98 = sin_omega1_T_by_k2*t6;
+    const double t99 = p1*t98;
+    const double t100 = sin_omega2_T_by_k2*t9;
+    const double t101 = -t100*t7;
+    const double t102 = omega1_by_k2*t43;
+    const double t103 = t102*t19;
+    const double t104 = omega2_by_k2*t46;
+    const double t105 = t104*t20;
+    const double x1_1_by_k2 = cos_omega1_T_by_k2*t33 + cos_omega2_T_by_k2*t34 + p1_by_k2*t37 + t101*u - t103*u - t105*u + t97*y + t99*u;
+    const double t106 = -p1_by_k2*t36;
+    const double x2_1_by_k2 = cos_omega1_T_by_k2*t50 + cos_omega2_T_by_k2*t52 + p3_by_k2*t37 - t100*t55 - t102*t58 + t104*t56 + t106*y + t55*t98;
+    const double t107 = cos_omega1_T_by_k2*p1;
+    const double t108 = -cos_omega2_T_by_k2*t7;
+    const double v1_1_by_k2 = omega1_by_k2*t59 + omega2_by_k2*t60 + p1_by_k2*t61 + p2_by_k2*t67 + sin_omega1_T_by_k2*t62 + sin_omega2_T_by_k2*t63 + t107*u + t108*u;
+    const double v2_1_by_k2 = cos_omega1_T_by_k2*t55 - cos_omega2_T_by_k2*t55 + omega1_by_k2*t68 + omega2_by_k2*t69 + p1_by_k2*t72 + p3_by_k2*t61 + sin_omega1_T_by_k2*t70 + sin_omega2_T_by_k2*t71;
+    /* d/dT of: free for T, until first-reaches-stop */
+    const double t109 = sin_omega1_T_by_T*t6;
+    const double t110 = p1*t109;
+    const double t111 = sin_omega2_T_by_T*t9;
+    const double t112 = -t111*t7;
+    const double x1_1_by_T = cos_omega1_T_by_T*t33 + cos_omega2_T_by_T*t34 + t110*u + t112*u;
+    const double x2_1_by_T = cos_omega1_T_by_T*t50 + cos_omega2_T_by_T*t52 + t109*t55 - t111*t55;
+    const double t113 = cos_omega1_T_by_T*p1;
+    const double t114 = -cos_omega2_T_by_T*t7;
+    const double v1_1_by_T = sin_omega1_T_by_T*t62 + sin_omega2_T_by_T*t63 + t113*u + t114*u;
+    const double v2_1_by_T = cos_omega1_T_by_T*t55 - cos_omega2_T_by_T*t55 + sin_omega1_T_by_T*t70 + sin_omega2_T_by_T*t71;
+    /* d/dm1 of: Phi along T */
+    const double carried_x1_1_by_y_by_m1 = cos_omega1_T_by_m1*p2 - cos_omega2_T_by_m1*p2 + t38;
+    const double carried_x1_1_by_u_by_m1 = p1_by_m1*t35 + t40 + t42 - t45 - t48;
+    const double t115 = p2*sin_omega2_T;
+    const double t116 = p2*sin_omega1_T;
+    const double carried_x1_1_by_w_by_m1 = p2*t39 - p2*t41 + p2_by_m1*t35 + t115*t47 - t116*t44;
+    const double carried_x2_1_by_y_by_m1 = -cos_omega1_T_by_m1*t7 + cos_omega2_T_by_m1*p1 + t54;
+    const double carried_v1_1_by_u_by_m1 = p1_by_m1*t36 + t64 + t65;
+    const double carried_v2_1_by_w_by_m1 = carried_x2_1_by_y_by_m1;
+    /* d/dm2 of: Phi along T */
+    const double carried_x1_1_by_y_by_m2 = cos_omega1_T_by_m2*p2 - cos_omega2_T_by_m2*p2 + t73;
+    const double carried_x1_1_by_u_by_m2 = p1_by_m2*t35 + t75 + t77 - t79 - t81;
+    const double carried_x1_1_by_w_by_m2 = p2*t74 - p2*t76 + p2_by_m2*t35 + t115*t80 - t116*t78;
+    const double carried_x2_1_by_y_by_m2 = -cos_omega1_T_by_m2*t7 + cos_omega2_T_by_m2*p1 + t82;
+    const double carried_v1_1_by_u_by_m2 = p1_by_m2*t36 + t83 + t84;
+    const double carried_v2_1_by_w_by_m2 = carried_x2_1_by_y_by_m2;
+    /* d/dk1 of: Phi along T */
+    const double carried_x1_1_by_y_by_k1 = cos_omega1_T_by_k1*p2 - cos_omega2_T_by_k1*p2 + t85;
+    const double carried_x1_1_by_u_by_k1 = p1_by_k1*t35 + t87 + t89 - t91 - t93;
+    const double carried_x1_1_by_w_by_k1 = p2*t86 - p2*t88 + p2_by_k1*t35 + t115*t92 - t116*t90;
+    const double carried_x2_1_by_y_by_k1 = -cos_omega1_T_by_k1*t7 + cos_omega2_T_by_k1*p1 + t94;
+    const double carried_v1_1_by_u_by_k1 = p1_by_k1*t36 + t95 + t96;
+    const double carried_v2_1_by_w_by_k1 = carried_x2_1_by_y_by_k1;
+    /* d/dk2 of: Phi along T */
+    const double carried_x1_1_by_y_by_k2 = cos_omega1_T_by_k2*p2 - cos_omega2_T_by_k2*p2 + t97;
+    const double carried_x1_1_by_u_by_k2 = p1_by_k2*t35 + t101 - t103 - t105 + t99;
+    const double carried_x1_1_by_w_by_k2 = -p2*t100 + p2*t98 + p2_by_k2*t35 - t102*t116 + t104*t115;
+    const double carried_x2_1_by_y_by_k2 = -cos_omega1_T_by_k2*t7 + cos_omega2_T_by_k2*p1 + t106;
+    const double carried_v1_1_by_u_by_k2 = p1_by_k2*t36 + t107 + t108;
+    const double carried_v2_1_by_w_by_k2 = carried_x2_1_by_y_by_k2;
+    /* d/dT of: Phi along T */
+    const double carried_x1_1_by_y_by_T = cos_omega1_T_by_T*p2 - cos_omega2_T_by_T*p2;
+    const double carried_x1_1_by_u_by_T = t110 + t112;
+    const double carried_x1_1_by_w_by_T = p2*sin_omega1_T_by_T*t6 - p2*t111;
+    const double carried_x2_1_by_y_by_T = -cos_omega1_T_by_T*t7 + cos_omega2_T_by_T*p1;
+    const double carried_v1_1_by_u_by_T = t113 + t114;
+    const double carried_v2_1_by_w_by_T = carried_x2_1_by_y_by_T;
+    /* d/dy of: derivatives of T on the boundary */
+    const double t122 = (1.0/(v1_1*v1_1));
+    const double t123 = t122*v1_1_by_y;
+    const double T_by_y_by_y = carried_x1_1_by_y*t123;
+    const double T_by_u_by_y = carried_x1_1_by_u*t123;
+    const double T_by_w_by_y = carried_x1_1_by_w*t123;
+    /* d/du of: derivatives of T on the boundary */
+    const double t124 = t122*v1_1_by_u;
+    const double T_by_y_by_u = carried_x1_1_by_y*t124;
+    const double T_by_u_by_u = carried_x1_1_by_u*t124;
+    const double T_by_w_by_u = carried_x1_1_by_w*t124;
+    /* d/dm1 of: derivatives of T on the boundary */
+    const double t125 = t122*v1_1_by_m1;
+    const double T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23;
+    const double T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23;
+    const double T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23;
+    /* d/dm2 of: derivatives of T on the boundary */
+    const double t126 = t122*v1_1_by_m2;
+    const double T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23;
+    const double T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23;
+    const double T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23;
+    /* d/dk1 of: derivatives of T on the boundary */
+    const double t127 = t122*v1_1_by_k1;
+    const double T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23;
+    const double T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23;
+    const double T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23;
+    /* d/dk2 of: derivatives of T on the boundary */
+    const double t128 = t122*v1_1_by_k2;
+    const double T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23;
+    const double T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23;
+    const double T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23;
+    /* d/dT of: derivatives of T on the boundary */
+    const double t129 = t122*v1_1_by_T;
+    const double T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23;
+    const double T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23;
+    const double T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23;
+    /* d/dy of: perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y_by_y = T_by_y*v2_1_by_y + T_by_y_by_y*v2_1;
+    const double t130 = (1.0/(m1));
+    const double t131 = t130*x1_1;
+    const double t132 = -k1*t130*x2_1 + k1*t131;
+    const double t133 = k1*x1_1_by_y;
+    const double t134 = T_by_u*t130;
+    const double t135 = k1*t134;
+    const double v1_1_on_boundary_by_u_by_y = T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y;
+    const double t136 = (1.0/(m2));
+    const double t137 = t136*x1_1;
+    const double t138 = k1 + k2;
+    const double t139 = t136*x2_1;
+    const double t140 = k1*t137 - t138*t139;
+    const double t141 = T_by_w*t136;
+    const double t142 = t138*t141;
+    const double v2_1_on_boundary_by_w_by_y = T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y;
+    /* d/du of: perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y_by_u = T_by_y*v2_1_by_u + T_by_y_by_u*v2_1;
+    const double v1_1_on_boundary_by_u_by_u = T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u;
+    const double t143 = k1*t141;
+    const double v2_1_on_boundary_by_w_by_u = T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u;
+    /* d/dm1 of: perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y_by_m1 = T_by_y*v2_1_by_m1 + T_by_y_by_m1*v2_1 + carried_x2_1_by_y_by_m1;
+    const double t144 = k1/(m1*m1);
+    const double v1_1_on_boundary_by_u_by_m1 = T_by_u*k1*t130*x1_1_by_m1 - T_by_u*(t144*x1_1 - t144*x2_1) + T_by_u_by_m1*t132 - carried_v1_1_by_u_by_m1 - t135*x2_1_by_m1;
+    const double v2_1_on_boundary_by_w_by_m1 = T_by_w_by_m1*t140 + carried_v2_1_by_w_by_m1 - t142*x2_1_by_m1 + t143*x1_1_by_m1;
+    /* d/dm2 of: perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y_by_m2 = T_by_y*v2_1_by_m2 + T_by_y_by_m2*v2_1 + carried_x2_1_by_y_by_m2;
+    const double v1_1_on_boundary_by_u_by_m2 = T_by_u_by_m2*t132 - carried_v1_1_by_u_by_m2 + t135*x1_1_by_m2 - t135*x2_1_by_m2;
+    const double t145 = (1.0/(m2*m2));
+    const double v2_1_on_boundary_by_w_by_m2 = T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + T_by_w_by_m2*t140 + carried_v2_1_by_w_by_m2 - t142*x2_1_by_m2 + t143*x1_1_by_m2;
+    /* d/dk1 of: perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y_by_k1 = T_by_y*v2_1_by_k1 + T_by_y_by_k1*v2_1 + carried_x2_1_by_y_by_k1;
+    const double v1_1_on_boundary_by_u_by_k1 = T_by_u*k1*t130*x1_1_by_k1 - T_by_u*(t130*x2_1 - t131) + T_by_u_by_k1*t132 - carried_v1_1_by_u_by_k1 - t135*x2_1_by_k1;
+    const double v2_1_on_boundary_by_w_by_k1 = T_by_w*(t137 - t139) + T_by_w_by_k1*t140 + carried_v2_1_by_w_by_k1 - t142*x2_1_by_k1 + t143*x1_1_by_k1;
+    /* d/dk2 of: perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y_by_k2 = T_by_y*v2_1_by_k2 + T_by_y_by_k2*v2_1 + carried_x2_1_by_y_by_k2;
+    const double v1_1_on_boundary_by_u_by_k2 = T_by_u_by_k2*t132 - carried_v1_1_by_u_by_k2 + t135*x1_1_by_k2 - t135*x2_1_by_k2;
+    const double v2_1_on_boundary_by_w_by_k2 = -T_by_w*t139 + T_by_w_by_k2*t140 + carried_v2_1_by_w_by_k2 - t142*x2_1_by_k2 + t143*x1_1_by_k2;
+    /* d/dT of: perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y_by_T = T_by_y*v2_1_by_T + T_by_y_by_T*v2_1 + carried_x2_1_by_y_by_T;
+    const double v1_1_on_boundary_by_u_by_T = T_by_u_by_T*t132 - carried_v1_1_by_u_by_T + t135*x1_1_by_T - t135*x2_1_by_T;
+    const double v2_1_on_boundary_by_w_by_T = T_by_w_by_T*t140 + carried_v2_1_by_w_by_T - t142*x2_1_by_T + t143*x1_1_by_T;
+    trace_gradient[0] = v1_1_on_boundary_by_u_by_y + v2_1_on_boundary_by_w_by_y + x2_1_on_boundary_by_y_by_y;
+    trace_gradient[1] = v1_1_on_boundary_by_u_by_u + v2_1_on_boundary_by_w_by_u + x2_1_on_boundary_by_y_by_u;
+    trace_gradient[2] = v1_1_on_boundary_by_u_by_m1 + v2_1_on_boundary_by_w_by_m1 + x2_1_on_boundary_by_y_by_m1;
+    trace_gradient[3] = v1_1_on_boundary_by_u_by_m2 + v2_1_on_boundary_by_w_by_m2 + x2_1_on_boundary_by_y_by_m2;
+    trace_gradient[4] = v1_1_on_boundary_by_u_by_k1 + v2_1_on_boundary_by_w_by_k1 + x2_1_on_boundary_by_y_by_k1;
+    trace_gradient[5] = v1_1_on_boundary_by_u_by_k2 + v2_1_on_boundary_by_w_by_k2 + x2_1_on_boundary_by_y_by_k2;
+    trace_gradient[6] = v1_1_on_boundary_by_u_by_T + v2_1_on_boundary_by_w_by_T + x2_1_on_boundary_by_y_by_T;
+}
+
+/* State at the start and behind each transition, row by row.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives states (2, 4), row by row.
+ * Operations: 62. Intermediate terms: 18. */
+void rigid_stop_one_impact_states(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double states[8])
+{
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* functions of T in free */
+    const double t0 = T*omega1;
+    const double cos_omega1_T = cos(t0);
+    const double sin_omega1_T = sin(t0);
+    const double t1 = T*omega2;
+    const double cos_omega2_T = cos(t1);
+    const double sin_omega2_T = sin(t1);
+    /* free for T, until first-reaches-stop */
+    const double t2 = (1.0/(omega1));
+    const double t3 = 1 - p1;
+    const double t4 = sin_omega2_T/omega2;
+    const double t5 = cos_omega1_T*p1 + cos_omega2_T*t3;
+    const double x1_1 = t5 + u*(p1*sin_omega1_T*t2 + t3*t4) + y*(cos_omega1_T*p2 - cos_omega2_T*p2);
+    const double t6 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t6 + u*(p3*sin_omega1_T*t2 - p3*t4) + y*(cos_omega1_T*t3 + cos_omega2_T*p1);
+    const double t7 = omega1*sin_omega1_T;
+    const double t8 = omega2*sin_omega2_T;
+    const double v1_1 = -p1*t7 - t3*t8 + t5*u + y*(omega2*p2*sin_omega2_T - p2*t7);
+    const double v2_1 = -p3*t7 + p3*t8 + t6*u + y*(-p1*t8 - t3*t7);
+    /* transition to free */
+    const double v1_1_reset = -v1_1;
+    states[0] = 1;
+    states[1] = y;
+    states[2] = u;
+    states[3] = 0;
+    states[4] = x1_1;
+    states[5] = x2_1;
+    states[6] = v1_1_reset;
+    states[7] = v2_1;
+}
+
+/* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
+ * Takes parameters (5), spectrum (6), unknowns (2); gives coefficients (6), frequencies (2), row by row.
+ * Operations: 9. Intermediate terms: 1. */
+void rigid_stop_one_impact_boundary_functions(
+    const double parameters[5], const double spectrum[6], const double unknowns[2], double coefficients[6], double frequencies[2])
+{
+    (void)parameters;
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    /* outputs */
+    const double t0 = p1 + p2*y;
+    coefficients[0] = -1;
+    coefficients[1] = 0;
+    coefficients[2] = t0;
+    coefficients[3] = 1 - t0;
+    coefficients[4] = p1*u/omega1;
+    coefficients[5] = u*(1 - p1)/omega2;
+    frequencies[0] = omega1;
+    frequencies[1] = omega2;
+}
+
+/* State after a time in free.
+ * Takes parameters (5), spectrum (6), time, state (4); gives state_after (4), row by row.
+ * Operations: 82. Intermediate terms: 16. */
+void rigid_stop_one_impact_flow_free(
+    const double parameters[5], const double spectrum[6], double time, const double state[4], double state_after[4])
+{
+    (void)parameters;
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double t = time;
+    const double x1 = state[0];
+    const double x2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = (1.0/(omega1));
+    const double t1 = omega1*t;
+    const double t2 = sin(t1);
+    const double t3 = t0*t2;
+    const double t4 = 1 - p1;
+    const double t5 = omega2*t;
+    const double t6 = sin(t5);
+    const double t7 = t6/omega2;
+    const double t8 = cos(t1);
+    const double t9 = cos(t5);
+    const double t10 = p1*t8 + t4*t9;
+    const double t11 = p2*t8 - p2*t9;
+    const double t12 = p3*t8 - p3*t9;
+    const double t13 = p1*t9 + t4*t8;
+    const double t14 = omega1*t2;
+    const double t15 = omega2*t6;
+    state_after[0] = t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
+    state_after[1] = t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
+    state_after[2] = t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14);
+    state_after[3] = t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4);
+}
+
+/* All unknowns: they are explicit, and how singular the linear equations for them are: 0 if they are.
+ * Takes parameters (5), spectrum (6); gives unknowns (2), determinants (1), row by row.
+ * Operations: 53. Intermediate terms: 20. */
+void rigid_stop_one_impact_expand(
+    const double parameters[5], const double spectrum[6], double unknowns[2], double determinants[1])
+{
+    const double T = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    /* half of T */
+    const double half_T = (1.0/2.0)*T;
+    /* functions of half_T in free */
+    const double t0 = half_T*omega1;
+    const double cos_omega1_half_T = cos(t0);
+    const double sin_omega1_half_T = sin(t0);
+    const double t1 = half_T*omega2;
+    const double cos_omega2_half_T = cos(t1);
+    const double sin_omega2_half_T = sin(t1);
+    /* coefficients of the linear equations */
+    const double t2 = omega1*sin_omega1_half_T;
+    const double coefficient11 = omega2*p2*sin_omega2_half_T - p2*t2;
+    const double t3 = p1 - 1;
+    const double coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t3;
+    const double t4 = omega2*sin_omega2_half_T;
+    const double coefficient21 = -p1*t4 + t2*t3;
+    const double coefficient22 = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
+    /* right-hand sides of the linear equations */
+    const double right1 = p1*t2 - t3*t4;
+    const double right2 = p3*t2 - p3*t4;
+    /* determinant of the linear equations */
+    const double determinant = coefficient11*coefficient22 - coefficient12*coefficient21;
+    /* y, u by Cramer's rule */
+    const double t5 = (1.0/(determinant));
+    const double y = t5*(-coefficient12*right2 + coefficient22*right1);
+    const double u = t5*(coefficient11*right2 - coefficient21*right1);
+    unknowns[0] = y;
+    unknowns[1] = u;
+    determinants[0] = determinant/(sqrt((coefficient11*coefficient11) + (coefficient12*coefficient12))*sqrt((coefficient21*coefficient21) + (coefficient22*coefficient22)));
+}
+
+/* Newton's method on the reduced equations for `count` points.
+ * Takes parameters (5) for each point, row by row; gives unknowns
+ * (2), the trace, the largest reduced residual, iterations and a status for each point.
+ * In one step a dwell time changes by a factor of four at most; a point has converged when
+ * a whole step is below 1e-9 max(1, |x|).
+ * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
+ * 5 the linear equations for the start are singular. */
+NONSMOOTH_MULTIVERSION
+void rigid_stop_one_impact_solve(
+    ptrdiff_t count, const double *parameters, double *unknowns,
+    double *trace, double *residual, int32_t *iterations, int32_t *status)
+{
+    enum { lanes = 8, most = 32 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[5][lanes], x[1][lanes], fixed[10][lanes];
+        double taken[lanes], open[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < 5; ++i)
+                parameter[i][lane] = parameters[5 * point + i];
+            open[lane] = 0.0;
+            taken[lane] = 0.0;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double m1 = parameter[0][lane];
+            const double m2 = parameter[1][lane];
+            const double k1 = parameter[2][lane];
+            const double k2 = parameter[3][lane];
+            const double T = parameter[4][lane];
+            const double gap1 = sqrt(4*(k1*k1)/(m1*m2) + ((k1/m1 - (k1 + k2)/m2)*(k1/m1 - (k1 + k2)/m2)));
+            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*k1/m1 + (1.0/2.0)*(k1 + k2)/m2);
+            const double omega2 = sqrt(k1)*sqrt(k2)/(sqrt(m1)*sqrt(m2)*omega1);
+            const double p1 = 1.0/2.0 + (1.0/2.0)*(k1/m1 - (k1 + k2)/m2)/gap1;
+            const double p2 = -k1/(gap1*m1);
+            const double p3 = -k1/(gap1*m2);
+            /* half of T */
+            const double half_T = (1.0/2.0)*T;
+            /* functions of half_T in free */
+            const double t0 = half_T*omega1;
+            const double cos_omega1_half_T = cos(t0);
+            const double sin_omega1_half_T = sin(t0);
+            const double t1 = half_T*omega2;
+            const double cos_omega2_half_T = cos(t1);
+            const double sin_omega2_half_T = sin(t1);
+            /* coefficients of the linear equations */
+            const double t2 = omega1*sin_omega1_half_T;
+            const double coefficient11 = omega2*p2*sin_omega2_half_T - p2*t2;
+            const double t3 = p1 - 1;
+            const double coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t3;
+            const double t4 = omega2*sin_omega2_half_T;
+            const double coefficient21 = -p1*t4 + t2*t3;
+            const double coefficient22 = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
+            /* right-hand sides of the linear equations */
+            const double right1 = p1*t2 - t3*t4;
+            const double right2 = p3*t2 - p3*t4;
+            /* determinant of the linear equations */
+            const double determinant = coefficient11*coefficient22 - coefficient12*coefficient21;
+            /* y, u by Cramer's rule */
+            const double t5 = (1.0/(determinant));
+            const double y = t5*(-coefficient12*right2 + coefficient22*right1);
+            const double u = t5*(coefficient11*right2 - coefficient21*right1);
+            /* functions of T in free */
+            const double t6 = T*omega1;
+            const double cos_omega1_T = cos(t6);
+            const double sin_omega1_T = sin(t6);
+            const double t7 = T*omega2;
+            const double cos_omega2_T = cos(t7);
+            const double sin_omega2_T = sin(t7);
+            /* free for T, until first-reaches-stop */
+            const double t8 = (1.0/(omega1));
+            const double t10 = sin_omega2_T/omega2;
+            const double t11 = p1*sin_omega1_T*t8 - t10*t3;
+            const double t12 = cos_omega1_T*p2 - cos_omega2_T*p2;
+            const double t13 = cos_omega1_T*p1 - cos_omega2_T*t3;
+            const double x1_1 = t11*u + t12*y + t13;
+            const double t14 = -cos_omega1_T*t3 + cos_omega2_T*p1;
+            const double t15 = cos_omega1_T*p3 - cos_omega2_T*p3;
+            const double x2_1 = t14*y + t15 + u*(p3*sin_omega1_T*t8 - p3*t10);
+            const double t16 = omega1*sin_omega1_T;
+            const double t17 = omega2*sin_omega2_T;
+            const double v1_1 = -p1*t16 + t13*u + t17*t3 + y*(omega2*p2*sin_omega2_T - p2*t16);
+            const double v2_1 = -p3*t16 + p3*t17 + t15*u + y*(-p1*t17 + t16*t3);
+            /* Phi along T */
+            const double carried_x1_1_by_y = t12;
+            const double carried_x1_1_by_u = t11;
+            const double carried_x1_1_by_w = p2*sin_omega1_T*t8 - p2*t10;
+            const double carried_x2_1_by_y = t14;
+            const double carried_v1_1_by_u = t13;
+            const double carried_v2_1_by_w = t14;
+            /* derivatives of T on the boundary */
+            const double t18 = (1.0/(v1_1));
+            const double T_by_y = -carried_x1_1_by_y*t18;
+            const double T_by_u = -carried_x1_1_by_u*t18;
+            const double T_by_w = -carried_x1_1_by_w*t18;
+            /* perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y;
+            const double t19 = (1.0/(m1));
+            const double v1_1_on_boundary_by_u = -T_by_u*(-k1*t19*x1_1 + k1*t19*x2_1) - carried_v1_1_by_u;
+            const double t20 = (1.0/(m2));
+            const double v2_1_on_boundary_by_w = T_by_w*(k1*t20*x1_1 - t20*x2_1*(k1 + k2)) + carried_v2_1_by_w;
+            fixed[0][lane] = coefficient11;
+            fixed[1][lane] = coefficient12;
+            fixed[2][lane] = coefficient21;
+            fixed[3][lane] = coefficient22;
+            fixed[4][lane] = determinant;
+            fixed[5][lane] = y;
+            fixed[6][lane] = u;
+            fixed[7][lane] = x2_1_on_boundary_by_y;
+            fixed[8][lane] = v1_1_on_boundary_by_u;
+            fixed[9][lane] = v2_1_on_boundary_by_w;
+        }
+        double result[2][lanes], slope[lanes], defect[lanes], determinate[lanes];
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double coefficient11 = fixed[0][lane];
+            const double coefficient12 = fixed[1][lane];
+            const double coefficient21 = fixed[2][lane];
+            const double coefficient22 = fixed[3][lane];
+            const double determinant = fixed[4][lane];
+            const double y = fixed[5][lane];
+            const double u = fixed[6][lane];
+            const double x2_1_on_boundary_by_y = fixed[7][lane];
+            const double v1_1_on_boundary_by_u = fixed[8][lane];
+            const double v2_1_on_boundary_by_w = fixed[9][lane];
+            result[0][lane] = y;
+            result[1][lane] = u;
+            slope[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
+            double largest = 0.0;
+            defect[lane] = largest;
+            determinate[lane] = (fabs(determinant/(sqrt((coefficient11*coefficient11) + (coefficient12*coefficient12))*sqrt((coefficient21*coefficient21) + (coefficient22*coefficient22)))) <= 1e-12) ? 0.0 : 1.0;
+        }
+        for (int lane = 0; lane < here; ++lane) {
+            const ptrdiff_t point = start + lane;
+            int sound = isfinite(slope[lane]) != 0;
+            for (int i = 0; i < 2; ++i) {
+                unknowns[2 * point + i] = result[i][lane];
+                sound &= isfinite(result[i][lane]) != 0;
+            }
+            trace[point] = slope[lane];
+            residual[point] = defect[lane];
+            iterations[point] = (int32_t)taken[lane];
+            status[point] = determinate[lane] == 0.0 ? 5
+                            : !sound                 ? 2
+                            : open[lane] != 0.0      ? 1
+                            : (parameter[4][lane] <= 0.0)              ? 3
+                                                     : 0;
+        }
+    }
+}
+
+/* Is each of `count` orbits a motion of the real system?
+ * Takes parameters (5) and unknowns (2) for each, row by row. Gives the row of
+ * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
+ * data that are not finite), by how much, and how long after the start of the phase. */
+void rigid_stop_one_impact_admissible(
+    ptrdiff_t count, const double *parameters, const double *unknowns,
+    int32_t *boundary, double *excess, double *instant)
+{
+    static const int sums[] = {1}, terms[] = {2}, at_once[] = {0};
+    static const int opened[] = {-1};
+    static const double per_unit[] = {0.0};
+    for (ptrdiff_t point = 0; point < count; ++point) {
+        const double *const p = parameters + 5 * point, *const u = unknowns + 2 * point;
+        const double q[4] = {p[2], p[3], p[0], p[1]};
+        const double durations[] = {p[4]};
+        double spectral[6], derivatives[24], coefficients[6], frequencies[2];
+        rigid_stop_spectrum(q, spectral, derivatives);
+        rigid_stop_one_impact_boundary_functions(p, spectral, u, coefficients, frequencies);
+        /* the coefficients are differences of the data and carry their rounding */
+        double noise = 0.0;
+        for (int i = 0; i < 5; ++i)
+            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        for (int i = 0; i < 2; ++i)
+            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
+        noise *= 32.0 * DBL_EPSILON;
+        double least[1], most = 0.0, when = 0.0;
+        int found = -1, row = 0;
+        const double *coefficient = coefficients, *frequency = frequencies;
+        for (int i = 0; i < 1; ++i)
+            least[i] = 0.0;
+        for (int phase = 0; phase < 1 && found == -1; ++phase) {
+            const double duration = durations[phase];
+            const int length = 2 + 2 * terms[phase];
+            double floor[1], maximum[1], time[1];
+            if (!(duration > 0.0) && !at_once[phase])
+                found = duration <= 0.0 ? -2 : -3;
+            for (int i = 0; i < sums[phase]; ++i)
+                floor[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency,
+                                                 coefficient + i * length, duration)
+                    : least[opened[row + i]] * per_unit[row + i];
+            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
+                             maximum, time);
+            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+                if (!(maximum[i] >= floor[i])) {
+                    found = -3;
+                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
+                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
+                } else if (maximum[i] > floor[i]) {
+                    found = row + i;
+                    most = maximum[i];
+                    when = time[i];
+                }
+            }
+            row += sums[phase];
+            coefficient += sums[phase] * length;
+            frequency += terms[phase];
+        }
+        boundary[point] = found;
+        excess[point] = most;
+        instant[point] = when;
+    }
+}
