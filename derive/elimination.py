@@ -75,8 +75,10 @@ def eliminate_coordinates(
         rows = _rows(left, open_ones, stages, choose)
         together = [left[i] for i in rows]
         left = [e for i, e in enumerate(left) if i not in rows]
-        block, determinants = _cramer(together, open_ones)
+        block, numerators, determinants = _cramer(together, open_ones)
         solved += reversed(block)
+        if len(left) == 1:
+            left = [_cleared(left[0], dict(zip(open_ones, numerators, strict=True)), determinants)]
         rule = "linear in: " + "; ".join(meaning for meaning, _ in together)
         eliminations += [Elimination(q, rule) for q in open_ones]
     every = (*stages, *reversed(solved))
@@ -149,10 +151,26 @@ def _rows(
     return best[1]
 
 
+def _cleared(
+    equation: _Equation,
+    numerators: Mapping[sp.Symbol, sp.Expr],
+    determinants: Sequence[tuple[sp.Expr, sp.Expr]],
+) -> _Equation:
+    """The only equation left, times the determinant, which would be a pole of it.
+
+    It is the determinant of all the equations, and entire in the dwell time.
+    """
+    meaning, condition = equation
+    ((determinant, _),) = determinants
+    constant = condition.subs(dict.fromkeys(numerators, 0))
+    terms = (sp.diff(condition, q) * numerator for q, numerator in numerators.items())
+    return meaning, sp.Add(constant * determinant, *terms)
+
+
 def _cramer(
     equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol]
-) -> tuple[list[Stage], tuple[tuple[sp.Expr, sp.Expr], ...]]:
-    """Stages that solve linear equations, and their determinant with a bound on its size."""
+) -> tuple[list[Stage], list[sp.Expr], tuple[tuple[sp.Expr, sp.Expr], ...]]:
+    """Stages that solve linear equations, the numerators, and the determinant with a bound."""
     size = len(coordinates)
     zero = dict.fromkeys(coordinates, 0)
     naming, values = assign(
@@ -168,20 +186,23 @@ def _cramer(
     )
     column = sp.Matrix(right)
     determinant = sp.Symbol("determinant", real=True)
-    numerators = [matrix.copy() for _ in coordinates]
-    for j, numerator in enumerate(numerators):
+    replaced = [matrix.copy() for _ in coordinates]
+    for j, numerator in enumerate(replaced):
         numerator[:, j] = column
+    minors, numerators = assign(
+        "numerators of Cramer's rule",
+        [f"numerator{j + 1}" for j in range(size)],
+        [sp.expand(m.det()) for m in replaced],
+    )
     bound = sp.prod([sum(e**2 for e in matrix.row(i)) for i in range(size)], sp.Integer(1))
     stages = [
         naming,
         other,
         Stage("determinant of the linear equations", ((determinant, sp.expand(matrix.det())),)),
+        minors,
         Stage(
             f"{', '.join(map(str, coordinates))} by Cramer's rule",
-            tuple(
-                (q, sp.expand(n.det()) / determinant)
-                for q, n in zip(coordinates, numerators, strict=True)
-            ),
+            tuple((q, n / determinant) for q, n in zip(coordinates, numerators, strict=True)),
         ),
     ]
-    return stages, ((determinant, sp.sqrt(bound)),)
+    return [s for s in stages if s.assignments], numerators, ((determinant, sp.sqrt(bound)),)

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation bc9d365da4315a8a */
+ * SymPy 1.14.0, derivation 585a9f35dfd0edc9 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -2538,11 +2538,11 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "a80d521accc96792") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "43ddcda5c0055662") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "09703de6ddab2bf0") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "84add12dd6cea685") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "68d803b4e44d6dee") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "1e362519f83bedc8") < 0)
         return -1;
     return 0;
 }

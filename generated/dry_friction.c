@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 68d803b4e44d6dee */
+ * SymPy 1.14.0, derivation 1e362519f83bedc8 */
 #include "dry_friction.h"
 
 #include <math.h>

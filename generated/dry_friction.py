@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 68d803b4e44d6dee
+# SymPy 1.14.0, derivation 1e362519f83bedc8
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "68d803b4e44d6dee"
+DERIVATION = "1e362519f83bedc8"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -629,6 +629,7 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                'conservative': False,
                'required': {},
                'vanishing': [],
+               'levels': {'v1': 'V', 'v2': 'V'},
                'terms': [2, 1],
                'boundaries': [(0, 'first-reaches-belt', None, 0.0),
                               (0, 'second-reaches-belt', None, 0.0),
@@ -728,6 +729,7 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                   'conservative': False,
                   'required': {},
                   'vanishing': [],
+                  'levels': {'v1': 'V', 'v2': 'V'},
                   'terms': [0, 1, 2, 1],
                   'boundaries': [(0, 'first-breaks-forward', None, 0.0),
                                  (0, 'first-breaks-backward', 'us1', -2.0),
@@ -835,6 +837,7 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                  'conservative': False,
                  'required': {},
                  'vanishing': ['ta'],
+                 'levels': {'v1': 'V', 'v2': 'V'},
                  'terms': [0, 1, 2, 1],
                  'boundaries': [(0, 'first-breaks-forward', None, 0.0),
                                 (0, 'first-breaks-backward', 'us1', -2.0),

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 09703de6ddab2bf0
+# SymPy 1.14.0, derivation 84add12dd6cea685
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "09703de6ddab2bf0"
+DERIVATION = "84add12dd6cea685"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -124,6 +124,7 @@ ORBITS = {'one-contact': {'phases': [('contact', 'first-leaves-stop', 'tau'),
                  'conservative': True,
                  'required': {},
                  'vanishing': [],
+                 'levels': {'x1': '1'},
                  'terms': [2, 2],
                  'boundaries': [(0, 'first-leaves-stop', None, 0.0),
                                 (1, 'first-reaches-stop', None, 0.0)],
@@ -2704,7 +2705,7 @@ def one_contact_reduced(parameters, spectrum, reduced, lib):
     Takes reduced (1): tau.
     Gives residual (1).
     Gives jacobian (1, 1).
-    Operations: 392. Intermediate terms: 140.
+    Operations: 378. Intermediate terms: 122.
     """
     [_, _, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
@@ -2772,102 +2773,84 @@ def one_contact_reduced(parameters, spectrum, reduced, lib):
     t39 = coefficient21*coefficient33
     t40 = coefficient22*coefficient31
     determinant = coefficient11*t36 - coefficient11*t38 + coefficient12*coefficient23*coefficient31 - coefficient12*t39 + coefficient13*t37 - coefficient13*t40
-    # y, u, w by Cramer's rule
-    t41 = 1/determinant
-    t42 = coefficient12*coefficient23
-    t43 = coefficient12*coefficient33
-    t44 = coefficient13*coefficient22
-    t45 = coefficient13*coefficient32*right2 + right1*t36 - right1*t38 - right2*t43 + right3*t42 - right3*t44
-    y = t41*t45
-    t46 = coefficient11*coefficient23
-    t47 = coefficient13*coefficient31
-    t48 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t39 - right2*t47 - right3*t46
-    u = t41*t48
-    t49 = coefficient11*coefficient22
-    t50 = coefficient11*coefficient32
-    t51 = coefficient12*coefficient21
-    t52 = coefficient12*coefficient31*right2 + right1*t37 - right1*t40 - right2*t50 + right3*t49 - right3*t51
-    w = t41*t52
+    # numerators of Cramer's rule
+    t41 = coefficient12*coefficient23
+    t42 = coefficient12*coefficient33
+    t43 = coefficient13*coefficient22
+    numerator1 = coefficient13*coefficient32*right2 + right1*t36 - right1*t38 - right2*t42 + right3*t41 - right3*t43
+    t44 = coefficient11*coefficient23
+    t45 = coefficient13*coefficient31
+    numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t39 - right2*t45 - right3*t44
+    t46 = coefficient11*coefficient22
+    t47 = coefficient11*coefficient32
+    t48 = coefficient12*coefficient21
+    numerator3 = coefficient12*coefficient31*right2 + right1*t37 - right1*t40 - right2*t47 + right3*t46 - right3*t48
     # d/dtau of: functions of half_tau in contact
-    t53 = omega1/2
-    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t53
-    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t53
-    t54 = omega2/2
-    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t54
-    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t54
+    t49 = omega1/2
+    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t49
+    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t49
+    t50 = omega2/2
+    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t50
+    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t50
     # d/dtau of: functions of half_tau1 in free
-    t55 = omega3/2
-    cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t55
-    sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t55
-    t56 = omega4/2
-    cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t56
-    sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t56
+    t51 = omega3/2
+    cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t51
+    sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t51
+    t52 = omega4/2
+    cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t52
+    sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t52
     # d/dtau of: coefficients of the linear equations
-    t57 = omega1*sin_omega1_half_tau_by_tau
-    coefficient11_by_tau = omega2*sin_omega2_half_tau_by_tau*t15*t17 - t18*t57
+    t53 = omega1*sin_omega1_half_tau_by_tau
+    coefficient11_by_tau = omega2*sin_omega2_half_tau_by_tau*t15*t17 - t18*t53
     coefficient12_by_tau = cos_omega1_half_tau_by_tau*p1 + cos_omega2_half_tau_by_tau*t20
     coefficient13_by_tau = cos_omega1_half_tau_by_tau*p2 - cos_omega2_half_tau_by_tau*p2
-    t58 = t15*t57
-    t59 = omega2*sin_omega2_half_tau_by_tau*t15
-    coefficient21_by_tau = -t24*t59 + t25*t58
+    t54 = t15*t53
+    t55 = omega2*sin_omega2_half_tau_by_tau*t15
+    coefficient21_by_tau = -t24*t55 + t25*t54
     coefficient22_by_tau = cos_omega1_half_tau_by_tau*p3 - cos_omega2_half_tau_by_tau*p3
     coefficient23_by_tau = cos_omega1_half_tau_by_tau*t20 + cos_omega2_half_tau_by_tau*p1
-    t60 = omega3*sin_omega3_half_tau1_by_tau
-    coefficient31_by_tau = omega4*p5*sin_omega4_half_tau1_by_tau - p5*t60
+    t56 = omega3*sin_omega3_half_tau1_by_tau
+    coefficient31_by_tau = omega4*p5*sin_omega4_half_tau1_by_tau - p5*t56
     coefficient32_by_tau = -cos_omega3_half_tau1_by_tau*p4 + cos_omega4_half_tau1_by_tau*t29
     coefficient33_by_tau = -cos_omega3_half_tau1_by_tau*p5 + cos_omega4_half_tau1_by_tau*p5
     # d/dtau of: right-hand sides of the linear equations
-    right1_by_tau = t30*t58 - t31*t59
-    right2_by_tau = -omega2*sin_omega2_half_tau_by_tau*t15*t32 - t33*t58
-    t61 = omega4*sin_omega4_half_tau1_by_tau
-    right3_by_tau = p4*t60 - t29*t61
+    right1_by_tau = t30*t54 - t31*t55
+    right2_by_tau = -omega2*sin_omega2_half_tau_by_tau*t15*t32 - t33*t54
+    right3_by_tau = -omega4*sin_omega4_half_tau1_by_tau*t29 + p4*t56
     # d/dtau of: determinant of the linear equations
-    t62 = t36 - t38
-    t63 = coefficient23*coefficient31 - t39
-    t64 = t37 - t40
-    t65 = coefficient13*coefficient32 - t43
-    t66 = coefficient11*coefficient33 - t47
-    t67 = coefficient12*coefficient31 - t50
-    t68 = t42 - t44
-    t69 = coefficient13*coefficient21 - t46
-    t70 = t49 - t51
-    determinant_by_tau = coefficient11_by_tau*t62 + coefficient12_by_tau*t63 + coefficient13_by_tau*t64 + coefficient21_by_tau*t65 + coefficient22_by_tau*t66 + coefficient23_by_tau*t67 + coefficient31_by_tau*t68 + coefficient32_by_tau*t69 + coefficient33_by_tau*t70
-    # d/dtau of: y, u, w by Cramer's rule
-    t71 = coefficient23*right3 - coefficient33*right2
-    t72 = coefficient12_by_tau*t41
-    t73 = coefficient22*right3 - coefficient32*right2
-    t74 = coefficient13_by_tau*t41
-    t75 = coefficient13*right3 - coefficient33*right1
-    t76 = coefficient22_by_tau*t41
-    t77 = coefficient12*right3 - coefficient32*right1
-    t78 = coefficient23_by_tau*t41
-    t79 = coefficient13*right2 - coefficient23*right1
-    t80 = coefficient32_by_tau*t41
-    t81 = coefficient12*right2 - coefficient22*right1
-    t82 = coefficient33_by_tau*t41
-    t83 = right1_by_tau*t41
-    t84 = right2_by_tau*t41
-    t85 = right3_by_tau*t41
-    t86 = determinant_by_tau/determinant**2
-    y_by_tau = -t45*t86 + t62*t83 + t65*t84 + t68*t85 + t71*t72 - t73*t74 - t75*t76 + t77*t78 + t79*t80 - t81*t82
-    t87 = coefficient11_by_tau*t41
-    t88 = coefficient21*right3 - coefficient31*right2
-    t89 = coefficient21_by_tau*t41
-    t90 = coefficient11*right3 - coefficient31*right1
-    t91 = coefficient31_by_tau*t41
-    t92 = coefficient11*right2 - coefficient21*right1
-    u_by_tau = -t48*t86 + t63*t83 + t66*t84 + t69*t85 - t71*t87 + t74*t88 + t75*t89 - t78*t90 - t79*t91 + t82*t92
-    w_by_tau = -t52*t86 + t64*t83 + t67*t84 + t70*t85 - t72*t88 + t73*t87 + t76*t90 - t77*t89 - t80*t92 + t81*t91
+    t57 = t36 - t38
+    t58 = coefficient23*coefficient31 - t39
+    t59 = t37 - t40
+    t60 = coefficient13*coefficient32 - t42
+    t61 = coefficient11*coefficient33 - t45
+    t62 = coefficient12*coefficient31 - t47
+    t63 = t41 - t43
+    t64 = coefficient13*coefficient21 - t44
+    t65 = t46 - t48
+    determinant_by_tau = coefficient11_by_tau*t57 + coefficient12_by_tau*t58 + coefficient13_by_tau*t59 + coefficient21_by_tau*t60 + coefficient22_by_tau*t61 + coefficient23_by_tau*t62 + coefficient31_by_tau*t63 + coefficient32_by_tau*t64 + coefficient33_by_tau*t65
+    # d/dtau of: numerators of Cramer's rule
+    t66 = coefficient23*right3 - coefficient33*right2
+    t67 = coefficient22*right3 - coefficient32*right2
+    t68 = coefficient13*right3 - coefficient33*right1
+    t69 = coefficient12*right3 - coefficient32*right1
+    t70 = coefficient13*right2 - coefficient23*right1
+    t71 = coefficient12*right2 - coefficient22*right1
+    numerator1_by_tau = coefficient12_by_tau*t66 - coefficient13_by_tau*t67 - coefficient22_by_tau*t68 + coefficient23_by_tau*t69 + coefficient32_by_tau*t70 - coefficient33_by_tau*t71 + right1_by_tau*t57 + right2_by_tau*t60 + right3_by_tau*t63
+    t72 = coefficient21*right3 - coefficient31*right2
+    t73 = coefficient11*right3 - coefficient31*right1
+    t74 = coefficient11*right2 - coefficient21*right1
+    numerator2_by_tau = -coefficient11_by_tau*t66 + coefficient13_by_tau*t72 + coefficient21_by_tau*t68 - coefficient23_by_tau*t73 - coefficient31_by_tau*t70 + coefficient33_by_tau*t74 + right1_by_tau*t58 + right2_by_tau*t61 + right3_by_tau*t64
+    numerator3_by_tau = coefficient11_by_tau*t67 - coefficient12_by_tau*t72 - coefficient21_by_tau*t69 + coefficient22_by_tau*t73 + coefficient31_by_tau*t71 - coefficient32_by_tau*t74 + right1_by_tau*t59 + right2_by_tau*t62 + right3_by_tau*t65
     # outputs
-    t93 = p6*u
-    t94 = p4*w
-    t95 = -t93 + t94 - w
-    t96 = t93 - t94
-    t97 = p4*y - p6 - y
-    t98 = p4*y - p6
+    t75 = omega4*p6*sin_omega4_half_tau1 - p6*t28
+    t76 = -p4*t35 + t28*t29
+    t77 = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6
+    t78 = cos_omega3_half_tau1*t29 - cos_omega4_half_tau1*p4
+    t79 = numerator2*p6
+    t80 = determinant*p6
     return (
-        [cos_omega3_half_tau1*t95 + cos_omega4_half_tau1*t96 + t28*t97 - t35*t98],
-        [[cos_omega3_half_tau1_by_tau*t95 + cos_omega4_half_tau1_by_tau*t96 + t60*t97 - t61*t98 + u_by_tau*(-cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6) + w_by_tau*(cos_omega3_half_tau1*t29 - cos_omega4_half_tau1*p4) + y_by_tau*(-p4*t35 + t28*t29)]],
+        [determinant*t75 + numerator1*t76 + numerator2*t77 + numerator3*t78],
+        [[cos_omega3_half_tau1_by_tau*(numerator3*t29 - t79) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t79) + determinant_by_tau*t75 + numerator1_by_tau*t76 + numerator2_by_tau*t77 + numerator3_by_tau*t78 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t29 - omega3*t80) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t80)]],
     )
 
 
@@ -2879,7 +2862,7 @@ def one_contact_expand(parameters, spectrum, reduced, lib):
     Takes reduced (1): tau.
     Gives unknowns (4).
     Gives determinants (1).
-    Operations: 180. Intermediate terms: 57.
+    Operations: 180. Intermediate terms: 60.
     """
     [_, _, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, _] = spectrum
@@ -2942,14 +2925,18 @@ def one_contact_expand(parameters, spectrum, reduced, lib):
     t25 = coefficient12*coefficient33
     t26 = coefficient13*coefficient22
     determinant = coefficient11*t21 - coefficient11*t24 + coefficient21*t23 - coefficient21*t25 + coefficient31*t22 - coefficient31*t26
+    # numerators of Cramer's rule
+    numerator1 = right1*t21 - right1*t24 + right2*t23 - right2*t25 + right3*t22 - right3*t26
+    t27 = coefficient11*right3
+    t28 = coefficient31*right2
+    t29 = coefficient21*right1
+    numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t28 + coefficient23*coefficient31*right1 - coefficient23*t27 - coefficient33*t29
+    numerator3 = -coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t28 - coefficient22*coefficient31*right1 + coefficient22*t27 + coefficient32*t29
     # y, u, w by Cramer's rule
-    t27 = 1/determinant
-    y = t27*(right1*t21 - right1*t24 + right2*t23 - right2*t25 + right3*t22 - right3*t26)
-    t28 = coefficient11*right3
-    t29 = coefficient31*right2
-    t30 = coefficient21*right1
-    u = t27*(coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t29 + coefficient23*coefficient31*right1 - coefficient23*t28 - coefficient33*t30)
-    w = t27*(-coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t29 - coefficient22*coefficient31*right1 + coefficient22*t28 + coefficient32*t30)
+    t30 = 1/determinant
+    y = numerator1*t30
+    u = numerator2*t30
+    w = numerator3*t30
     return (
         [y, u, w, tau],
         [determinant/(lib.sqrt(coefficient11**2 + coefficient12**2 + coefficient13**2)*lib.sqrt(coefficient21**2 + coefficient22**2 + coefficient23**2)*lib.sqrt(coefficient31**2 + coefficient32**2 + coefficient33**2))],

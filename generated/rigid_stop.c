@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation a80d521accc96792 */
+ * SymPy 1.14.0, derivation 43ddcda5c0055662 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -1153,7 +1153,7 @@ void rigid_stop_one_impact_flow_free(
 
 /* All unknowns: they are explicit, and how singular the linear equations for them are: 0 if they are.
  * Takes parameters (5), spectrum (6); gives unknowns (2), determinants (1), row by row.
- * Operations: 53. Intermediate terms: 20. */
+ * Operations: 53. Intermediate terms: 22. */
 void rigid_stop_one_impact_expand(
     const double parameters[5], const double spectrum[6], double unknowns[2], double determinants[1])
 {
@@ -1185,10 +1185,13 @@ void rigid_stop_one_impact_expand(
     const double right2 = p3*t2 - p3*t4;
     /* determinant of the linear equations */
     const double determinant = coefficient11*coefficient22 - coefficient12*coefficient21;
+    /* numerators of Cramer's rule */
+    const double numerator1 = -coefficient12*right2 + coefficient22*right1;
+    const double numerator2 = coefficient11*right2 - coefficient21*right1;
     /* y, u by Cramer's rule */
     const double t5 = (1.0/(determinant));
-    const double y = t5*(-coefficient12*right2 + coefficient22*right1);
-    const double u = t5*(coefficient11*right2 - coefficient21*right1);
+    const double y = numerator1*t5;
+    const double u = numerator2*t5;
     unknowns[0] = y;
     unknowns[1] = u;
     determinants[0] = determinant/(sqrt((coefficient11*coefficient11) + (coefficient12*coefficient12))*sqrt((coefficient21*coefficient21) + (coefficient22*coefficient22)));
@@ -1253,10 +1256,13 @@ void rigid_stop_one_impact_solve(
             const double right2 = p3*t2 - p3*t4;
             /* determinant of the linear equations */
             const double determinant = coefficient11*coefficient22 - coefficient12*coefficient21;
+            /* numerators of Cramer's rule */
+            const double numerator1 = -coefficient12*right2 + coefficient22*right1;
+            const double numerator2 = coefficient11*right2 - coefficient21*right1;
             /* y, u by Cramer's rule */
             const double t5 = (1.0/(determinant));
-            const double y = t5*(-coefficient12*right2 + coefficient22*right1);
-            const double u = t5*(coefficient11*right2 - coefficient21*right1);
+            const double y = numerator1*t5;
+            const double u = numerator2*t5;
             /* functions of T in free */
             const double t6 = T*omega1;
             const double cos_omega1_T = cos(t6);

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation a80d521accc96792
+# SymPy 1.14.0, derivation 43ddcda5c0055662
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "a80d521accc96792"
+DERIVATION = "43ddcda5c0055662"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -103,6 +103,7 @@ ORBITS = {'one-impact': {'phases': [('free', 'first-reaches-stop', 'T')],
                 'conservative': True,
                 'required': {'r': '1'},
                 'vanishing': [],
+                'levels': {'x1': '1'},
                 'terms': [2],
                 'boundaries': [(0, 'first-reaches-stop', None, 0.0)],
                 'reference': {'parameters': {'m1': '1',
@@ -1097,7 +1098,7 @@ def one_impact_expand(parameters, spectrum, lib):
     Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
     Gives unknowns (2).
     Gives determinants (1).
-    Operations: 53. Intermediate terms: 20.
+    Operations: 53. Intermediate terms: 22.
     """
     [_, _, _, _, T] = parameters
     [_, omega1, omega2, p1, p2, p3] = spectrum
@@ -1123,10 +1124,13 @@ def one_impact_expand(parameters, spectrum, lib):
     right2 = p3*t2 - p3*t4
     # determinant of the linear equations
     determinant = coefficient11*coefficient22 - coefficient12*coefficient21
+    # numerators of Cramer's rule
+    numerator1 = -coefficient12*right2 + coefficient22*right1
+    numerator2 = coefficient11*right2 - coefficient21*right1
     # y, u by Cramer's rule
     t5 = 1/determinant
-    y = t5*(-coefficient12*right2 + coefficient22*right1)
-    u = t5*(coefficient11*right2 - coefficient21*right1)
+    y = numerator1*t5
+    u = numerator2*t5
     return (
         [y, u],
         [determinant/(lib.sqrt(coefficient11**2 + coefficient12**2)*lib.sqrt(coefficient21**2 + coefficient22**2))],

@@ -86,7 +86,8 @@ def solve_many(
     orbit : str
         ``system/orbit``.
     admissibility : bool
-        Also decide whether each orbit is a motion of the real system.
+        Also decide whether each orbit is a motion of the real system; where several are
+        found, one that is comes first.
     threads : int, optional
         As many as processors when omitted.
     chunk : int
@@ -202,6 +203,9 @@ def _parts(count: int, chunk: int) -> Iterator[slice]:
 
 def _fill(kernels: OrbitKernels, points: np.ndarray, results: _Results, part: slice) -> None:
     solved = _solve_points(kernels, points)
+    if results.admissible is not None and results.bounds is not None:
+        allowed, bounds = _admissible_ones(kernels, points, solved)
+        results.admissible[part], results.bounds[part] = allowed, bounds
     lost = solved.status != CONVERGED
     for array, found in zip(
         (results.unknowns, results.trace, results.residual), solved[:3], strict=True
@@ -209,10 +213,28 @@ def _fill(kernels: OrbitKernels, points: np.ndarray, results: _Results, part: sl
         array[part] = found
         array[part][lost] = np.nan
     results.iterations[part], results.status[part] = solved.iterations, solved.status
-    if results.admissible is not None and results.bounds is not None:
-        allowed, bounds = admissible_points(kernels, points, results.unknowns[part])
-        results.admissible[part] = allowed & ~lost
-        results.bounds[part] = bounds
+
+
+def _admissible_ones(
+    kernels: OrbitKernels, points: np.ndarray, solved: Solved
+) -> tuple[np.ndarray, np.ndarray]:
+    """Check the orbits, and put an admissible one, if a further start leads to it, in place."""
+    allowed, bounds = admissible_points(kernels, points, solved.unknowns)
+    allowed &= solved.status == CONVERGED
+    bounds[~allowed] = np.nan
+    for start in _predictor(kernels).starts if kernels.reduced else ():
+        rest = np.flatnonzero(~allowed & (solved.status == CONVERGED))
+        if not len(rest):
+            break
+        again = solve_reduced(kernels, points[rest], start)
+        found = np.flatnonzero(again.status == CONVERGED)
+        fit, least = admissible_points(kernels, points[rest[found]], again.unknowns[found])
+        fit &= _allowed(kernels.other_parameters, kernels.unknowns, again.unknowns[found])
+        better = rest[found[fit]]
+        for array, values in zip(solved, again, strict=True):
+            array[better] = values[found[fit]]
+        allowed[better], bounds[better] = True, least[fit]
+    return allowed, bounds
 
 
 def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
@@ -290,6 +312,8 @@ def _predictor(kernels: OrbitKernels) -> _Predictor:
     reduced = np.array([reference.unknowns[name] for name in kernels.reduced])
     slopes = np.array([[s[name] for name in kernels.reduced] for s in sensitivities])
     factors = np.array([1.0, 0.6, 1.5, 0.3, 2.2])
+    if len(reduced) == 1:  # a stiff stop is touched for ever shorter times
+        factors = np.append(factors, np.geomspace(0.2, 1e-5, 25))
     grids = np.meshgrid(*[factors] * len(reduced), indexing="ij")
     starts = np.stack([g.ravel() for g in grids], axis=-1) * reduced
     nearest = np.argsort(np.abs(np.log(starts / reduced)).sum(axis=-1), kind="stable")

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -22,6 +22,7 @@ from nonsmooth.runtime.deriving import unwritable
 from nonsmooth.runtime.errors import InputError, missing_extra, unknown_name
 from nonsmooth.runtime.motion import Motion, Samples, orbit_motion
 from nonsmooth.runtime.notebook import symbol
+from nonsmooth.runtime.values import parse
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,6 +66,7 @@ def plot_orbit(
     *,
     periods: int = 1,
     points_per_period: int = 600,
+    masses: Iterable[int] | None = None,
 ) -> Any:
     """Draw an orbit.
 
@@ -80,6 +82,8 @@ def plot_orbit(
     periods : int
         How many to draw against time.
     points_per_period : int
+    masses : iterable of int, optional
+        Which to draw, counted from 0; all when omitted.
 
     Returns
     -------
@@ -89,7 +93,8 @@ def plot_orbit(
     Raises
     ------
     InputError
-        For an unknown kind, a wrong number of Axes, or an orbit that has not converged.
+        For an unknown kind or mass, a wrong number of Axes, or an orbit that has not
+        converged.
     MissingExtra
         If matplotlib is not installed.
 
@@ -97,23 +102,28 @@ def plot_orbit(
     -----
     Positions and time are nondimensional, in the coordinates of the orbit's equations.
     """
-    scene = _scene(orbit, kind, periods, points_per_period)
+    scene = _scene(orbit, kind, periods, points_per_period, masses)
     if axes is None:
         from matplotlib import pyplot
 
         places = _places(pyplot.figure(figsize=_SIZES[kind]), kind)
     else:
-        places = _given(axes, kind, len(scene.positions))
+        places = _given(axes, kind, len(scene.masses))
     _draw(scene, kind, places)
     single = kind != "all" and (axes is None or hasattr(axes, "plot"))
     return places[0] if single else tuple(places)
 
 
 def orbit_figure(
-    orbit: Orbit, kind: str = "all", *, periods: int = 1, points_per_period: int = 600
+    orbit: Orbit,
+    kind: str = "all",
+    *,
+    periods: int = 1,
+    points_per_period: int = 600,
+    masses: Iterable[int] | None = None,
 ) -> Figure:
     """Draw an orbit into a figure of its own, outside pyplot; arguments as for `plot_orbit`."""
-    scene = _scene(orbit, kind, periods, points_per_period)
+    scene = _scene(orbit, kind, periods, points_per_period, masses)
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=_SIZES[kind])
@@ -149,24 +159,36 @@ class _Scene:
     orbit: Orbit
     motion: Motion
     samples: Samples
+    masses: tuple[int, ...]
     composed: bool = False
 
     @property
+    def count(self) -> int:
+        """Number of all masses."""
+        return len(self.motion.names) // 2
+
+    @property
     def positions(self) -> list[str]:
-        """Labels of the positions."""
-        names = self.motion.names
-        return [f"${symbol(name)}$" for name in names[: len(names) // 2]]
+        """Labels of the positions that are drawn."""
+        return [f"${symbol(self.motion.names[mass])}$" for mass in self.masses]
 
     @property
     def velocities(self) -> list[str]:
-        """Labels of the velocities: derivatives of the positions."""
-        names = self.motion.names
-        return [f"${symbol(name)}'$" for name in names[: len(names) // 2]]
+        """Labels of the velocities that are drawn: derivatives of the positions."""
+        return [f"${symbol(self.motion.names[mass])}'$" for mass in self.masses]
 
-    @property
-    def belt(self) -> float | None:
-        """Velocity of the belt, where the system has one."""
-        return float(self.orbit.values["V"]) if "V" in self.orbit.values else None
+    def levels(self, *, moving: bool) -> dict[float, str]:
+        """Values, and their labels, at which boundaries in the drawn states lie."""
+        found = {}
+        table = self.motion.kernels.table["levels"]
+        for mass in self.masses:
+            name = self.motion.names[mass + moving * self.count]
+            text = table.get(name)
+            if text in self.orbit.values:
+                found[float(self.orbit.values[text])] = f"${symbol(text)}$"
+            elif text is not None:
+                found[float(parse(text))] = f"${symbol(name)} = {text}$"
+        return found
 
     def color(self, phase: int) -> str:
         """Colour of a phase's configuration, the same in all pictures of the system."""
@@ -182,7 +204,13 @@ class _Scene:
                 yield phase, float(start + begin), float(start + end)
 
 
-def _scene(orbit: Orbit, kind: str, periods: int, points_per_period: int) -> _Scene:
+def _scene(
+    orbit: Orbit,
+    kind: str,
+    periods: int,
+    points_per_period: int,
+    masses: Iterable[int] | None,
+) -> _Scene:
     """Check what can be checked before anything is drawn."""
     if kind not in KINDS:
         raise unknown_name("kind of picture", kind, KINDS)
@@ -191,7 +219,11 @@ def _scene(orbit: Orbit, kind: str, periods: int, points_per_period: int) -> _Sc
     except ImportError:
         raise missing_extra("plot", "matplotlib") from None
     motion = orbit_motion(orbit)
-    return _Scene(orbit, motion, motion.sample(points_per_period, periods))
+    every = range(len(motion.names) // 2)
+    drawn = tuple(every if masses is None else masses)
+    if not drawn or not set(drawn) <= set(every):
+        raise InputError(f"masses = {list(drawn)}: {orbit.name} has {list(every)}")
+    return _Scene(orbit, motion, motion.sample(points_per_period, periods), drawn)
 
 
 def _places(figure: Figure, kind: str) -> list[Axes]:
@@ -241,13 +273,12 @@ def _draw_history(scene: _Scene, axes: Axes, *, moving: bool) -> None:
     labels = scene.velocities if moving else scene.positions
     samples = scene.samples
     switches = np.flatnonzero(np.diff(samples.times) == 0)
-    for mass, label in enumerate(labels):
+    for mass, label in zip(scene.masses, labels, strict=True):
         style = _line(mass)
-        values = samples.states[:, mass + moving * len(labels)]
+        values = samples.states[:, mass + moving * scene.count]
         axes.plot(samples.times, values, label=label, **style)
         axes.plot(samples.times[switches], values[switches], **_dots(style))
-    if moving:
-        _draw_belt(scene, axes)
+    _draw_levels(axes, scene.levels(moving=moving))
     for phase, begin, end in scene.phases():
         name = scene.motion.configurations[phase]
         fresh = begin < scene.motion.period and name not in scene.motion.configurations[:phase]
@@ -264,13 +295,13 @@ def _draw_history(scene: _Scene, axes: Axes, *, moving: bool) -> None:
 def _draw_phase(scene: _Scene, places: Sequence[Axes]) -> None:
     """Draw the phase portraits, all in one or each in Axes of its own."""
     positions, velocities = scene.positions, scene.velocities
-    samples, masses = scene.motion.sample(_PHASE_POINTS), len(scene.positions)
+    samples = scene.motion.sample(_PHASE_POINTS)
     switches = np.flatnonzero(np.diff(samples.times, prepend=samples.times[0] - 1) == 0)
     sticking = set()
-    for mass in range(masses):
-        axes, style = places[mass % len(places)], _line(mass)
-        x, v = samples.states[:, mass], samples.states[:, masses + mass]
-        axes.plot(x, v, label=f"({positions[mass]}, {velocities[mass]})", **style)
+    for place, mass in enumerate(scene.masses):
+        axes, style = places[place % len(places)], _line(mass)
+        x, v = samples.states[:, mass], samples.states[:, scene.count + mass]
+        axes.plot(x, v, label=f"({positions[place]}, {velocities[place]})", **style)
         for phase in np.unique(samples.phases):
             here = samples.phases == phase
             if np.ptp(v[here]) <= _CONSTANT * (1 + np.abs(v).max()) and np.ptp(x[here]) > 0:
@@ -282,7 +313,9 @@ def _draw_phase(scene: _Scene, places: Sequence[Axes]) -> None:
         drawn = slice(None) if len(places) == 1 else slice(place, place + 1)
         if axes in sticking:
             axes.plot([], [], label="sticking", **_band("0.3"))
-        _draw_belt(scene, axes)
+        shown = replace(scene, masses=scene.masses[drawn])
+        _draw_levels(axes, shown.levels(moving=True))
+        _draw_levels(axes, shown.levels(moving=False), upright=True)
         axes.set_xlabel(f"{_noun('position', positions[drawn])} {_UNIT}")
         axes.set_ylabel(f"{_noun('velocity', velocities[drawn])} {_UNIT}")
         axes.margins(0.07)
@@ -299,9 +332,10 @@ def _draw_strip(scene: _Scene, axes: Axes) -> None:
         bar.patches[0].set(edgecolor="0.3", linewidth=0.6)
         if begin:
             axes.axvline(begin, color="0.5", linewidth=0.6, zorder=0)
-        middle = ((begin + end) / 2, row)
-        label = f"${symbol(dwell_times[phase])}$"
-        axes.annotate(label, middle, ha="center", va="center", fontsize="small", clip_on=True)
+        name, middle = symbol(dwell_times[phase]), ((begin + end) / 2, row)
+        label, side = (f"${name}$", "center") if end > begin else (f"${name} = 0$", "left")
+        style = {"ha": side, "va": "center", "fontsize": "small", "clip_on": True}
+        axes.annotate(label, middle, (3 * (end == begin), 0), textcoords="offset points", **style)
     axes.set_yticks(range(len(rows)), rows)
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.set_xlim(scene.samples.times[0], scene.samples.times[-1])
@@ -341,12 +375,18 @@ def _draw_multipliers(scene: _Scene, axes: Axes) -> None:
     _finish(scene, axes)
 
 
-def _draw_belt(scene: _Scene, axes: Axes) -> None:
-    if scene.belt is not None:
-        axes.axhline(scene.belt, color="0.3", linewidth=0.9, linestyle=":", zorder=1.4)
-        place, offset = (1, scene.belt), (3, 0)
+def _draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = False) -> None:
+    """Draw lines where boundaries lie: across the Axes, or upright."""
+    line = {"color": "0.3", "linewidth": 0.9, "linestyle": ":", "zorder": 1.4}
+    for level, label in levels.items():
+        if upright:
+            axes.axvline(level, **line)
+            place, offset, transform = (level, 1), (3, -3), axes.get_xaxis_transform()
+        else:
+            axes.axhline(level, **line)
+            place, offset, transform = (1, level), (3, 0), axes.get_yaxis_transform()
         axes.annotate(
-            "$V$", place, offset, axes.get_yaxis_transform(), "offset points", va="center"
+            label, place, offset, transform, "offset points", va="top" if upright else "center"
         )
 
 
@@ -383,7 +423,7 @@ def _finish(scene: _Scene, axes: Axes) -> None:
 def _columns(axes: Axes, labels: Sequence[str]) -> int:
     """As many columns of a legend as are about as wide as the Axes."""
     room = axes.bbox.width / axes.figure.dpi
-    inches = [0.4 + 0.055 * len(re.sub(r"[$\\{}_^]|mathrm", "", label)) for label in labels]
+    inches = [0.45 + 0.066 * len(re.sub(r"[$\\{}_^]|mathrm", "", label)) for label in labels]
     for columns in range(len(labels), 1, -1):
         if sum(max(column) for column in np.array_split(inches, columns)) <= room:
             return columns

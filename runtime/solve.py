@@ -20,8 +20,8 @@ from nonsmooth.runtime.values import Value, as_value, parse
 __all__ = ["reference_guess", "search", "solve"]
 
 CONTINUATION_STEPS = 24
-STARTS_PER_UNKNOWN = 40
-LONGEST_DWELL = 12.6  # two periods of the unit frequency
+STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
+SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
 
 
 def solve(
@@ -112,8 +112,7 @@ def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
     array (k, n)
         Unknowns of the distinct orbits with positive dwell times.
     """
-    grid = np.linspace(0, LONGEST_DWELL, STARTS_PER_UNKNOWN + 1)[1:]
-    starts = np.array(list(product(grid, repeat=len(kernels.reduced))))
+    starts = np.array(list(product(_grid(kernels), repeat=len(kernels.reduced))))
     solved = solve_reduced(kernels, parameters, starts)
     roots: list[np.ndarray] = []
     for root in solved.unknowns[solved.status == CONVERGED]:
@@ -124,6 +123,13 @@ def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
         kernels, np.broadcast_to(parameters, (len(found), len(parameters))), found
     )
     return found[np.argsort(~allowed, kind="stable")]
+
+
+def _grid(kernels: OrbitKernels) -> np.ndarray:
+    """Starts of each reduced unknown: even, or geometric where there is one only."""
+    if len(kernels.reduced) == 1:
+        return np.geomspace(SHORTEST_DWELL, LONGEST_DWELL, STARTS_OF_ONE)
+    return np.linspace(0, LONGEST_DWELL, STARTS_PER_UNKNOWN + 1)[1:]
 
 
 def _ordinary(
@@ -143,7 +149,7 @@ def _ordinary(
     followed = _followed(kernels, point, parameters, guess)
     if _good(followed):
         return followed, tried
-    tried.append(f"{STARTS_PER_UNKNOWN ** len(names)} starts")
+    tried.append(f"{len(_grid(kernels)) ** len(names)} starts")
     candidates = search(kernels, parameters)
     if len(candidates):
         places = [kernels.unknowns.index(name) for name in names]
@@ -156,15 +162,23 @@ def _ordinary(
 def _followed(
     kernels: OrbitKernels, point: Point, parameters: np.ndarray, guess: np.ndarray
 ) -> Orbit:
-    """Carry the reference orbit along a straight line to the parameters."""
+    """Carry the reference orbit to the parameters, in even steps of them or their logarithms."""
     defaults = kernels.table["reference"]["parameters"]
     begin = np.array([float(parse(defaults[name])) for name in kernels.parameter_names])
     places = [kernels.unknowns.index(name) for name in kernels.reduced]
     solved = solve_reduced(kernels, begin, guess)
     for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
-        here = begin + fraction * (parameters - begin)
-        solved = solve_reduced(kernels, here, solved.unknowns[places])
+        solved = solve_reduced(
+            kernels, _between(begin, parameters, fraction), solved.unknowns[places]
+        )
     return _orbit(kernels, point, solve_reduced(kernels, parameters, solved.unknowns[places]))
+
+
+def _between(begin: np.ndarray, end: np.ndarray, fraction: float) -> np.ndarray:
+    """A point on the way: geometric where both ends are positive, else on a straight line."""
+    positive = (begin > 0) & (end > 0)
+    ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
+    return np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
 
 
 def _good(orbit: Orbit) -> bool:

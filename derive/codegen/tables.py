@@ -82,6 +82,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "conservative": orbit.conservative,
         "required": {str(p): str(value) for p, value in orbit.required.items()},
         "vanishing": list(itinerary.vanishing),
+        "levels": _levels(orbit),
         "terms": [len(w) for w in orbit.frequencies],
         "boundaries": [
             (
@@ -99,6 +100,21 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         if reference
         else None,
     }
+
+
+def _levels(orbit: EquationSystem) -> dict[str, str]:
+    """States with a value at which a boundary lies: a stop's place, a belt's velocity."""
+    found = {}
+    for phase in orbit.itinerary.phases:
+        for boundary in orbit.system.configuration(phase.configuration).boundaries:
+            row, constant = orbit.system.gradient(boundary.function)
+            involved = [(s, n) for s, n in zip(orbit.system.states, row, strict=True) if n != 0]
+            if len(involved) == 1:
+                ((state, slope),) = involved
+                level = sp.cancel(-constant / slope)
+                if level.is_Symbol or level.is_number:
+                    found[str(state)] = str(level)
+    return found
 
 
 def _others(orbit: EquationSystem) -> list[Parameter]:

@@ -37,6 +37,7 @@ _WORDS = {
     "coefficient": "a",
     "right": "b",
     "determinant": "D",
+    "numerator": "N",
 }
 _PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A", "rate": "s"}
 _NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
