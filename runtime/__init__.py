@@ -15,8 +15,11 @@ The map of the house:
 `stability`    Poincaré map, multipliers, the trace criterion
 `admissible`   whether an orbit is a motion of the real system
 `crossing`     maxima and first crossings of boundary functions, guaranteed
+`intervals`    along one parameter: where an orbit is admissible, or singular
 `motion`       an orbit's states at any time
-`plot`         pictures
+`plot`         pictures: figures, Axes, files
+`panels`       what is drawn into one Axes
+`reproduce`    the source paper again: every number and figure
 `notebook`     tables and formulas
 `saved`        orbits in files
 `report`       results as JSON

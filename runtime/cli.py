@@ -257,6 +257,31 @@ def plot(
 
 
 @app.command(
+    epilog="Examples:\n\nnonsmooth reproduce --out paper\n\nnonsmooth reproduce --out paper --json"
+)
+@_answering
+def reproduce(
+    out: Annotated[
+        Path, typer.Option(metavar="DIR", help="Folder of the report, made if need be.")
+    ],
+    as_json: AsJson = False,
+) -> int:
+    """Write every number and figure of the source paper beside ours: a report in HTML."""
+    from nonsmooth.runtime.display import show_written, steps
+    from nonsmooth.runtime.reproduce.writing import reproduce as write
+
+    with steps() as begin:
+        files = [str(path) for path in write(out, begin)]
+    if as_json:
+        _print_json({"folder": str(out), "files": files})
+    else:
+        show_written(
+            [f"{path} written" for path in files if not path.endswith((".svg", ".png"))], ""
+        )
+    return ANSWERED
+
+
+@app.command(
     epilog="Examples:\n\n"
     "nonsmooth regenerate --check\n\n"
     "nonsmooth regenerate dry-friction --out kernels"

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.errors import InputError, NoConvergence, missing_extra, unknown_name
 
-__all__ = ["check_target", "document_maker", "unwritable", "write_document", "written"]
+__all__ = [
+    "check_target",
+    "document_maker",
+    "section_formulas",
+    "unwritable",
+    "write_document",
+    "written",
+]
 
 
 def document_maker(name: str) -> Callable[[], Any]:
@@ -39,6 +47,20 @@ def document_maker(name: str) -> Callable[[], Any]:
         return describe_system(declared.system)
 
     return make
+
+
+def section_formulas(name: str, section: str) -> tuple[tuple[str, str], ...]:
+    """LaTeX and meaning of the formulas in one section of an orbit's document."""
+    document = _document(name)
+    from nonsmooth.derive.document.blocks import Formula
+
+    found = (b for b in document.section(section) if isinstance(b, Formula))
+    return tuple((formula.latex, formula.note or "") for formula in found)
+
+
+@cache
+def _document(name: str) -> Any:
+    return document_maker(name)()
 
 
 def written(document: Any, form: str) -> str:

@@ -196,6 +196,8 @@ def _criterion(found: Mapping[str, Any], excess: str, rank: int) -> Table:
     table.add_row("verdict", Text(text, style=f"bold {_VERDICT_STYLES.get(verdict, 'yellow')}"))
     if verdict == "stable":
         table.add_row("", "under perturbations that keep the order of the switches")
+    if "one_sided" in found:
+        table.add_row("", f"one-sided: a border collision, on the side {found['one_sided']}")
     return table
 
 
@@ -210,6 +212,10 @@ def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:
     console.print(Text.assemble(("Admissible: ", "bold"), answer))
     for bound in found.get("requires", ()):
         console.print(Text(f"  {bound['parameter']} > {float(bound['greater_than']):.10g}"))
+    for meeting in found.get("coincidences", ()):
+        names = " and ".join(meeting["boundaries"])
+        time = float(meeting["time"])
+        console.print(Text(f"  at t = {time:.10g} {names} coincide"))
     if verdict is False:
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
         for title in ("phase", "configuration", "boundary", "time", "excess"):

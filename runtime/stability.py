@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -99,7 +100,7 @@ def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
     defective), whose digits are those of the trace.
     """
     mp = orbit.arithmetic.mp
-    root = mp.sqrt if orbit.precise else np.sqrt
+    root = mp.sqrt if orbit.precise else math.sqrt
     zero, one = 0 * trace, 0 * trace + 1
     half = (trace - 1) / 2
     if abs(half) <= 1:

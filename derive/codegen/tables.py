@@ -83,6 +83,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "required": {str(p): str(value) for p, value in orbit.required.items()},
         "vanishing": list(itinerary.vanishing),
         "levels": _levels(orbit),
+        "resets": [[[str(e) for e in row] for row in k.reset.tolist()] for k in orbit.chain.links],
         "terms": [len(w) for w in orbit.frequencies],
         "boundaries": [
             (

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable, Mapping
-from html import unescape
+from collections.abc import Iterable, Mapping
 from importlib.resources import files
 from itertools import count
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
 from nonsmooth.runtime.errors import missing_extra
+from nonsmooth.runtime.reproduce.mathml import Formulas
 from nonsmooth.runtime.reproduce.records import (
     Block,
     Chapter,
@@ -76,7 +76,7 @@ def to_html(report: Report, pictures: Mapping[str, str]) -> str:
     ValueError
         If a piece of LaTeX has a command or an environment that latex2mathml does not know.
     """
-    return _template(_Page(_mathml_converter(), pictures)).render(report=report)
+    return _template(_Page(Formulas(), pictures)).render(report=report)
 
 
 # --- Markdown
@@ -209,10 +209,8 @@ def _template(page: _Page) -> Template:
 class _Page:
     """Pieces of a page: text, formulas and pictures as HTML."""
 
-    def __init__(
-        self, convert: Callable[..., ElementTree.Element], pictures: Mapping[str, str]
-    ) -> None:
-        self.convert = convert
+    def __init__(self, formulas: Formulas, pictures: Mapping[str, str]) -> None:
+        self.formulas = formulas
         self.pictures = pictures
         self.numbers = count(1)
 
@@ -228,24 +226,19 @@ class _Page:
                 found += Markup("<em>{}</em>").format(self.prose(part[1:-1]))
             else:
                 found += part
-        return found
+        return _joined(found)
 
     def inline(self, latex: str) -> Markup:
         """MathML within a line."""
-        return self._math(latex, "inline")
+        from markupsafe import Markup
+
+        return Markup(self.formulas.inline(latex))
 
     def display(self, latex: str) -> Markup:
         """MathML on a line of its own."""
-        return self._math(latex, "block")
+        from markupsafe import Markup
 
-    def _math(self, latex: str, display: str) -> Markup:
-        math = self.convert(_known_latex(latex), display=display)
-        for element in math.iter():
-            if _misread(element):
-                raise ValueError(f"latex2mathml does not know all of {latex}")
-            element.text = unescape(element.text or "")
-        del math.attrib["xmlns"]
-        return _markup(math)
+        return Markup(self.formulas.display(latex))
 
     def svg(self, picture: Picture) -> Markup:
         """A picture that scales, with names that no other picture of the page has."""
@@ -257,33 +250,22 @@ class _Page:
         drawing.attrib |= {
             "role": "img",
             "aria-label": _plain(picture.caption),
-            "style": f"max-width: {width}",
+            "style": f"width: {width}",
         }
         return _markup(drawing)
 
 
-def _mathml_converter() -> Callable[..., ElementTree.Element]:
-    """The function of latex2mathml that gives elements, whose text can be escaped."""
-    try:
-        from latex2mathml.converter import convert_to_element
-    except ImportError:
-        raise missing_extra("html", "latex2mathml") from None
-    found: Callable[..., ElementTree.Element] = convert_to_element
-    return found
+def _joined(text: Markup) -> Markup:
+    """Text in which no line begins with the full stop after a formula."""
+    from markupsafe import Markup
+
+    formula = r"([(\[]*)(<math\b(?:(?!<math\b).)*?</math>)([.,;:!?)\]]*)"
+    return Markup(re.sub(formula, _join, text, flags=re.DOTALL))
 
 
-def _known_latex(latex: str) -> str:
-    """Write what latex2mathml misreads in words that it reads rightly."""
-    latex = re.sub(r"\{aligned\}", "{align*}", latex)
-    latex = re.sub(r"\\mathrm\{([A-Za-z]+)\}", r"\\text{\1}", latex)
-    return re.sub("(?<!')''(?!['^])", r"^{\\prime\\prime}", latex)
-
-
-def _misread(element: ElementTree.Element) -> bool:
-    """Whether an element is an unknown command, or comes from an unknown environment."""
-    text = element.text or ""
-    newline = element.tag == "mspace" and element.get("linebreak") == "newline"
-    return newline or (element.tag != "mtext" and ("\\" in text or text == "&"))
+def _join(found: re.Match[str]) -> str:
+    """A formula and the punctuation beside it, in one piece."""
+    return f'<span class="joined">{found[0]}</span>' if found[1] or found[3] else found[0]
 
 
 def _simplify(drawing: ElementTree.Element) -> None:
