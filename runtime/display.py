@@ -213,9 +213,8 @@ def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:
     for bound in found.get("requires", ()):
         console.print(Text(f"  {bound['parameter']} > {float(bound['greater_than']):.10g}"))
     for meeting in found.get("coincidences", ()):
-        names = " and ".join(meeting["boundaries"])
-        time = float(meeting["time"])
-        console.print(Text(f"  at t = {time:.10g} {names} coincide"))
+        together = " and ".join(meeting["boundaries"])
+        console.print(Text(f"  at t = {float(meeting['time']):.10g} {together} coincide"))
     if verdict is False:
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
         for title in ("phase", "configuration", "boundary", "time", "excess"):

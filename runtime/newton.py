@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -63,12 +64,13 @@ def solve_reduced(kernels: OrbitKernels, parameters: Any, guess: Any) -> Solved:
             return Solved(*kernels.solver(parameters, *([guess] if kernels.reduced else [])))
     parameters, guess = np.asarray(parameters, float), np.asarray(guess, float)
     lead = np.broadcast_shapes(parameters.shape[:-1], guess.shape[:-1])
-    flat = np.broadcast_to(parameters, (*lead, parameters.shape[-1])).reshape(
-        -1, parameters.shape[-1]
+    count = math.prod(lead)
+    flat, x = (
+        np.broadcast_to(a, (*lead, a.shape[-1])).reshape(count, a.shape[-1])
+        for a in (parameters, guess)
     )
-    x = np.broadcast_to(guess, (*lead, guess.shape[-1])).reshape(-1, guess.shape[-1]).copy()
     with np.errstate(all="ignore"):
-        solved = _solve_flat(kernels, flat, x)
+        solved = _solve_flat(kernels, flat, x.copy())
     return Solved(
         solved.unknowns.reshape(*lead, -1), *(array.reshape(lead)[()] for array in solved[1:])
     )

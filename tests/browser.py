@@ -19,7 +19,7 @@ SECONDS = 60
 OPTIONS = [
     *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
     *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
-    *("--disable-dev-shm-usage", "--allow-file-access-from-files"),
+    *("--disable-dev-shm-usage", "--allow-file-access-from-files", "--hide-scrollbars"),
     *("--enable-logging=stderr", "--v=0", "--host-resolver-rules=MAP * ~NOTFOUND"),
 ]
 
@@ -90,6 +90,7 @@ def find_browser() -> str:
 def inspect_page(path: Path, width: int) -> PageFacts:
     """Open a page from its file, in a window of a width in pixels, and look at it."""
     browser = find_browser()
+    assert path.is_file(), f"there is no page {path}"
     with folder() as place:
         frame = place / "frame.html"
         address = path.resolve().as_uri()

@@ -278,6 +278,16 @@ def test_text_is_escaped() -> None:
     assert "<em>stressed</em>" in page()
 
 
+def test_numbers_and_verdicts_are_escaped() -> None:
+    pytest.importorskip("jinja2")
+    pytest.importorskip("latex2mathml")
+    row = Comparison("x", *["<b>1</b>"] * 6)
+    chapter = Chapter("a", "A", (Comparisons("<b>", (row,)),))
+    elements = Elements(to_html(Report("<b>", ("<b>",), (chapter,), {}), {}))
+    assert "b" not in {tag for tag, _ in elements.found}
+    assert elements.words.count("<b>1</b>") == 6
+
+
 def test_formulas_are_mathml() -> None:
     elements = Elements(page())
     assert "$" not in elements.words
