@@ -30,6 +30,7 @@ __all__ = [
     "reset_matrix",
     "section_of",
     "sensitivities",
+    "smallest_section",
     "start_of",
 ]
 
@@ -125,6 +126,13 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
         sp.ImmutableMatrix(embedding),
         sp.ImmutableMatrix(constant),
     )
+
+
+def smallest_section(itinerary: Itinerary, system: System) -> tuple[int, Section]:
+    """The phase whose section has the least dimension, the first of several, and the section."""
+    sections = [section_of(itinerary.rotated(k), system) for k in range(len(itinerary.phases))]
+    rotation = min(range(len(sections)), key=lambda k: (sections[k].dimension, k))
+    return rotation, sections[rotation]
 
 
 def start_of(itinerary: Itinerary, system: System, section: Section) -> Section:

@@ -16,6 +16,7 @@ from nonsmooth.derive.chain import (
     poincare_jacobian,
     section_of,
     sensitivities,
+    smallest_section,
     start_of,
 )
 from nonsmooth.derive.elimination import eliminate_coordinates, reference_values
@@ -290,13 +291,13 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     vanishing = vanishing_coordinates(itinerary, system, start) if itinerary.reversor else ()
     start = start.without(vanishing)
     chain = follow(itinerary, system, flows, section, start)
-    ordered = [p.symbol for p in system.parameters]
+    parameters = tuple(p.symbol for p in system.parameters)
     dwell_times = tuple(
         link.dwell
         for link in chain.links
-        if link.duration == link.dwell and link.dwell not in ordered
+        if link.duration == link.dwell and link.dwell not in parameters
     )
-    swapped = tuple(s for s in ordered if str(s) in itinerary.solved_for)
+    swapped = tuple(s for s in parameters if str(s) in itinerary.solved_for)
     if itinerary.reversor:
         halves = half_phases(itinerary, system, flows, start)
         stages, equations = halves.stages, halves.equations
@@ -305,12 +306,9 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
             equations,
             start.coordinates,
             dwell_times,
-            {*ordered, *spectrum.symbols},
-            reference_values(itinerary.reference, spectrum, ordered),
-            min(
-                section_of(itinerary.rotated(k), system).dimension
-                for k in range(len(itinerary.phases))
-            ),
+            {*parameters, *spectrum.symbols},
+            reference_values(itinerary.reference, spectrum, parameters),
+            smallest_section(itinerary, system)[1].dimension,
         )
     else:
         stages, equations = chain.stages, _full_turn(itinerary, chain)
@@ -326,14 +324,14 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
         *(e.free_symbols for stage in (*stages, *chain.stages) for _, e in stage.assignments),
         spectrum.parameters,
     )
-    contained = set(ordered) & used - set(swapped)
-    admissibility = set().union(
+    limiting = set().union(
         *(
             boundary.function.free_symbols
             for phase in itinerary.phases
             for boundary in system.configuration(phase.configuration).boundaries
         )
     )
+    free = [s for s in parameters if s not in swapped]
     return EquationSystem(
         itinerary,
         system,
@@ -343,8 +341,8 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
         unknowns,
         stages,
         equations,
-        tuple(s for s in ordered if s in contained),
-        tuple(s for s in ordered if s in admissibility - contained - set(swapped)),
+        tuple(s for s in free if s in used),
+        tuple(s for s in free if s in limiting - used),
         reduction,
         required,
         vanishing,

@@ -22,7 +22,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from nonsmooth.derive.chain import name_functions, section_of
+from nonsmooth.derive.chain import name_functions, section_of, smallest_section
 from nonsmooth.derive.explicit import LINEAR, ExplicitTime, explicit_time
 from nonsmooth.derive.itinerary import Itinerary, Phase, dwell_symbol
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
@@ -184,9 +184,8 @@ def reduce_itinerary(
     With parameters to solve for there is no map in one variable: they stay along it.
     """
     count = len(itinerary.phases)
-    sections = [section_of(itinerary.rotated(k), system) for k in range(count)]
-    rotation = min(range(count), key=lambda k: (sections[k].dimension, k))
-    turned, section, original = itinerary.rotated(rotation), sections[rotation], sections[0]
+    rotation, section = smallest_section(itinerary, system)
+    turned, original = itinerary.rotated(rotation), section_of(itinerary, system)
 
     # the states behind phase k carry the index k; so do the coordinates of this section
     coordinates = [sp.Symbol(f"{system.states[i]}_{rotation}", real=True) for i in section.places]
