@@ -109,7 +109,12 @@ def reference_values(
     known = {s: exact(texts[str(s)]) for s in parameters if str(s) in texts}
     for symbol, expression in spectrum.entries:
         known[symbol] = expression.xreplace(known).evalf(30)
-    return known | {sp.Symbol(n, positive=True): sp.Float(v) for n, v in reference.guess.items()}
+    kinds: tuple[dict[str, bool], ...] = ({"positive": True}, {"real": True})
+    return known | {
+        sp.Symbol(name, **kind): sp.Float(text)
+        for name, text in reference.guess.items()
+        for kind in kinds  # of dwell times, and of coordinates
+    }
 
 
 def _constant_pivot(

@@ -20,12 +20,12 @@ from nonsmooth.derive.chain import (
     start_of,
 )
 from nonsmooth.derive.elimination import eliminate_coordinates, reference_values
-from nonsmooth.derive.energy import is_conservative
+from nonsmooth.derive.energy import energy_of, is_conservative
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.program import Stage, derivative_of, differentiate, prune
-from nonsmooth.derive.reduction import Reduction, reduce_itinerary
+from nonsmooth.derive.reduction import Reduction, reduce_itinerary, unreduced
 from nonsmooth.derive.symmetry import half_phases, required_values, vanishing_coordinates
 from nonsmooth.derive.system import System
 
@@ -109,7 +109,8 @@ class EquationSystem:
     @cached_property
     def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
         """Stages and entries of the derivatives of the equations by the unknowns."""
-        if self.itinerary.reversor or self.itinerary.solved_for:
+        itinerary = self.itinerary
+        if itinerary.reversor or itinerary.solved_for or itinerary.period is not None:
             seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
             stages, moving = differentiate(self.stages, seeds)
             return stages, sp.Matrix(
@@ -312,7 +313,13 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
         )
     else:
         stages, equations = chain.stages, _full_turn(itinerary, chain)
-        reduction = reduce_itinerary(itinerary, system, flows, spectrum)
+        if itinerary.period is None:
+            reduction = reduce_itinerary(itinerary, system, flows, spectrum)
+        else:
+            known = reference_values(itinerary.reference, spectrum, parameters)
+            equations = _without_one(itinerary, system, chain, equations, known)
+            dimension = smallest_section(itinerary, system)[1].dimension
+            reduction = unreduced(start.coordinates + dwell_times, equations, stages, dimension)
     unknowns = start.coordinates + dwell_times + swapped
     if len(equations) != len(unknowns):
         raise DerivationError(
@@ -368,6 +375,34 @@ def _full_turn(itinerary: Itinerary, chain: Chain) -> tuple[tuple[str, sp.Expr],
     for coordinate, place in zip(chain.start.coordinates, chain.start.places, strict=True):
         equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
     return tuple(equations)
+
+
+def _without_one(
+    itinerary: Itinerary,
+    system: System,
+    chain: Chain,
+    equations: tuple[tuple[str, sp.Expr], ...],
+    known: Mapping[sp.Symbol, sp.Expr],
+) -> tuple[tuple[str, sp.Expr], ...]:
+    """The equations without one closure, which the first integral E makes redundant.
+
+    It is that of the coordinate q with the largest |dE/dq| at the known point: the others
+    would leave q undetermined to first order.
+    """
+    first = system.configuration(itinerary.phases[0].configuration)
+    energy = energy_of(first.dynamics, system.states)
+    if energy is None or not is_conservative(itinerary, system):
+        return equations
+    at_start = energy.subs(dict(zip(system.states, chain.start.state, strict=True)))
+    slopes = [abs(sp.diff(at_start, q).subs(known)) for q in chain.start.coordinates]
+    if not all(slope.is_number for slope in slopes):
+        raise DerivationError(
+            f"itinerary {itinerary.name!r}: a conservative orbit of given period needs a"
+            " reference with values of all its parameters and unknowns"
+        )
+    steepest = max(range(len(slopes)), key=lambda k: slopes[k])
+    dropped = len(chain.links) + steepest
+    return equations[:dropped] + equations[dropped + 1 :]
 
 
 def _check_solvable(

@@ -29,7 +29,7 @@ from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Stage, assign, derivative_of, differentiate, merged, prune
 from nonsmooth.derive.system import System
 
-__all__ = ["Elimination", "Reduction", "reduce_itinerary"]
+__all__ = ["Elimination", "Reduction", "reduce_itinerary", "unreduced"]
 
 
 @dataclass(frozen=True)
@@ -230,6 +230,19 @@ def reduce_itinerary(
         draft.rates,
         coordinates[0] if one else None,
         images[0] if one else None,
+    )
+
+
+def unreduced(
+    unknowns: Sequence[sp.Symbol],
+    equations: Sequence[tuple[str, sp.Expr]],
+    stages: Sequence[Stage],
+    rank: int,
+) -> Reduction:
+    """Equations as they are, where nothing is eliminated."""
+    values = {u: u for u in unknowns}
+    return Reduction(
+        0, rank, tuple(unknowns), tuple(equations), tuple(stages), values, (), {}, None, None
     )
 
 
