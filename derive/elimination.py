@@ -75,7 +75,7 @@ def eliminate_coordinates(
         rows = _rows(left, open_ones, stages, choose)
         together = [left[i] for i in rows]
         left = [e for i, e in enumerate(left) if i not in rows]
-        block, numerators, determinants = _cramer(together, open_ones)
+        block, numerators, determinants = _cramer(together, open_ones, _squared_sizes(stages))
         solved += reversed(block)
         if len(left) == 1:
             left = [_cleared(left[0], dict(zip(open_ones, numerators, strict=True)), determinants)]
@@ -172,8 +172,31 @@ def _cleared(
     return meaning, sp.Add(constant * determinant, *terms)
 
 
+def _squared_sizes(stages: Sequence[Stage]) -> dict[sp.Symbol, sp.Expr]:
+    """Squares of what the functions of time are at most: the sine of a small angle is small."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for symbol, expression in (a for stage in stages for a in stage.assignments):
+        if isinstance(expression, sp.cos):
+            found[symbol] = sp.Integer(1)
+        elif isinstance(expression, sp.sin):
+            squared = expression.args[0] ** 2
+            found[symbol] = 2 * squared / (1 + squared)
+    return found
+
+
+def _squared_bound(coefficient: sp.Expr, sizes: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Sum of the squares of what the terms of a coefficient are at most.
+
+    Its own size says nothing: where all its terms vanish together only rounding is left.
+    """
+    terms = sp.collect(sp.expand(coefficient), list(sizes), evaluate=False)
+    return sp.Add(*(sp.factor(c) ** 2 * sizes.get(f, f**2) for f, c in terms.items()))
+
+
 def _cramer(
-    equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol]
+    equations: Sequence[_Equation],
+    coordinates: Sequence[sp.Symbol],
+    sizes: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[list[Stage], list[sp.Expr], tuple[tuple[sp.Expr, sp.Expr], ...]]:
     """Stages that solve linear equations, the numerators, and the determinant with a bound."""
     size = len(coordinates)
@@ -199,7 +222,8 @@ def _cramer(
         [f"numerator{j + 1}" for j in range(size)],
         [sp.expand(m.det()) for m in replaced],
     )
-    bound = sp.prod([sum(e**2 for e in matrix.row(i)) for i in range(size)], sp.Integer(1))
+    rows = ([_squared_bound(sp.diff(e, q), sizes) for q in coordinates] for _, e in equations)
+    bound = sp.prod([sp.Add(*row) for row in rows], sp.Integer(1))
     stages = [
         naming,
         other,

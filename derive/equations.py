@@ -217,6 +217,22 @@ class EquationSystem:
                 )
         return tuple(found)
 
+    @cached_property
+    def measures(self) -> tuple[sp.Symbol, ...]:
+        """Data of the size of the boundary functions, whose rounding these carry.
+
+        The start's coordinates, and the parameters in the boundaries.
+        """
+        boundaries = (
+            boundary.function
+            for phase in self.itinerary.phases
+            for boundary in self.system.configuration(phase.configuration).boundaries
+        )
+        contained = set().union(*(b.free_symbols for b in boundaries))
+        known = (*self.parameters, *self.unknowns)
+        coordinates = self.chain.start.coordinates
+        return tuple(s for s in known if s in contained or s in coordinates)
+
     def _repr_latex_(self) -> str:
         rows = [f"& {latex} && \\text{{{note.replace('*', '')}}}" for latex, note in self._shown]
         body = " \\\\\n".join(rows)

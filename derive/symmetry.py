@@ -24,7 +24,16 @@ from nonsmooth.derive.modal import Flow
 from nonsmooth.derive.program import Stage
 from nonsmooth.derive.system import System
 
-__all__ = ["HalfPhases", "half_phases", "halfway", "required_values", "vanishing_coordinates"]
+__all__ = [
+    "HalfPhases",
+    "end_conditions",
+    "half_phases",
+    "halfway",
+    "phase_starts",
+    "required_values",
+    "reversor_of",
+    "vanishing_coordinates",
+]
 
 
 @dataclass(frozen=True)
@@ -53,12 +62,12 @@ def half_phases(
     DerivationError
         If the map is no reversor of a configuration.
     """
-    jump, shift = _reversor(itinerary, system)
+    jump, shift = reversor_of(itinerary, system)
     fixed, _ = sp.Matrix.hstack(jump - sp.eye(jump.rows), shift).rref()
     stages: list[Stage] = []
     equations: list[tuple[str, sp.Expr]] = []
     for index, (phase, state) in enumerate(
-        zip(itinerary.phases, _starts(itinerary, system, start), strict=True)
+        zip(itinerary.phases, phase_starts(itinerary, system, start), strict=True)
     ):
         flow, dwell = flows[phase.configuration], dwell_symbol(phase.dwell_time)
         _check_reversible(itinerary, flow, jump, shift)
@@ -78,7 +87,7 @@ def half_phases(
             what = f"{names[0]} vanishes" if len(names) == 1 and not constant else "R y = y"
             condition = _by_function((normal * middle)[0] + constant, functions)
             equations.append((f"{what} halfway through {phase.configuration}", condition))
-    ends = _end_conditions(itinerary, system, start)
+    ends = end_conditions(itinerary, system, start)
     equations += [(meaning, condition) for meaning, condition in ends if condition != 0]
     return HalfPhases(tuple(s for s in stages if s.assignments), tuple(equations))
 
@@ -88,7 +97,7 @@ def required_values(
 ) -> dict[sp.Symbol, sp.Expr]:
     """Values of parameters without which no orbit is its own reversal."""
     found: dict[sp.Symbol, sp.Expr] = {}
-    for _, condition in _end_conditions(itinerary, system, start):
+    for _, condition in end_conditions(itinerary, system, start):
         coordinate, factor = _multiple(condition, start.coordinates)
         if coordinate is not None and len(factor.free_symbols) == 1:
             (parameter,) = factor.free_symbols
@@ -103,7 +112,7 @@ def vanishing_coordinates(
 ) -> tuple[sp.Symbol, ...]:
     """Coordinates of the start that the closure of the orbit makes zero."""
     found = []
-    for _, condition in _end_conditions(itinerary, system, start):
+    for _, condition in end_conditions(itinerary, system, start):
         coordinate, factor = _multiple(condition, start.coordinates)
         if coordinate is not None and factor.is_number:
             found.append(coordinate)
@@ -122,9 +131,9 @@ def _by_function(expression: sp.Expr, functions: Sequence[sp.Expr]) -> sp.Expr:
     return sp.Add(*(f * sp.factor(sp.cancel(c)) for f, c in collected.items()))
 
 
-def _starts(itinerary: Itinerary, system: System, start: Section) -> list[sp.Matrix]:
+def phase_starts(itinerary: Itinerary, system: System, start: Section) -> list[sp.Matrix]:
     """State at the start of each phase, each end being the image of its start."""
-    jump, shift = _reversor(itinerary, system)
+    jump, shift = reversor_of(itinerary, system)
     states = [sp.Matrix(start.state)]
     for index in range(len(itinerary.phases) - 1):
         transition = itinerary.transition_after(system, index)
@@ -132,12 +141,12 @@ def _starts(itinerary: Itinerary, system: System, start: Section) -> list[sp.Mat
     return states
 
 
-def _end_conditions(
+def end_conditions(
     itinerary: Itinerary, system: System, start: Section
 ) -> list[tuple[str, sp.Expr]]:
     """Exit conditions and closure of the reflected states, in the coordinates of the start."""
-    jump, shift = _reversor(itinerary, system)
-    ends = [jump * state + shift for state in _starts(itinerary, system, start)]
+    jump, shift = reversor_of(itinerary, system)
+    ends = [jump * state + shift for state in phase_starts(itinerary, system, start)]
     conditions = []
     for phase, end in zip(itinerary.phases, ends, strict=True):
         boundary = system.configuration(phase.configuration).boundary(phase.boundary)
@@ -162,7 +171,14 @@ def _multiple(
     return None, condition
 
 
-def _reversor(itinerary: Itinerary, system: System) -> tuple[sp.Matrix, sp.Matrix]:
+def reversor_of(itinerary: Itinerary, system: System) -> tuple[sp.Matrix, sp.Matrix]:
+    """Matrix and shift of an itinerary's reversor ``y -> R y + r``.
+
+    Raises
+    ------
+    DerivationError
+        If it is no involution.
+    """
     jump, shift = reset_matrix(itinerary.reversor.items(), system.states)
     again = sp.Matrix.hstack(jump * jump - sp.eye(jump.rows), jump * shift + shift)
     if not again.applyfunc(sp.expand).is_zero_matrix:

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 585a9f35dfd0edc9 */
+ * SymPy 1.14.0, derivation f7d664526e136b1d */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -2538,11 +2538,11 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "43ddcda5c0055662") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "2e19d0c4b5178ce1") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "84add12dd6cea685") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "bcfa33b48bcb8129") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "1e362519f83bedc8") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "1651bd0fc05ede85") < 0)
         return -1;
     return 0;
 }

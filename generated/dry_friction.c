@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 1e362519f83bedc8 */
+ * SymPy 1.14.0, derivation 1651bd0fc05ede85 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -2011,7 +2011,7 @@ void dry_friction_symmetric_reduced(
 
 /* All unknowns from the reduced ones, and how singular the linear equations for them are: 0 if they are.
  * Takes parameters (4), spectrum (7), reduced (2); gives unknowns (5), determinants (1), row by row.
- * Operations: 54. Intermediate terms: 20. */
+ * Operations: 71. Intermediate terms: 22. */
 void dry_friction_symmetric_expand(
     const double parameters[4], const double spectrum[7], const double reduced[2], double unknowns[5], double determinants[1])
 {
@@ -2053,12 +2053,15 @@ void dry_friction_symmetric_expand(
     const double z10 = t5 - t7;
     /* z20: linear in: z2 vanishes halfway through slip-stick */
     const double z20 = t5;
+    /* outputs */
+    const double t8 = (half_tau*half_tau);
+    const double t9 = 2*t8;
     unknowns[0] = z10;
     unknowns[1] = z20;
     unknowns[2] = v10;
     unknowns[3] = tau;
     unknowns[4] = tau1;
-    determinants[0] = determinant/fabs(coefficient11);
+    determinants[0] = determinant/sqrt((p1*p1)*t9/((omega1*omega1)*t8 + 1) + t9*((p1 - 1)*(p1 - 1))/((omega2*omega2)*t8 + 1));
 }
 
 /* Switching and periodicity equations.
@@ -6903,7 +6906,7 @@ void dry_friction_symmetric_solve(
     enum { lanes = 8, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[4][lanes], x[2][lanes], fixed[41][lanes];
+        double parameter[4][lanes], x[2][lanes], fixed[42][lanes];
         double taken[lanes], open[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
@@ -6955,19 +6958,20 @@ void dry_friction_symmetric_solve(
             const double t30 = (1.0/2.0)*V;
             const double h13 = (1.0/2.0)*V*p1;
             const double h14 = (1.0/2.0)*V*p2;
-            const double t36 = 1 - p1;
-            const double h15 = p2*t10;
-            const double h16 = -p3;
-            const double h17 = p3*t10;
-            const double h18 = t10*t36;
-            const double h19 = -omega2*p2;
-            const double h20 = -omega2*p3;
-            const double h21 = -chi;
-            const double h22 = -eta;
-            const double h23 = chi*eta;
+            const double t36 = p1 - 1;
+            const double h15 = -t36;
+            const double h16 = p2*t10;
+            const double h17 = -p3;
+            const double h18 = p3*t10;
+            const double h19 = -t10*t36;
+            const double h20 = -omega2*p2;
+            const double h21 = -omega2*p3;
+            const double h22 = -chi;
+            const double h23 = -eta;
+            const double h24 = chi*eta;
             /* rate of the exit boundary after tau1 */
-            const double t55 = V*chi;
-            const double t60 = p3*t19;
+            const double t56 = V*chi;
+            const double t61 = p3*t19;
             fixed[0][lane] = omega1;
             fixed[1][lane] = omega2;
             fixed[2][lane] = p1;
@@ -7007,8 +7011,9 @@ void dry_friction_symmetric_solve(
             fixed[36][lane] = h21;
             fixed[37][lane] = h22;
             fixed[38][lane] = h23;
-            fixed[39][lane] = t55;
-            fixed[40][lane] = t60;
+            fixed[39][lane] = h24;
+            fixed[40][lane] = t56;
+            fixed[41][lane] = t61;
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
@@ -7044,10 +7049,10 @@ void dry_friction_symmetric_solve(
                 const double t30 = fixed[26][lane];
                 const double h13 = fixed[27][lane];
                 const double h14 = fixed[28][lane];
-                const double h16 = fixed[31][lane];
                 const double h17 = fixed[32][lane];
-                const double t55 = fixed[39][lane];
-                const double t60 = fixed[40][lane];
+                const double h18 = fixed[33][lane];
+                const double t56 = fixed[40][lane];
+                const double t61 = fixed[41][lane];
                 const double tau = x[0][lane];
                 const double tau1 = x[1][lane];
                 /* half of tau */
@@ -7107,18 +7112,18 @@ void dry_friction_symmetric_solve(
                 /* d/dtau1 of: v10 by Cramer's rule */
                 const double v10_by_tau1 = right1_by_tau1*t23;
                 /* outputs */
-                const double t57 = cos_omega1_half_tau*t13;
-                const double t58 = p3*v10;
-                const double t59 = t10*t58;
-                const double t61 = cos_half_tau1*t13;
-                const double t62 = h16*t13 + t16 + t60;
-                const double t63 = h16*t9 + h17*sin_omega1_half_tau;
-                const double residual_0 = V*t12 - cos_omega1_half_tau*t60 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t57 + sin_omega1_half_tau*t59 - t17 + t22 + t57 - t58*t9;
-                const double residual_1 = chi*t61 + cos_half_tau1*t19 - sin_half_tau1*t55 + sin_half_tau1*v10 - t61;
-                const double jacobian_0 = cos_omega1_half_tau_by_tau*(t13 - t62) + cos_omega2_half_tau_by_tau*t62 + sin_omega1_half_tau_by_tau*(-p1*t21 + t21 + t59) + sin_omega2_half_tau_by_tau*(V*t26 - t58*t8) + t63*v10_by_tau;
-                const double jacobian_1 = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t63*v10_by_tau1;
+                const double t58 = cos_omega1_half_tau*t13;
+                const double t59 = p3*v10;
+                const double t60 = t10*t59;
+                const double t62 = cos_half_tau1*t13;
+                const double t63 = h17*t13 + t16 + t61;
+                const double t64 = h17*t9 + h18*sin_omega1_half_tau;
+                const double residual_0 = V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9;
+                const double residual_1 = chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62;
+                const double jacobian_0 = cos_omega1_half_tau_by_tau*(t13 - t63) + cos_omega2_half_tau_by_tau*t63 + sin_omega1_half_tau_by_tau*(-p1*t21 + t21 + t60) + sin_omega2_half_tau_by_tau*(V*t26 - t59*t8) + t64*v10_by_tau;
+                const double jacobian_1 = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t64*v10_by_tau1;
                 const double jacobian_2 = sin_half_tau1*v10_by_tau;
-                const double jacobian_3 = -cos_half_tau1*t30 + (1.0/2.0)*cos_half_tau1*t55 + cos_half_tau1_by_tau1*(chi*t13 + t29) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t55 + v10);
+                const double jacobian_3 = -cos_half_tau1*t30 + (1.0/2.0)*cos_half_tau1*t56 + cos_half_tau1_by_tau1*(chi*t13 + t29) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t56 + v10);
                 const double inverse = (1.0/((jacobian_0*jacobian_3 - jacobian_1*jacobian_2)));
                 const double wanted_0 = tau - (-jacobian_1*residual_1 + jacobian_3*residual_0)*inverse;
                 const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
@@ -7170,8 +7175,9 @@ void dry_friction_symmetric_solve(
             const double h21 = fixed[36][lane];
             const double h22 = fixed[37][lane];
             const double h23 = fixed[38][lane];
-            const double t55 = fixed[39][lane];
-            const double t60 = fixed[40][lane];
+            const double h24 = fixed[39][lane];
+            const double t56 = fixed[40][lane];
+            const double t61 = fixed[41][lane];
             const double tau = x[0][lane];
             const double tau1 = x[1][lane];
             /* half of tau */
@@ -7226,74 +7232,76 @@ void dry_friction_symmetric_solve(
             const double cos_omega2_tau = cosine_4;
             const double sin_omega2_tau = sine_4;
             /* slip-slip for tau, until second-reaches-belt */
-            const double t37 = sin_omega2_tau*t8;
-            const double t38 = sin_omega1_tau*t11 + t36*t37;
-            const double t39 = cos_omega1_tau*p1 + cos_omega2_tau*t36;
-            const double t40 = cos_omega1_tau*p2 + cos_omega2_tau*h1;
-            const double z1_1 = V*(h1*t37 + h15*sin_omega1_tau) + t38*v10 + t39*z10 + t40*z20;
-            const double t41 = h16*t37 + h17*sin_omega1_tau;
-            const double t42 = cos_omega1_tau*p3 + cos_omega2_tau*h16;
-            const double t43 = cos_omega1_tau*t36 + cos_omega2_tau*p1;
-            const double z2_1 = V*(h18*sin_omega1_tau + sin_omega2_tau*t26) + t41*v10 + t42*z10 + t43*z20;
-            const double t44 = omega2*sin_omega2_tau;
-            const double t45 = omega1*sin_omega1_tau;
-            const double t46 = p1*t45 + t36*t44;
-            const double t47 = h19*sin_omega2_tau + p2*t45;
-            const double v1_1 = V*t40 + t39*v10 - t46*z10 - t47*z20;
-            const double t48 = h20*sin_omega2_tau + p3*t45;
-            const double t49 = p1*t44 + t36*t45;
-            const double v2_1 = V*t43 + t42*v10 - t48*z10 - t49*z20;
+            const double t38 = sin_omega2_tau*t8;
+            const double t39 = h15*t38 + sin_omega1_tau*t11;
+            const double t40 = cos_omega1_tau*p1 + cos_omega2_tau*h15;
+            const double t41 = cos_omega1_tau*p2 + cos_omega2_tau*h1;
+            const double z1_1 = V*(h1*t38 + h16*sin_omega1_tau) + t39*v10 + t40*z10 + t41*z20;
+            const double t42 = h17*t38 + h18*sin_omega1_tau;
+            const double t43 = cos_omega1_tau*p3 + cos_omega2_tau*h17;
+            const double t44 = cos_omega1_tau*h15 + cos_omega2_tau*p1;
+            const double z2_1 = V*(h19*sin_omega1_tau + sin_omega2_tau*t26) + t42*v10 + t43*z10 + t44*z20;
+            const double t45 = omega2*sin_omega2_tau;
+            const double t46 = omega1*sin_omega1_tau;
+            const double t47 = h15*t45 + p1*t46;
+            const double t48 = h20*sin_omega2_tau + p2*t46;
+            const double v1_1 = V*t41 + t40*v10 - t47*z10 - t48*z20;
+            const double t49 = h21*sin_omega2_tau + p3*t46;
+            const double t50 = h15*t46 + p1*t45;
+            const double v2_1 = V*t44 + t43*v10 - t49*z10 - t50*z20;
             double sine_5, cosine_5;
             nonsmooth_sincos(tau1, &sine_5, &cosine_5);
             const double cos_tau1 = cosine_5;
             const double sin_tau1 = sine_5;
             /* slip-stick for tau1, until second-breaks-forward */
-            const double t50 = chi + cos_tau1*h21;
-            const double t51 = chi*sin_tau1;
-            const double z1_2 = V*(chi*tau1 - t51) + cos_tau1*z1_1 + sin_tau1*v1_1 + t50*z2_1;
+            const double t51 = chi + cos_tau1*h22;
+            const double t52 = chi*sin_tau1;
+            const double z1_2 = V*(chi*tau1 - t52) + cos_tau1*z1_1 + sin_tau1*v1_1 + t51*z2_1;
             const double z2_2 = V*tau1 + z2_1;
-            const double v1_2 = V*t50 + cos_tau1*v1_1 - sin_tau1*z1_1 + t51*z2_1;
+            const double v1_2 = V*t51 + cos_tau1*v1_1 - sin_tau1*z1_1 + t52*z2_1;
             /* Phi along tau */
-            const double carried_z1_1_by_z20 = t39 + t40;
-            const double carried_z1_1_by_v10 = t38;
-            const double carried_z2_1_by_z20 = t42 + t43;
-            const double carried_z2_1_by_v10 = t41;
-            const double carried_v1_1_by_z20 = -t46 - t47;
-            const double carried_v1_1_by_v10 = t39;
-            const double carried_v2_1_by_z20 = -t48 - t49;
-            const double carried_v2_1_by_v10 = t42;
+            const double carried_z1_1_by_z20 = t40 + t41;
+            const double carried_z1_1_by_v10 = t39;
+            const double carried_z2_1_by_z20 = t43 + t44;
+            const double carried_z2_1_by_v10 = t42;
+            const double carried_v1_1_by_z20 = -t47 - t48;
+            const double carried_v1_1_by_v10 = t40;
+            const double carried_v2_1_by_z20 = -t49 - t50;
+            const double carried_v2_1_by_v10 = t43;
             /* rate of the exit boundary after tau */
-            const double t52 = chi*z2_1;
-            const double rate_1 = h22*t52 + h23*z1_1;
+            const double t53 = chi*z2_1;
+            const double rate_1 = h23*t53 + h24*z1_1;
             /* derivatives of tau on the boundary */
-            const double t53 = (1.0/(rate_1));
-            const double tau_by_z20 = -carried_v2_1_by_z20*t53;
-            const double tau_by_v10 = -carried_v2_1_by_v10*t53;
+            const double t54 = (1.0/(rate_1));
+            const double tau_by_z20 = -carried_v2_1_by_z20*t54;
+            const double tau_by_v10 = -carried_v2_1_by_v10*t54;
             /* perturbation on the boundary after tau */
             const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
             const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
             const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
             const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
-            const double t54 = t52 - z1_1;
-            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t54*tau_by_z20;
-            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t54*tau_by_v10;
+            const double t55 = t53 - z1_1;
+            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t55*tau_by_z20;
+            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t55*tau_by_v10;
             /* Phi along tau1 */
-            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t50*z2_1_on_boundary_by_z20;
-            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t50*z2_1_on_boundary_by_v10;
-            const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t51*z2_1_on_boundary_by_v10;
-            const double rate_2 = h21*v1_2 + t55;
+            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t51*z2_1_on_boundary_by_z20;
+            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t51*z2_1_on_boundary_by_v10;
+            const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t52*z2_1_on_boundary_by_v10;
+            const double rate_2 = h22*v1_2 + t56;
             /* derivatives of tau1 on the boundary */
-            const double t56 = (1.0/(rate_2));
-            const double tau1_by_z20 = t56*(carried_z1_2_by_z20*chi + h21*z2_1_on_boundary_by_z20);
-            const double tau1_by_v10 = t56*(carried_z1_2_by_v10*chi + h21*z2_1_on_boundary_by_v10);
+            const double t57 = (1.0/(rate_2));
+            const double tau1_by_z20 = t57*(carried_z1_2_by_z20*chi + h22*z2_1_on_boundary_by_z20);
+            const double tau1_by_v10 = t57*(carried_z1_2_by_v10*chi + h22*z2_1_on_boundary_by_v10);
             /* perturbation on the boundary after tau1 */
             const double z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20;
             const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + tau1_by_v10*(chi*z2_2 - z1_2);
             /* outputs */
-            const double t57 = cos_omega1_half_tau*t13;
-            const double t58 = p3*v10;
-            const double t59 = t10*t58;
-            const double t61 = cos_half_tau1*t13;
+            const double t58 = cos_omega1_half_tau*t13;
+            const double t59 = p3*v10;
+            const double t60 = t10*t59;
+            const double t62 = cos_half_tau1*t13;
+            const double t65 = (half_tau*half_tau);
+            const double t66 = 2*t65;
             result[0][lane] = z10;
             result[1][lane] = z20;
             result[2][lane] = v10;
@@ -7301,10 +7309,10 @@ void dry_friction_symmetric_solve(
             result[4][lane] = tau1;
             slope[lane] = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
             double largest = 0.0;
-            largest = fabs(V*t12 - cos_omega1_half_tau*t60 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t57 + sin_omega1_half_tau*t59 - t17 + t22 + t57 - t58*t9) > largest ? fabs(V*t12 - cos_omega1_half_tau*t60 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t57 + sin_omega1_half_tau*t59 - t17 + t22 + t57 - t58*t9) : largest;
-            largest = fabs(chi*t61 + cos_half_tau1*t19 - sin_half_tau1*t55 + sin_half_tau1*v10 - t61) > largest ? fabs(chi*t61 + cos_half_tau1*t19 - sin_half_tau1*t55 + sin_half_tau1*v10 - t61) : largest;
+            largest = fabs(V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9) > largest ? fabs(V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9) : largest;
+            largest = fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) > largest ? fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) : largest;
             defect[lane] = largest;
-            determinate[lane] = (fabs(determinant/fabs(coefficient11)) <= 1e-12) ? 0.0 : 1.0;
+            determinate[lane] = (fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12) ? 0.0 : 1.0;
         }
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
@@ -7336,6 +7344,7 @@ void dry_friction_symmetric_admissible(
 {
     static const int sums[] = {2, 3}, terms[] = {2, 1}, at_once[] = {0, 0};
     static const int opened[] = {-1, -1, -1, -1, 0};
+    static const int exits[] = {6, 16}, first_frequency[] = {0, 2};
     static const double per_unit[] = {0.0, 0.0, 0.0, 0.0, 2.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 4 * point, *const u = unknowns + 5 * point;
@@ -7345,12 +7354,20 @@ void dry_friction_symmetric_admissible(
         dry_friction_spectrum(q, spectral, derivatives);
         dry_friction_symmetric_boundary_functions(p, spectral, u, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
-        double noise = 0.0;
-        for (int i = 0; i < 4; ++i)
-            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
-        for (int i = 0; i < 5; ++i)
-            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
-        noise *= 32.0 * DBL_EPSILON;
+        const double measures[] = {p[0], p[2], p[3], u[0], u[1], u[2]};
+        double size = 0.0, missed = 0.0;
+        for (int i = 0; i < 6; ++i)
+            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
+        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
+        for (int phase = 0; phase < 2; ++phase) {
+            const double miss = fabs(
+                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
+                                   coefficients + exits[phase], durations[phase]).value);
+            missed = miss > missed ? miss : missed;
+        }
+        const double most_missed = 0x1p-30 * size;
+        const double noise = 32.0 * DBL_EPSILON * size +
+                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[1], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
@@ -7817,6 +7834,7 @@ void dry_friction_global_stick_admissible(
 {
     static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {0, 0, 0, 0};
     static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
+    static const int exits[] = {0, 12, 20, 40}, first_frequency[] = {0, 0, 1, 3};
     static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 5 * point, *const u = unknowns + 6 * point;
@@ -7826,12 +7844,20 @@ void dry_friction_global_stick_admissible(
         dry_friction_spectrum(q, spectral, derivatives);
         dry_friction_global_stick_boundary_functions(p, spectral, u, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
-        double noise = 0.0;
-        for (int i = 0; i < 5; ++i)
-            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        const double measures[] = {p[0], p[2], p[3], p[4], u[0], u[1]};
+        double size = 0.0, missed = 0.0;
         for (int i = 0; i < 6; ++i)
-            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
-        noise *= 32.0 * DBL_EPSILON;
+            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
+        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
+        for (int phase = 0; phase < 4; ++phase) {
+            const double miss = fabs(
+                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
+                                   coefficients + exits[phase], durations[phase]).value);
+            missed = miss > missed ? miss : missed;
+        }
+        const double most_missed = 0x1p-30 * size;
+        const double noise = 32.0 * DBL_EPSILON * size +
+                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[2], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
@@ -8416,6 +8442,7 @@ void dry_friction_solution_ii_admissible(
 {
     static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {1, 0, 0, 0};
     static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
+    static const int exits[] = {0, 12, 20, 40}, first_frequency[] = {0, 0, 1, 3};
     static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 4 * point, *const u = unknowns + 6 * point;
@@ -8425,12 +8452,20 @@ void dry_friction_solution_ii_admissible(
         dry_friction_spectrum(q, spectral, derivatives);
         dry_friction_solution_ii_boundary_functions(p, spectral, u, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
-        double noise = 0.0;
-        for (int i = 0; i < 4; ++i)
-            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        const double measures[] = {p[0], p[2], p[3], u[0], u[1], u[5]};
+        double size = 0.0, missed = 0.0;
         for (int i = 0; i < 6; ++i)
-            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
-        noise *= 32.0 * DBL_EPSILON;
+            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
+        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
+        for (int phase = 0; phase < 4; ++phase) {
+            const double miss = fabs(
+                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
+                                   coefficients + exits[phase], durations[phase]).value);
+            missed = miss > missed ? miss : missed;
+        }
+        const double most_missed = 0x1p-30 * size;
+        const double noise = 32.0 * DBL_EPSILON * size +
+                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[2], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 1e362519f83bedc8
+# SymPy 1.14.0, derivation 1651bd0fc05ede85
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "1e362519f83bedc8"
+DERIVATION = "1651bd0fc05ede85"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -630,6 +630,15 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                'required': {},
                'vanishing': [],
                'levels': {'v1': 'V', 'v2': 'V'},
+               'resets': [[['1', '0', '0', '0'],
+                           ['0', '1', '0', '0'],
+                           ['0', '0', '1', '0'],
+                           ['0', '0', '0', '0']],
+                          [['1', '0', '0', '0'],
+                           ['0', '1', '0', '0'],
+                           ['0', '0', '1', '0'],
+                           ['0', '0', '0', '1']]],
+               'measures': ['chi', 'V', 'e2', 'z10', 'z20', 'v10'],
                'terms': [2, 1],
                'boundaries': [(0, 'first-reaches-belt', None, 0.0),
                               (0, 'second-reaches-belt', None, 0.0),
@@ -730,6 +739,23 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                   'required': {},
                   'vanishing': [],
                   'levels': {'v1': 'V', 'v2': 'V'},
+                  'resets': [[['1', '0', '0', '0'],
+                              ['0', '1', '0', '0'],
+                              ['0', '0', '1', '0'],
+                              ['0', '0', '0', '1']],
+                             [['1', '0', '0', '0'],
+                              ['0', '1', '0', '0'],
+                              ['0', '0', '1', '0'],
+                              ['0', '0', '0', '1']],
+                             [['1', '0', '0', '0'],
+                              ['0', '1', '0', '0'],
+                              ['0', '0', '0', '0'],
+                              ['0', '0', '0', '1']],
+                             [['1', '0', '0', '0'],
+                              ['0', '1', '0', '0'],
+                              ['0', '0', '1', '0'],
+                              ['0', '0', '0', '0']]],
+                  'measures': ['chi', 'V', 'e1', 'e2', 'z10', 'z20'],
                   'terms': [0, 1, 2, 1],
                   'boundaries': [(0, 'first-breaks-forward', None, 0.0),
                                  (0, 'first-breaks-backward', 'us1', -2.0),
@@ -838,6 +864,23 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                  'required': {},
                  'vanishing': ['ta'],
                  'levels': {'v1': 'V', 'v2': 'V'},
+                 'resets': [[['1', '0', '0', '0'],
+                             ['0', '1', '0', '0'],
+                             ['0', '0', '1', '0'],
+                             ['0', '0', '0', '1']],
+                            [['1', '0', '0', '0'],
+                             ['0', '1', '0', '0'],
+                             ['0', '0', '1', '0'],
+                             ['0', '0', '0', '1']],
+                            [['1', '0', '0', '0'],
+                             ['0', '1', '0', '0'],
+                             ['0', '0', '0', '0'],
+                             ['0', '0', '0', '1']],
+                            [['1', '0', '0', '0'],
+                             ['0', '1', '0', '0'],
+                             ['0', '0', '1', '0'],
+                             ['0', '0', '0', '0']]],
+                 'measures': ['chi', 'V', 'e2', 'z10', 'z20', 'e1'],
                  'terms': [0, 1, 2, 1],
                  'boundaries': [(0, 'first-breaks-forward', None, 0.0),
                                 (0, 'first-breaks-backward', 'us1', -2.0),
@@ -2603,7 +2646,7 @@ def symmetric_expand(parameters, spectrum, reduced, lib):
     Takes reduced (2): tau, tau1.
     Gives unknowns (5).
     Gives determinants (1).
-    Operations: 54. Intermediate terms: 20.
+    Operations: 71. Intermediate terms: 22.
     """
     [chi, _, V, e2] = parameters
     [_, omega1, omega2, p1, p2, _, _] = spectrum
@@ -2637,9 +2680,12 @@ def symmetric_expand(parameters, spectrum, reduced, lib):
     z10 = t5 - t7
     # z20: linear in: z2 vanishes halfway through slip-stick
     z20 = t5
+    # outputs
+    t8 = half_tau**2
+    t9 = 2*t8
     return (
         [z10, z20, v10, tau, tau1],
-        [determinant/abs(coefficient11)],
+        [determinant/lib.sqrt(p1**2*t9/(omega1**2*t8 + 1) + t9*(p1 - 1)**2/(omega2**2*t8 + 1))],
     )
 
 

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 84add12dd6cea685 */
+ * SymPy 1.14.0, derivation bcfa33b48bcb8129 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -3173,7 +3173,7 @@ void elastic_stop_one_contact_reduced(
 
 /* All unknowns from the reduced ones, and how singular the linear equations for them are: 0 if they are.
  * Takes parameters (6), spectrum (12), reduced (1); gives unknowns (4), determinants (1), row by row.
- * Operations: 180. Intermediate terms: 60. */
+ * Operations: 220. Intermediate terms: 71. */
 void elastic_stop_one_contact_expand(
     const double parameters[6], const double spectrum[12], const double reduced[1], double unknowns[4], double determinants[1])
 {
@@ -3220,52 +3220,64 @@ void elastic_stop_one_contact_expand(
     const double t9 = p2*t4 + p2*t6 + t8;
     const double t10 = omega1*sin_omega1_half_tau;
     const double coefficient11 = omega2*sin_omega2_half_tau*t7*t9 - t10*t7*t9;
-    const double t11 = 1 - p1;
-    const double coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t11;
+    const double t11 = p1 - 1;
+    const double coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t11;
     const double coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-    const double t13 = p1*t4;
-    const double t14 = p1*t5;
-    const double t15 = p1*t6 + t13 + t14;
-    const double t16 = t10*t7;
-    const double t17 = omega2*sin_omega2_half_tau*t7;
-    const double coefficient21 = -t15*t17 + t16*(t15 - t4 - t5 - t6);
+    const double t14 = p1*t4;
+    const double t15 = p1*t5;
+    const double t16 = p1*t6 + t14 + t15;
+    const double t17 = t10*t7;
+    const double t18 = omega2*sin_omega2_half_tau*t7;
+    const double coefficient21 = -t16*t18 + t17*(t16 - t4 - t5 - t6);
     const double coefficient22 = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-    const double coefficient23 = cos_omega1_half_tau*t11 + cos_omega2_half_tau*p1;
-    const double t18 = omega3*sin_omega3_half_tau1;
-    const double coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t18;
-    const double t19 = p4 - 1;
-    const double coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t19;
+    const double coefficient23 = -cos_omega1_half_tau*t11 + cos_omega2_half_tau*p1;
+    const double t19 = omega3*sin_omega3_half_tau1;
+    const double coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t19;
+    const double t20 = p4 - 1;
+    const double coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t20;
     const double coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
     /* right-hand sides of the linear equations */
-    const double right1 = t16*(t13 - t8) - t17*(k1*k2*p1 - t4 - t8);
-    const double t20 = p3*t4 + t14;
-    const double right2 = -omega2*sin_omega2_half_tau*t20*t7 - t16*(-t20 + t5);
-    const double right3 = -omega4*sin_omega4_half_tau1*t19 + p4*t18;
+    const double right1 = t17*(t14 - t8) - t18*(k1*k2*p1 - t4 - t8);
+    const double t21 = p3*t4 + t15;
+    const double right2 = -omega2*sin_omega2_half_tau*t21*t7 - t17*(-t21 + t5);
+    const double right3 = -omega4*sin_omega4_half_tau1*t20 + p4*t19;
     /* determinant of the linear equations */
-    const double t21 = coefficient22*coefficient33;
-    const double t22 = coefficient12*coefficient23;
-    const double t23 = coefficient13*coefficient32;
-    const double t24 = coefficient23*coefficient32;
-    const double t25 = coefficient12*coefficient33;
-    const double t26 = coefficient13*coefficient22;
-    const double determinant = coefficient11*t21 - coefficient11*t24 + coefficient21*t23 - coefficient21*t25 + coefficient31*t22 - coefficient31*t26;
+    const double t22 = coefficient22*coefficient33;
+    const double t23 = coefficient12*coefficient23;
+    const double t24 = coefficient13*coefficient32;
+    const double t25 = coefficient23*coefficient32;
+    const double t26 = coefficient12*coefficient33;
+    const double t27 = coefficient13*coefficient22;
+    const double determinant = coefficient11*t22 - coefficient11*t25 + coefficient21*t24 - coefficient21*t26 + coefficient31*t23 - coefficient31*t27;
     /* numerators of Cramer's rule */
-    const double numerator1 = right1*t21 - right1*t24 + right2*t23 - right2*t25 + right3*t22 - right3*t26;
-    const double t27 = coefficient11*right3;
-    const double t28 = coefficient31*right2;
-    const double t29 = coefficient21*right1;
-    const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t28 + coefficient23*coefficient31*right1 - coefficient23*t27 - coefficient33*t29;
-    const double numerator3 = -coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t28 - coefficient22*coefficient31*right1 + coefficient22*t27 + coefficient32*t29;
+    const double numerator1 = right1*t22 - right1*t25 + right2*t24 - right2*t26 + right3*t23 - right3*t27;
+    const double t28 = coefficient11*right3;
+    const double t29 = coefficient31*right2;
+    const double t30 = coefficient21*right1;
+    const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t29 + coefficient23*coefficient31*right1 - coefficient23*t28 - coefficient33*t30;
+    const double numerator3 = -coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t29 - coefficient22*coefficient31*right1 + coefficient22*t28 + coefficient32*t30;
     /* y, u, w by Cramer's rule */
-    const double t30 = (1.0/(determinant));
-    const double y = numerator1*t30;
-    const double u = numerator2*t30;
-    const double w = numerator3*t30;
+    const double t31 = (1.0/(determinant));
+    const double y = numerator1*t31;
+    const double u = numerator2*t31;
+    const double w = numerator3*t31;
+    /* outputs */
+    const double t32 = 2*(p2*p2);
+    const double t33 = (half_tau*half_tau);
+    const double t34 = t32*t33;
+    const double t35 = (omega1*omega1*omega1*omega1)/((omega1*omega1)*t33 + 1);
+    const double t36 = (omega2*omega2*omega2*omega2)/((omega2*omega2)*t33 + 1);
+    const double t37 = (p1*p1);
+    const double t38 = (t11*t11) + t37;
+    const double t39 = 2*t33;
+    const double t40 = 2*(p5*p5);
+    const double t41 = (half_tau1*half_tau1);
+    const double t42 = t40*t41;
     unknowns[0] = y;
     unknowns[1] = u;
     unknowns[2] = w;
     unknowns[3] = tau;
-    determinants[0] = determinant/(sqrt((coefficient11*coefficient11) + (coefficient12*coefficient12) + (coefficient13*coefficient13))*sqrt((coefficient21*coefficient21) + (coefficient22*coefficient22) + (coefficient23*coefficient23))*sqrt((coefficient31*coefficient31) + (coefficient32*coefficient32) + (coefficient33*coefficient33)));
+    determinants[0] = determinant/(sqrt(2*(p3*p3) + (t11*t11)*t35*t39 + t36*t37*t39 + t38)*sqrt(t32 + t34*t35 + t34*t36 + t38)*sqrt((omega3*omega3*omega3*omega3)*t42/((omega3*omega3)*t41 + 1) + (omega4*omega4*omega4*omega4)*t42/((omega4*omega4)*t41 + 1) + (p4*p4) + (t20*t20) + t40));
 }
 
 /* Newton's method on the reduced equations for `count` points.
@@ -3283,7 +3295,7 @@ void elastic_stop_one_contact_solve(
     enum { lanes = 8, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[6][lanes], x[1][lanes], fixed[67][lanes];
+        double parameter[6][lanes], x[1][lanes], fixed[75][lanes];
         double taken[lanes], open[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
@@ -3396,6 +3408,14 @@ void elastic_stop_one_contact_solve(
             const double h39 = -t128;
             const double h40 = -t124;
             const double h41 = k1*t123;
+            const double t137 = 2*(p2*p2);
+            const double h42 = (omega1*omega1);
+            const double h43 = (omega1*omega1*omega1*omega1);
+            const double h44 = (omega2*omega2);
+            const double h45 = (omega2*omega2*omega2*omega2);
+            const double t142 = (p1*p1);
+            const double t143 = t142 + (t21*t21);
+            const double t145 = 2*(p5*p5);
             fixed[0][lane] = omega1;
             fixed[1][lane] = omega2;
             fixed[2][lane] = p1;
@@ -3463,6 +3483,14 @@ void elastic_stop_one_contact_solve(
             fixed[64][lane] = h39;
             fixed[65][lane] = h40;
             fixed[66][lane] = h41;
+            fixed[67][lane] = t137;
+            fixed[68][lane] = h42;
+            fixed[69][lane] = h43;
+            fixed[70][lane] = h44;
+            fixed[71][lane] = h45;
+            fixed[72][lane] = t142;
+            fixed[73][lane] = t143;
+            fixed[74][lane] = t145;
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
@@ -3707,6 +3735,14 @@ void elastic_stop_one_contact_solve(
             const double h39 = fixed[64][lane];
             const double h40 = fixed[65][lane];
             const double h41 = fixed[66][lane];
+            const double t137 = fixed[67][lane];
+            const double h42 = fixed[68][lane];
+            const double h43 = fixed[69][lane];
+            const double h44 = fixed[70][lane];
+            const double h45 = fixed[71][lane];
+            const double t142 = fixed[72][lane];
+            const double t143 = fixed[73][lane];
+            const double t145 = fixed[74][lane];
             const double tau = x[0][lane];
             /* half of tau */
             const double half_tau = (1.0/2.0)*tau;
@@ -3893,6 +3929,13 @@ void elastic_stop_one_contact_solve(
             const double t132 = h9*t37 + t30*t31;
             const double t133 = cos_omega3_half_tau1*h34 + cos_omega4_half_tau1*p6;
             const double t134 = cos_omega3_half_tau1*t31 + cos_omega4_half_tau1*h9;
+            const double t138 = (half_tau*half_tau);
+            const double t139 = t137*t138;
+            const double t140 = h43/(h42*t138 + 1);
+            const double t141 = h45/(h44*t138 + 1);
+            const double t144 = 2*t138;
+            const double t146 = (half_tau1*half_tau1);
+            const double t147 = t145*t146;
             result[0][lane] = y;
             result[1][lane] = u;
             result[2][lane] = w;
@@ -3901,7 +3944,7 @@ void elastic_stop_one_contact_solve(
             double largest = 0.0;
             largest = fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) > largest ? fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) : largest;
             defect[lane] = largest;
-            determinate[lane] = (fabs(determinant/(sqrt((coefficient11*coefficient11) + (coefficient12*coefficient12) + (coefficient13*coefficient13))*sqrt((coefficient21*coefficient21) + (coefficient22*coefficient22) + (coefficient23*coefficient23))*sqrt((coefficient31*coefficient31) + (coefficient32*coefficient32) + (coefficient33*coefficient33)))) <= 1e-12) ? 0.0 : 1.0;
+            determinate[lane] = (fabs(determinant/(sqrt(2*(p3*p3) + t140*t144*(t21*t21) + t141*t142*t144 + t143)*sqrt(t137 + t139*t140 + t139*t141 + t143)*sqrt((omega3*omega3*omega3*omega3)*t147/((omega3*omega3)*t146 + 1) + (omega4*omega4*omega4*omega4)*t147/((omega4*omega4)*t146 + 1) + (p4*p4) + t145 + (t31*t31)))) <= 1e-12) ? 0.0 : 1.0;
         }
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
@@ -3932,6 +3975,7 @@ void elastic_stop_one_contact_admissible(
 {
     static const int sums[] = {1, 1}, terms[] = {2, 2}, at_once[] = {0, 0};
     static const int opened[] = {-1, -1};
+    static const int exits[] = {0, 6}, first_frequency[] = {0, 2};
     static const double per_unit[] = {0.0, 0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 6 * point, *const u = unknowns + 4 * point;
@@ -3941,12 +3985,20 @@ void elastic_stop_one_contact_admissible(
         elastic_stop_spectrum(q, spectral, derivatives);
         elastic_stop_one_contact_boundary_functions(p, spectral, u, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
-        double noise = 0.0;
-        for (int i = 0; i < 6; ++i)
-            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
-        for (int i = 0; i < 4; ++i)
-            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
-        noise *= 32.0 * DBL_EPSILON;
+        const double measures[] = {u[0], u[1], u[2]};
+        double size = 0.0, missed = 0.0;
+        for (int i = 0; i < 3; ++i)
+            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
+        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
+        for (int phase = 0; phase < 2; ++phase) {
+            const double miss = fabs(
+                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
+                                   coefficients + exits[phase], durations[phase]).value);
+            missed = miss > missed ? miss : missed;
+        }
+        const double most_missed = 0x1p-30 * size;
+        const double noise = 32.0 * DBL_EPSILON * size +
+                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[1], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 84add12dd6cea685
+# SymPy 1.14.0, derivation bcfa33b48bcb8129
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "84add12dd6cea685"
+DERIVATION = "bcfa33b48bcb8129"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -125,6 +125,15 @@ ORBITS = {'one-contact': {'phases': [('contact', 'first-leaves-stop', 'tau'),
                  'required': {},
                  'vanishing': [],
                  'levels': {'x1': '1'},
+                 'resets': [[['1', '0', '0', '0'],
+                             ['0', '1', '0', '0'],
+                             ['0', '0', '1', '0'],
+                             ['0', '0', '0', '1']],
+                            [['1', '0', '0', '0'],
+                             ['0', '1', '0', '0'],
+                             ['0', '0', '1', '0'],
+                             ['0', '0', '0', '1']]],
+                 'measures': ['y', 'u', 'w'],
                  'terms': [2, 2],
                  'boundaries': [(0, 'first-leaves-stop', None, 0.0),
                                 (1, 'first-reaches-stop', None, 0.0)],
@@ -2862,7 +2871,7 @@ def one_contact_expand(parameters, spectrum, reduced, lib):
     Takes reduced (1): tau.
     Gives unknowns (4).
     Gives determinants (1).
-    Operations: 180. Intermediate terms: 60.
+    Operations: 220. Intermediate terms: 71.
     """
     [_, _, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, _] = spectrum
@@ -2896,48 +2905,60 @@ def one_contact_expand(parameters, spectrum, reduced, lib):
     t9 = p2*t4 + p2*t6 + t8
     t10 = omega1*sin_omega1_half_tau
     coefficient11 = omega2*sin_omega2_half_tau*t7*t9 - t10*t7*t9
-    t11 = 1 - p1
-    coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t11
+    t11 = p1 - 1
+    coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t11
     coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2
-    t13 = p1*t4
-    t14 = p1*t5
-    t15 = p1*t6 + t13 + t14
-    t16 = t10*t7
-    t17 = omega2*sin_omega2_half_tau*t7
-    coefficient21 = -t15*t17 + t16*(t15 - t4 - t5 - t6)
+    t14 = p1*t4
+    t15 = p1*t5
+    t16 = p1*t6 + t14 + t15
+    t17 = t10*t7
+    t18 = omega2*sin_omega2_half_tau*t7
+    coefficient21 = -t16*t18 + t17*(t16 - t4 - t5 - t6)
     coefficient22 = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3
-    coefficient23 = cos_omega1_half_tau*t11 + cos_omega2_half_tau*p1
-    t18 = omega3*sin_omega3_half_tau1
-    coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t18
-    t19 = p4 - 1
-    coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t19
+    coefficient23 = -cos_omega1_half_tau*t11 + cos_omega2_half_tau*p1
+    t19 = omega3*sin_omega3_half_tau1
+    coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t19
+    t20 = p4 - 1
+    coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t20
     coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5
     # right-hand sides of the linear equations
-    right1 = t16*(t13 - t8) - t17*(k1*k2*p1 - t4 - t8)
-    t20 = p3*t4 + t14
-    right2 = -omega2*sin_omega2_half_tau*t20*t7 - t16*(-t20 + t5)
-    right3 = -omega4*sin_omega4_half_tau1*t19 + p4*t18
+    right1 = t17*(t14 - t8) - t18*(k1*k2*p1 - t4 - t8)
+    t21 = p3*t4 + t15
+    right2 = -omega2*sin_omega2_half_tau*t21*t7 - t17*(-t21 + t5)
+    right3 = -omega4*sin_omega4_half_tau1*t20 + p4*t19
     # determinant of the linear equations
-    t21 = coefficient22*coefficient33
-    t22 = coefficient12*coefficient23
-    t23 = coefficient13*coefficient32
-    t24 = coefficient23*coefficient32
-    t25 = coefficient12*coefficient33
-    t26 = coefficient13*coefficient22
-    determinant = coefficient11*t21 - coefficient11*t24 + coefficient21*t23 - coefficient21*t25 + coefficient31*t22 - coefficient31*t26
+    t22 = coefficient22*coefficient33
+    t23 = coefficient12*coefficient23
+    t24 = coefficient13*coefficient32
+    t25 = coefficient23*coefficient32
+    t26 = coefficient12*coefficient33
+    t27 = coefficient13*coefficient22
+    determinant = coefficient11*t22 - coefficient11*t25 + coefficient21*t24 - coefficient21*t26 + coefficient31*t23 - coefficient31*t27
     # numerators of Cramer's rule
-    numerator1 = right1*t21 - right1*t24 + right2*t23 - right2*t25 + right3*t22 - right3*t26
-    t27 = coefficient11*right3
-    t28 = coefficient31*right2
-    t29 = coefficient21*right1
-    numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t28 + coefficient23*coefficient31*right1 - coefficient23*t27 - coefficient33*t29
-    numerator3 = -coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t28 - coefficient22*coefficient31*right1 + coefficient22*t27 + coefficient32*t29
+    numerator1 = right1*t22 - right1*t25 + right2*t24 - right2*t26 + right3*t23 - right3*t27
+    t28 = coefficient11*right3
+    t29 = coefficient31*right2
+    t30 = coefficient21*right1
+    numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t29 + coefficient23*coefficient31*right1 - coefficient23*t28 - coefficient33*t30
+    numerator3 = -coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t29 - coefficient22*coefficient31*right1 + coefficient22*t28 + coefficient32*t30
     # y, u, w by Cramer's rule
-    t30 = 1/determinant
-    y = numerator1*t30
-    u = numerator2*t30
-    w = numerator3*t30
+    t31 = 1/determinant
+    y = numerator1*t31
+    u = numerator2*t31
+    w = numerator3*t31
+    # outputs
+    t32 = 2*p2**2
+    t33 = half_tau**2
+    t34 = t32*t33
+    t35 = omega1**4/(omega1**2*t33 + 1)
+    t36 = omega2**4/(omega2**2*t33 + 1)
+    t37 = p1**2
+    t38 = t11**2 + t37
+    t39 = 2*t33
+    t40 = 2*p5**2
+    t41 = half_tau1**2
+    t42 = t40*t41
     return (
         [y, u, w, tau],
-        [determinant/(lib.sqrt(coefficient11**2 + coefficient12**2 + coefficient13**2)*lib.sqrt(coefficient21**2 + coefficient22**2 + coefficient23**2)*lib.sqrt(coefficient31**2 + coefficient32**2 + coefficient33**2))],
+        [determinant/(lib.sqrt(2*p3**2 + t11**2*t35*t39 + t36*t37*t39 + t38)*lib.sqrt(t32 + t34*t35 + t34*t36 + t38)*lib.sqrt(omega3**4*t42/(omega3**2*t41 + 1) + omega4**4*t42/(omega4**2*t41 + 1) + p4**2 + t20**2 + t40))],
     )

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 43ddcda5c0055662 */
+ * SymPy 1.14.0, derivation 2e19d0c4b5178ce1 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -1153,7 +1153,7 @@ void rigid_stop_one_impact_flow_free(
 
 /* All unknowns: they are explicit, and how singular the linear equations for them are: 0 if they are.
  * Takes parameters (5), spectrum (6); gives unknowns (2), determinants (1), row by row.
- * Operations: 53. Intermediate terms: 22. */
+ * Operations: 76. Intermediate terms: 28. */
 void rigid_stop_one_impact_expand(
     const double parameters[5], const double spectrum[6], double unknowns[2], double determinants[1])
 {
@@ -1192,9 +1192,16 @@ void rigid_stop_one_impact_expand(
     const double t5 = (1.0/(determinant));
     const double y = numerator1*t5;
     const double u = numerator2*t5;
+    /* outputs */
+    const double t6 = (p1*p1);
+    const double t7 = (half_T*half_T);
+    const double t8 = 2*t7;
+    const double t9 = (omega2*omega2*omega2*omega2)*t8/((omega2*omega2)*t7 + 1);
+    const double t10 = (omega1*omega1*omega1*omega1)*t8/((omega1*omega1)*t7 + 1);
+    const double t11 = (p2*p2);
     unknowns[0] = y;
     unknowns[1] = u;
-    determinants[0] = determinant/(sqrt((coefficient11*coefficient11) + (coefficient12*coefficient12))*sqrt((coefficient21*coefficient21) + (coefficient22*coefficient22)));
+    determinants[0] = determinant/(sqrt(2*(p3*p3) + t10*(t3*t3) + t6*t9)*sqrt(t10*t11 + t11*t9 + (t3*t3) + t6));
 }
 
 /* Newton's method on the reduced equations for `count` points.
@@ -1212,7 +1219,7 @@ void rigid_stop_one_impact_solve(
     enum { lanes = 8, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[5][lanes], x[1][lanes], fixed[10][lanes];
+        double parameter[5][lanes], fixed[12][lanes];
         double taken[lanes], open[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
@@ -1302,36 +1309,47 @@ void rigid_stop_one_impact_solve(
             const double v1_1_on_boundary_by_u = -T_by_u*(-k1*t19*x1_1 + k1*t19*x2_1) - carried_v1_1_by_u;
             const double t20 = (1.0/(m2));
             const double v2_1_on_boundary_by_w = T_by_w*(k1*t20*x1_1 - t20*x2_1*(k1 + k2)) + carried_v2_1_by_w;
-            fixed[0][lane] = coefficient11;
-            fixed[1][lane] = coefficient12;
-            fixed[2][lane] = coefficient21;
-            fixed[3][lane] = coefficient22;
-            fixed[4][lane] = determinant;
-            fixed[5][lane] = y;
-            fixed[6][lane] = u;
-            fixed[7][lane] = x2_1_on_boundary_by_y;
-            fixed[8][lane] = v1_1_on_boundary_by_u;
-            fixed[9][lane] = v2_1_on_boundary_by_w;
+            /* outputs */
+            const double t21 = (p1*p1);
+            const double t22 = (half_T*half_T);
+            const double t23 = 2*t22;
+            const double t24 = (omega2*omega2*omega2*omega2)*t23/((omega2*omega2)*t22 + 1);
+            const double t25 = (omega1*omega1*omega1*omega1)*t23/((omega1*omega1)*t22 + 1);
+            const double t26 = (p2*p2);
+            fixed[0][lane] = p3;
+            fixed[1][lane] = t3;
+            fixed[2][lane] = determinant;
+            fixed[3][lane] = y;
+            fixed[4][lane] = u;
+            fixed[5][lane] = x2_1_on_boundary_by_y;
+            fixed[6][lane] = v1_1_on_boundary_by_u;
+            fixed[7][lane] = v2_1_on_boundary_by_w;
+            fixed[8][lane] = t21;
+            fixed[9][lane] = t24;
+            fixed[10][lane] = t25;
+            fixed[11][lane] = t26;
         }
         double result[2][lanes], slope[lanes], defect[lanes], determinate[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
-            const double coefficient11 = fixed[0][lane];
-            const double coefficient12 = fixed[1][lane];
-            const double coefficient21 = fixed[2][lane];
-            const double coefficient22 = fixed[3][lane];
-            const double determinant = fixed[4][lane];
-            const double y = fixed[5][lane];
-            const double u = fixed[6][lane];
-            const double x2_1_on_boundary_by_y = fixed[7][lane];
-            const double v1_1_on_boundary_by_u = fixed[8][lane];
-            const double v2_1_on_boundary_by_w = fixed[9][lane];
+            const double p3 = fixed[0][lane];
+            const double t3 = fixed[1][lane];
+            const double determinant = fixed[2][lane];
+            const double y = fixed[3][lane];
+            const double u = fixed[4][lane];
+            const double x2_1_on_boundary_by_y = fixed[5][lane];
+            const double v1_1_on_boundary_by_u = fixed[6][lane];
+            const double v2_1_on_boundary_by_w = fixed[7][lane];
+            const double t21 = fixed[8][lane];
+            const double t24 = fixed[9][lane];
+            const double t25 = fixed[10][lane];
+            const double t26 = fixed[11][lane];
             result[0][lane] = y;
             result[1][lane] = u;
             slope[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
             double largest = 0.0;
             defect[lane] = largest;
-            determinate[lane] = (fabs(determinant/(sqrt((coefficient11*coefficient11) + (coefficient12*coefficient12))*sqrt((coefficient21*coefficient21) + (coefficient22*coefficient22)))) <= 1e-12) ? 0.0 : 1.0;
+            determinate[lane] = (fabs(determinant/(sqrt(2*(p3*p3) + t21*t24 + t25*(t3*t3))*sqrt(t21 + t24*t26 + t25*t26 + (t3*t3)))) <= 1e-12) ? 0.0 : 1.0;
         }
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
@@ -1362,6 +1380,7 @@ void rigid_stop_one_impact_admissible(
 {
     static const int sums[] = {1}, terms[] = {2}, at_once[] = {0};
     static const int opened[] = {-1};
+    static const int exits[] = {0}, first_frequency[] = {0};
     static const double per_unit[] = {0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 5 * point, *const u = unknowns + 2 * point;
@@ -1371,12 +1390,20 @@ void rigid_stop_one_impact_admissible(
         rigid_stop_spectrum(q, spectral, derivatives);
         rigid_stop_one_impact_boundary_functions(p, spectral, u, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
-        double noise = 0.0;
-        for (int i = 0; i < 5; ++i)
-            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
+        const double measures[] = {u[0], u[1]};
+        double size = 0.0, missed = 0.0;
         for (int i = 0; i < 2; ++i)
-            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
-        noise *= 32.0 * DBL_EPSILON;
+            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
+        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
+        for (int phase = 0; phase < 1; ++phase) {
+            const double miss = fabs(
+                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
+                                   coefficients + exits[phase], durations[phase]).value);
+            missed = miss > missed ? miss : missed;
+        }
+        const double most_missed = 0x1p-30 * size;
+        const double noise = 32.0 * DBL_EPSILON * size +
+                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[1], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;

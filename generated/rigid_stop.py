@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 43ddcda5c0055662
+# SymPy 1.14.0, derivation 2e19d0c4b5178ce1
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "43ddcda5c0055662"
+DERIVATION = "2e19d0c4b5178ce1"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -104,6 +104,11 @@ ORBITS = {'one-impact': {'phases': [('free', 'first-reaches-stop', 'T')],
                 'required': {'r': '1'},
                 'vanishing': [],
                 'levels': {'x1': '1'},
+                'resets': [[['1', '0', '0', '0'],
+                            ['0', '1', '0', '0'],
+                            ['0', '0', '-1', '0'],
+                            ['0', '0', '0', '1']]],
+                'measures': ['y', 'u'],
                 'terms': [2],
                 'boundaries': [(0, 'first-reaches-stop', None, 0.0)],
                 'reference': {'parameters': {'m1': '1',
@@ -1098,7 +1103,7 @@ def one_impact_expand(parameters, spectrum, lib):
     Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
     Gives unknowns (2).
     Gives determinants (1).
-    Operations: 53. Intermediate terms: 22.
+    Operations: 76. Intermediate terms: 28.
     """
     [_, _, _, _, T] = parameters
     [_, omega1, omega2, p1, p2, p3] = spectrum
@@ -1131,7 +1136,14 @@ def one_impact_expand(parameters, spectrum, lib):
     t5 = 1/determinant
     y = numerator1*t5
     u = numerator2*t5
+    # outputs
+    t6 = p1**2
+    t7 = half_T**2
+    t8 = 2*t7
+    t9 = omega2**4*t8/(omega2**2*t7 + 1)
+    t10 = omega1**4*t8/(omega1**2*t7 + 1)
+    t11 = p2**2
     return (
         [y, u],
-        [determinant/(lib.sqrt(coefficient11**2 + coefficient12**2)*lib.sqrt(coefficient21**2 + coefficient22**2))],
+        [determinant/(lib.sqrt(2*p3**2 + t10*t3**2 + t6*t9)*lib.sqrt(t10*t11 + t11*t9 + t3**2 + t6))],
     )

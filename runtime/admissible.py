@@ -31,6 +31,9 @@ __all__ = [
 ]
 
 
+MOST_MISSED = 2.0**-30  # in units of the data; the compiled test's number
+
+
 @dataclass(frozen=True)
 class Violation:
     """A boundary that is crossed inside a phase.
@@ -117,8 +120,10 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     if violations:
         return Admissibility(False, tuple(violations), ())
     least = {p.name: 0.0 for p in kernels.open_parameters if p.name not in orbit.opened}
-    noise = _noise([float(orbit.values[n]) for n in (*kernels.parameter_names, *kernels.unknowns)])
-    for boundary, function in boundary_sums(kernels, orbit):
+    sums = list(boundary_sums(kernels, orbit))
+    measures = [float(orbit.values[n]) for n in kernels.table["measures"]]
+    noise = _noise(kernels, measures, sums, dwell)
+    for boundary, function in sums:
         duration = dwell[boundary.phase]
         opened = boundary.open_parameter
         if opened in least:
@@ -156,9 +161,21 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     return Admissibility("conditional" if least else True, (), tuple(requires), coincidences)
 
 
-def _noise(data: Sequence[float]) -> float:
-    """Rounding of the coefficients themselves, which are differences of the data."""
-    return 32 * float(np.finfo(float).eps) * max(map(abs, data))
+def _noise(
+    kernels: OrbitKernels,
+    measures: Sequence[float],
+    sums: Sequence[tuple[Boundary, TrigonometricSum]],
+    dwell: Sequence[float],
+) -> float:
+    """Rounding of the coefficients themselves, which are differences of the data.
+
+    By as much as a phase misses the boundary that ends it, all may be off: up to a limit,
+    beyond which nothing is known.
+    """
+    size = max(map(abs, measures))
+    exits = [name for _, name, _ in kernels.table["phases"]]
+    missed = max(abs(g(dwell[b.phase])) for b, g in sums if b.name == exits[b.phase])
+    return 32 * float(np.finfo(float).eps) * size + min(2 * missed, MOST_MISSED * size)
 
 
 def boundary_sums(
@@ -246,10 +263,14 @@ def _admissible_numpy(
     coefficients, frequencies = kernels.evaluate(
         "boundary_functions", points[sound], spectrum, unknowns[sound]
     )
+    names = [*kernels.parameter_names, *kernels.unknowns]
+    places = [names.index(name) for name in kernels.table["measures"]]
     for row, point in enumerate(sound):
-        noise = _noise([*points[point], *unknowns[point]])
         try:
-            for boundary, function in sums_of(kernels, coefficients[row], frequencies[row]):
+            sums = list(sums_of(kernels, coefficients[row], frequencies[row]))
+            measures = np.concatenate([points[point], unknowns[point]])[places].tolist()
+            noise = _noise(kernels, measures, sums, dwell[point].tolist())
+            for boundary, function in sums:
                 duration = float(dwell[point, boundary.phase])
                 if boundary.open_parameter is None:
                     floor = function.rounding(duration) + noise

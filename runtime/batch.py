@@ -177,15 +177,17 @@ class _Results:
         unknowns = _columns(self.unknowns, kernels.unknowns, shape)
         full = {n: np.broadcast_to(parameters[n], shape) for n in kernels.parameter_names}
         opened, bounds = [p.name for p in kernels.open_parameters], self.bounds
+        status = self.status.reshape(shape)
+        period = sum(kernels.durations({**full, **unknowns}).values())
         return Orbits(
             name,
             parameters,
             unknowns,
             self.trace.reshape(shape),
-            np.asarray(sum(kernels.durations({**full, **unknowns}).values())),
+            np.where(status == CONVERGED, period, np.nan)[()],
             self.residual.reshape(shape),
             self.iterations.reshape(shape),
-            self.status.reshape(shape),
+            status,
             None if self.admissible is None else self.admissible.reshape(shape),
             None if bounds is None else _columns(bounds, opened, shape),
         )

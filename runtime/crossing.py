@@ -127,11 +127,12 @@ def maximum(function: TrigonometricSum, duration: float, floor: float = -math.in
     curvature = slope.derivative()
     time = np.linspace(0.0, duration, cells + 1)
     grid = np.array([function(time), time, slope(time)])
-    points = [_Samples(*point) for point in grid.T.tolist()]
-    best = max(Maximum(floor, math.nan), *(Maximum(*p[:2]) for p in points), key=itemgetter(0))
+    top = Maximum(*grid[:2, np.argmax(grid[0])].tolist())
+    best = max(Maximum(floor, math.nan), top, key=itemgetter(0))
     upper = _upper(_Samples(*grid[:, :-1]), _Samples(*grid[:, 1:]), excess)
     kept = np.flatnonzero(upper > best.value + slack)
-    waiting = [(points[k], points[k + 1], False) for k in kept]
+    ends = zip(grid[:, kept].T.tolist(), grid[:, kept + 1].T.tolist(), strict=True)
+    waiting = [(_Samples(*left), _Samples(*right), False) for left, right in ends]
     splits = 0
     while waiting:
         left, right, polished = waiting.pop()

@@ -42,6 +42,12 @@ def symbol(name: str) -> str:
     return f"{base}_{{{index}}}" if index else base
 
 
+def _complex(real: str, imaginary: str) -> str:
+    if not float(imaginary):
+        return real
+    return f"{real} {'-' if imaginary.startswith('-') else '+'} {imaginary.lstrip('-')} i"
+
+
 def orbit_html(orbit: Orbit) -> str:
     """Show an orbit as a compact table, for a notebook."""
     given = [f"{name} = {value}" for name, value in {**orbit.given, **orbit.opened}.items()]
@@ -52,8 +58,7 @@ def orbit_html(orbit: Orbit) -> str:
     found = orbit_json(orbit, min(orbit.digits, 15))
     unknowns = [f"{name} = {text}" for name, text in found["unknowns"].items()]
     multipliers = [
-        m["re"] + (f" + {m['im']} i" if float(m["im"]) else "") + " (trivial)" * m["trivial"]
-        for m in found["multipliers"]
+        _complex(m["re"], m["im"]) + " (trivial)" * m["trivial"] for m in found["multipliers"]
     ]
     admissible = [{True: "yes", False: "no"}.get(found["admissible"], "conditional, it takes")]
     admissible += [

@@ -279,7 +279,7 @@ def _number(name: str, text: str, bits: int | None) -> Any:
 def _check_domains(orbit: Orbit) -> None:
     kernels = orbit.kernels
     values = {**orbit.values, **orbit.opened}
-    for table in (*kernels.parameters, *kernels.open_parameters):
+    for table in (*kernels.parameters, *kernels.open_parameters, *kernels.other_parameters):
         if table.name in values and not in_domain(table, float(values[table.name])):
             raise InputError(f"{table.name} is outside its domain")
     for name, duration in orbit.dwell_times.items():

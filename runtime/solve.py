@@ -114,15 +114,21 @@ def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
     """
     starts = np.array(list(product(_grid(kernels), repeat=len(kernels.reduced))))
     solved = solve_reduced(kernels, parameters, starts)
-    roots: list[np.ndarray] = []
-    for root in solved.unknowns[solved.status == CONVERGED]:
-        if not any(np.allclose(root, other, rtol=1e-7, atol=1e-7) for other in roots):
-            roots.append(root)
-    found = np.array(roots).reshape(-1, len(kernels.unknowns))
+    found = _distinct(solved.unknowns[solved.status == CONVERGED])
     allowed, _ = admissible_points(
         kernels, np.broadcast_to(parameters, (len(found), len(parameters))), found
     )
     return found[np.argsort(~allowed, kind="stable")]
+
+
+def _distinct(roots: np.ndarray) -> np.ndarray:
+    """The first of each cluster of roots, in their order."""
+    first = []
+    while len(roots):
+        first.append(roots[0])
+        apart = np.abs(roots - roots[0]) > 1e-7 * (1 + np.abs(roots[0]))
+        roots = roots[apart.any(axis=-1)]
+    return np.array(first).reshape(-1, roots.shape[-1])
 
 
 def _grid(kernels: OrbitKernels) -> np.ndarray:

@@ -43,7 +43,8 @@ class Stability:
     verdict : {"stable", "neutral", "unstable", "undecided"}
         "stable" is the paper's "conditionally stable": with respect to perturbations that
         keep the sequence of switches. "neutral": a conservative orbit whose nontrivial
-        multipliers lie on the unit circle. Undecided if the margin is within its own error.
+        multipliers lie on the unit circle. Undecided if the margin is within its own error,
+        or if a phase reaches the boundary that ends it with no speed beyond its error.
     one_sided : str
         On which side derivatives are taken, as "ta > 0", where the orbit is a border
         collision; else empty.
@@ -75,7 +76,8 @@ def assess_stability(orbit: Orbit) -> Stability:
     else:
         nonzero = _eigenvalues(orbit)[:rank]
     found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
-    found.sort(key=lambda m: -float(_modulus(m, orbit)))
+    # a rounding leaves the pair on the unit circle in front of the trivial 1
+    found.sort(key=lambda m: -round(float(_modulus(m, orbit)), 12))
     largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
     margin = 1 - largest
     # what is carried beyond the digits asked for decides too
@@ -83,14 +85,39 @@ def assess_stability(orbit: Orbit) -> Stability:
     error = ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
     # of a reciprocal pair it is s = mu + 1/mu, not |mu|, that is known to this error
     distance = 2 - abs(trace - 1) if table["conservative"] else margin
-    if abs(distance) <= error:
+    if abs(distance) <= error or _grazes(orbit, error):
         verdict = "undecided"
     elif distance < 0:
         verdict = "unstable"
     else:
         verdict = "neutral" if table["conservative"] else "stable"
+    if verdict == "neutral":
+        margin = zero
     sides = " and ".join(f"{name} > 0" for name in table["vanishing"])
     return Stability(tuple(found), trace, rank, margin, verdict, sides)
+
+
+def _grazes(orbit: Orbit, error: Any) -> bool:
+    """Whether a phase's exit boundary may be reached tangentially: there no map has a slope."""
+    kernels, lib = orbit.kernels, orbit.arithmetic.mp if orbit.precise else np
+    coefficients, frequencies = (list(a) for a in orbit.evaluate("boundary_functions"))
+    dwell, terms = list(orbit.dwell_times.values()), kernels.table["terms"]
+    row = 0
+    for boundary in kernels.boundaries:
+        phase = boundary.phase
+        count, before = terms[phase], sum(terms[:phase])
+        _, rate, *waves = coefficients[row : row + 2 + 2 * count]
+        row += 2 + 2 * count
+        if boundary.name != kernels.table["phases"][phase][1]:
+            continue
+        size = abs(rate)
+        for j, w in enumerate(frequencies[before : before + count]):
+            cosine, sine = waves[j], waves[count + j]
+            rate += w * (sine * lib.cos(w * dwell[phase]) - cosine * lib.sin(w * dwell[phase]))
+            size += w * (abs(sine) + abs(cosine))
+        if abs(rate) <= error * size:
+            return True
+    return False
 
 
 def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
@@ -101,7 +128,7 @@ def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
     """
     mp = orbit.arithmetic.mp
     root = mp.sqrt if orbit.precise else math.sqrt
-    zero, one = 0 * trace, 0 * trace + 1
+    zero, one = 0 * abs(trace), 0 * trace + 1
     half = (trace - 1) / 2
     if abs(half) <= 1:
         height = root((1 - half) * (1 + half))

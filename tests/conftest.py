@@ -1,5 +1,52 @@
 """Common to all tests: one thread a process for linear algebra, whose threads would compete."""
 
 import os
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+GENERATED = Path(__file__).resolve().parents[1] / "generated"
+SUFFIXES = (".c", ".h", ".md", ".py", ".json")
+
+
+@pytest.fixture
+def committed_derivation(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
+    """The committed files by name, in place of a derivation of many seconds.
+
+    That they are what the derivation gives is a test of its own.
+    """
+    from nonsmooth.derive.codegen import regenerate
+    from nonsmooth.derive.systems import SYSTEMS
+
+    texts = {
+        path.name: path.read_text(encoding="utf-8")
+        for path in sorted(GENERATED.iterdir())
+        if path.suffix in SUFFIXES and path.name != "__init__.py"
+    }
+
+    def wanted(
+        folder: Path | None, system: str | None, progress: Callable[[str], None]
+    ) -> dict[str, str]:
+        progress("deriving")
+        others = tuple(f"{SYSTEMS[name]}." for name in SYSTEMS if system not in (None, name))
+        return {name: text for name, text in texts.items() if not name.startswith(others or ("/",))}
+
+    monkeypatch.setattr(regenerate, "_wanted", wanted)
+    return texts
+
+
+@pytest.fixture
+def empty_reproduction(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A reproduction of the paper that writes one empty file; the whole is a test of its own."""
+    from nonsmooth.runtime.reproduce import writing
+
+    def write(out: Path, begin: Callable[[str], None]) -> tuple[Path, ...]:
+        begin("report")
+        out.mkdir(exist_ok=True)
+        (out / "results.json").write_text("{}")
+        return (out / "results.json",)
+
+    monkeypatch.setattr(writing, "reproduce", write)

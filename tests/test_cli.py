@@ -6,7 +6,6 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Callable
 from dataclasses import replace
 from decimal import Decimal, localcontext
 from functools import cache
@@ -23,6 +22,7 @@ from nonsmooth.derive.document import describe, latex
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime import solve, stability
 from nonsmooth.runtime.cli import app
+from nonsmooth.runtime.kernels import load_orbit, orbit_names
 
 ORBIT = "dry-friction/global-stick"
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -72,27 +72,6 @@ def told(*arguments: str, code: int = 0) -> dict[str, Any]:
 
 
 @pytest.fixture
-def derived(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Derive each system once for all tests."""
-    monkeypatch.setattr(
-        generation, "emit_systems", lambda names, progress: _emit(tuple(names), progress)
-    )
-
-
-def _emit(names: tuple[str, ...], progress: Callable[[str], None]) -> list[Any]:
-    progress("deriving")
-    return _emitted(names)
-
-
-_derive = generation.emit_systems
-
-
-@cache
-def _emitted(names: tuple[str, ...]) -> list[Any]:
-    return list(_derive(names))
-
-
-@pytest.fixture
 def described(monkeypatch: pytest.MonkeyPatch) -> None:
     """Describe the system once for all tests."""
     monkeypatch.setattr(describe, "describe_system", lambda system: _described())
@@ -136,7 +115,7 @@ def test_every_command_has_help_with_examples_and_json(name: str) -> None:
 
 
 @pytest.mark.parametrize("example", EXAMPLES)
-@pytest.mark.usefixtures("derived")
+@pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
 def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     if example.startswith("nonsmooth plot"):
@@ -160,18 +139,31 @@ def test_version() -> None:
 
 
 def test_list() -> None:
-    (system,) = told("list")["systems"]
-    (orbit,) = system["orbits"]
-    assert (system["name"], orbit["name"]) == ("dry-friction", ORBIT)
-    assert len(system["configurations"]) == 9
+    systems = {system["name"]: system for system in told("list")["systems"]}
+    assert list(systems) == ["rigid-stop", "elastic-stop", "dry-friction"]
+    orbits = {orbit["name"]: orbit for s in systems.values() for orbit in s["orbits"]}
+    assert tuple(orbits) == orbit_names()
+    assert len(systems["dry-friction"]["configurations"]) == 9
+    assert orbits["rigid-stop/one-impact"]["unknowns"] == ["y", "u"]
+    assert orbits["elastic-stop/one-contact"]["unknowns"] == ["y", "u", "w", "tau"]
+    assert orbits["dry-friction/symmetric"]["unknowns"] == ["z10", "z20", "v10", "tau", "tau1"]
+    assert orbits["dry-friction/solution-ii"]["unknowns"][-1] == "e1"
+    orbit = orbits[ORBIT]
     assert orbit["unknowns"] == ["z10", "z20", "ta", "tau", "tau1", "tau2"]
     assert [p["dwell_time"] for p in orbit["phases"]] == ["ta", "tau", "tau1", "tau2"]
-    defaults = {p["name"]: p["default"] for p in orbit["parameters"]}
-    assert defaults["e1"] == "3.0195"
-    assert defaults["ur2"] is None
+    defaults = {
+        name: {p["name"]: p["default"] for p in orbit["parameters"]}
+        for name, orbit in orbits.items()
+    }
+    assert defaults[ORBIT]["e1"] == "3.0195"
+    assert defaults[ORBIT]["ur2"] is None
+    assert defaults["rigid-stop/one-impact"] == {
+        **{"m1": "1", "m2": "2", "k1": "1", "k2": "5", "T": "2*pi", "r": "1"}
+    }
     code, out, _ = run("list")
     assert code == 0
-    assert all(word in out for word in (ORBIT, "0 < chi < 1", "0 <= e1", "3.0195", "stick-stick"))
+    for word in (*orbits, "0 < chi < 1", "0 <= e1", "3.0195", "stick-stick", "0 <= r <= 1", "k3"):
+        assert word in out
 
 
 def test_json_of_solve_and_verify() -> None:
@@ -190,6 +182,56 @@ def test_json_of_solve_and_verify() -> None:
     assert bounds["us2"].startswith("0.7228")
     assert [m["trivial"] for m in found["multipliers"]] == [False, False]
     assert Decimal(found["multipliers"][1]["re"]) == 0
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_is_solved_verified_and_shown(name: str) -> None:
+    found, verified = told("solve", name), told("verify", name, "--digits", "15")
+    assert found == verified
+    assert found["orbit"] == name
+    assert list(found["unknowns"]) == list(load_orbit(name).unknowns)
+    assert list(found["parameters"]) == [
+        *load_orbit(name).parameter_names,
+        *load_orbit(name).required,
+    ]
+    assert len(found["multipliers"]) == len(load_orbit(name).table["section"])
+    assert found["stability"] in ("stable", "neutral", "unstable")
+    for command in ("solve", "verify"):
+        code, out, err = run(command, name, "--digits", "15")
+        assert (code, err) == (0, "")
+        assert max(map(len, out.splitlines())) <= 80
+        for number in (found["trace"], found["period"], *found["unknowns"].values()):
+            assert number in out.split()
+
+
+def test_json_of_the_stop_orbits() -> None:
+    for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
+        found = told("solve", name, "--digits", "40")
+        assert found["stability"] == "neutral"
+        assert found["admissible"] is True
+        assert Decimal(found["margin"]) == 0
+        assert [m["trivial"] for m in found["multipliers"]] == [False, False, True]
+        first, second, one = found["multipliers"]
+        assert first["re"] == second["re"]
+        assert first["im"] == second["im"].removeprefix("-")
+        assert (Decimal(one["re"]), Decimal(one["im"])) == (1, 0)
+        with localcontext(prec=60):
+            assert abs(Decimal(first["re"]) * 2 + 1 - Decimal(found["trace"])) < Decimal("1e-39")
+    assert told("solve", "rigid-stop/one-impact")["parameters"]["r"] == "1"
+
+
+def test_json_of_a_border_collision() -> None:
+    found = told("solve", "dry-friction/solution-ii")
+    assert found["one_sided"] == "ta > 0"
+    (coincidence,) = found["coincidences"]
+    assert coincidence["phase"] == 0
+    assert coincidence["boundaries"] == ["second-reaches-belt", "first-breaks-forward"]
+    assert float(coincidence["time"]) == pytest.approx(float(found["period"]))
+    assert "one_sided" not in told("solve", ORBIT)
+    assert "coincidences" not in told("solve", ORBIT)
+    code, out, _ = run("solve", "dry-friction/solution-ii")
+    assert code == 0
+    assert "ta > 0" in out
 
 
 @pytest.mark.parametrize("digits", [1, 15, 16, 50])
@@ -409,6 +451,13 @@ def test_requirements(command: str, arguments: list[str], code: int) -> None:
     assert told(command, ORBIT, *arguments, code=code)["orbit"] == ORBIT
 
 
+def test_neutral_is_not_stable() -> None:
+    name = "rigid-stop/one-impact"
+    assert run("solve", name, "--require", "admissible")[0] == 0
+    code, _, err = run("solve", name, "--require", "stable")
+    assert (code, err) == (3, "nonsmooth: required: stable; found: neutral\n")
+
+
 def test_no_convergence_is_1() -> None:
     code, out, err = run("solve", ORBIT, "eta=1e300")
     assert (code, out) == (1, "")
@@ -416,6 +465,25 @@ def test_no_convergence_is_1() -> None:
     assert "tried: " in err
     assert err.count("\n") == 1
     assert "tried: " in told("solve", ORBIT, "eta=1e300", code=1)["error"]
+
+
+@pytest.mark.parametrize("command", ["solve", "verify"])
+@pytest.mark.parametrize(
+    ("arguments", "part"),
+    [
+        ("rigid-stop/one-impact r=0.9", "exists only for r = 1: with r = 0.9 no orbit"),
+        ("rigid-stop/one-impact r=0", "exists only for r = 1: with r = 0 no orbit"),
+        ("rigid-stop/one-impact k1=2 k2=4 T=2*pi", "singular: at these parameters (a resonance)"),
+        ("rigid-stop/one-impact k1=2 k2=4 T=4*pi", "singular: at these parameters (a resonance)"),
+        ("elastic-stop/one-contact T=1e-6", "no orbit was found at these parameters"),
+    ],
+)
+def test_parameters_without_an_orbit_are_1(command: str, arguments: str, part: str) -> None:
+    code, out, err = run(command, *arguments.split())
+    assert (code, out) == (1, "")
+    assert part in err
+    assert err.count("\n") == 1
+    assert f"nonsmooth: {told(command, *arguments.split(), code=1)['error']}\n" == err
 
 
 def test_undecided_is_1(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -476,6 +544,30 @@ def test_interrupt_is_130_and_quiet(monkeypatch: pytest.MonkeyPatch) -> None:
         (f"{ORBIT} --unknown etta --given ta=1", "'etta'; did you mean 'eta'?"),
         (f"{ORBIT} --unknown e1 --given tua=1", "'tua'; did you mean 'ta'?"),
         (f"{ORBIT} e1=3 --unknown e1 --given ta=1", "parameter e1 is both given and to be solved"),
+        ("rigid-stop/one-impact r=1.2", "r = 1.2 is outside its domain [0, 1]"),
+        ("rigid-stop/one-impact r=-0.1", "r = -0.1 is outside its domain [0, 1]"),
+        ("rigid-stop/one-impact k3=1", "unknown parameter 'k3'; did you mean 'k2'?"),
+        ("rigid-stop/one-impact T=0", "T = 0 is outside its domain (0, oo)"),
+        ("elastic-stop/one-contact k3=0", "k3 = 0 is outside its domain (0, oo)"),
+        ("elastic-stop/one-contact k3=-1", "k3 = -1 is outside its domain (0, oo)"),
+        ("elastic-stop/one-contact r=1", "unknown parameter 'r'"),
+        ("elastic-stop/one-contact --unknown T --given tau1=4", "'tau1'; did you mean 'tau'?"),
+        *(
+            (f"{name} {parameter}={value}", f"{parameter} = {value} is outside its domain (0, oo)")
+            for name in ("rigid-stop/one-impact", "elastic-stop/one-contact")
+            for parameter in ("m1", "m2", "k1", "k2")
+            for value in ("0", "-1")
+        ),
+        ("dry-friction/symmetric us1=-1", "us1 = -1 is outside its domain"),
+        ("dry-friction/symmetric us1=2 ur1=1", "e1 = ur1 - us1 is -1.0"),
+        ("dry-friction/symmetric e1=-1", "e1 = -1 is outside its domain"),
+        (
+            "dry-friction/solution-ii e1=3",
+            "e1 is an unknown of dry-friction/solution-ii: to give it, solve for another"
+            " parameter in its place (--unknown NAME --given e1=3)",
+        ),
+        ("dry-friction/solution-ii us1=1 ur1=3", "e1 is to be solved for, but ur1, us1 fix it"),
+        ("dry-friction/solution-ii --unknown V --given ta=0", "'ta'; did you mean 'tau'?"),
     ],
 )
 def test_wrong_input_is_2_with_one_line(command: str, arguments: str, part: str) -> None:
@@ -633,7 +725,7 @@ def test_out_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 # --- regenerate
 
 
-@pytest.mark.usefixtures("derived")
+@pytest.mark.usefixtures("committed_derivation")
 def test_regenerate_and_check(tmp_path: Path) -> None:
     folder = tmp_path / "new" / "kernels"
     first = told("regenerate", "--out", str(folder))
@@ -656,6 +748,16 @@ def test_regenerate_and_check(tmp_path: Path) -> None:
     found = told("regenerate", "dry-friction", "--check", "--out", str(folder), code=1)
     assert found["same"] is False
     assert len(found["differences"]) == 2
+
+
+def test_regenerate_derives_one_system(tmp_path: Path) -> None:
+    folder = tmp_path / "kernels"
+    found = told("regenerate", "rigid-stop", "--out", str(folder))
+    names = {Path(path).name for path in found["changed"]}
+    assert names == {path.name for path in folder.iterdir()}
+    assert {f"rigid_stop.{ending}" for ending in ("py", "c", "h", "md")} <= names
+    assert not any(name.startswith(("elastic", "dry")) for name in names)
+    assert told("regenerate", "rigid-stop", "--check", "--out", str(folder))["same"] is True
 
 
 def test_check_under_another_sympy_is_2(tmp_path: Path) -> None:
@@ -688,7 +790,7 @@ def test_regenerate_an_unknown_system_is_2() -> None:
     assert "did you mean 'dry-friction'?" in err
 
 
-@pytest.mark.usefixtures("derived")
+@pytest.mark.usefixtures("committed_derivation")
 def test_regenerate_into_a_file_is_2(tmp_path: Path) -> None:
     file = tmp_path / "file"
     file.touch()

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
 from nonsmooth.runtime import kernels
-from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.errors import InputError, NoConvergence
 from nonsmooth.runtime.kernels import backend, load_orbit, load_system, orbit_names, system_names
 from nonsmooth.runtime.parameters import check_arrays, default_parameters, resolve
 from nonsmooth.runtime.solve import solve
@@ -41,11 +41,16 @@ def run(code, chosen):
 
 
 SHOW = """
-from nonsmooth.runtime.kernels import backend, load_orbit
+from nonsmooth.runtime.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.solve import solve
-orbit = solve("dry-friction/global-stick")
-print(backend(), load_orbit(orbit.name).solver is not None, repr(orbit.trace), orbit.status,
-      orbit.admissibility.verdict, orbit.stability.verdict, repr(orbit.sensitivity("eta").period))
+for name in orbit_names():
+    orbit = solve(name)
+    print(backend(), load_orbit(orbit.name).solver is not None, orbit.status,
+          orbit.admissibility.verdict, orbit.stability.verdict, repr(orbit.trace),
+          *(repr(x) for x in orbit.unknowns.values()),
+          *(repr(orbit.sensitivity(parameter).trace) for parameter in orbit.given),
+          *(repr(float(x)) for x in orbit.saltations.flat),
+          *(repr(float(x)) for x in orbit.motion()(1)))
 """
 
 
@@ -53,17 +58,21 @@ print(backend(), load_orbit(orbit.name).solver is not None, repr(orbit.trace), o
 @pytest.mark.parametrize("chosen", [None, "", "c"])
 def test_c_is_the_backend_when_it_is_built(chosen):
     done = run(SHOW, chosen)
-    assert (done.returncode, done.stdout.split()[:2]) == (0, ["c", "True"])
+    assert done.returncode == 0
+    lines = [line.split() for line in done.stdout.splitlines()]
+    assert [line[:2] for line in lines] == [["c", "True"]] * len(orbit_names())
 
 
 def test_numpy_can_be_asked_for_and_does_all_that_c_does():
     plain, best = run(SHOW, "numpy"), run(SHOW, None)
     assert plain.returncode == best.returncode == 0, plain.stderr
-    found, expected = plain.stdout.split(), best.stdout.split()
-    assert found[:2] == ["numpy", "False"]
-    assert found[3:6] == expected[3:6] == ["0", "conditional", "stable"]
-    for place in (2, 6):
-        assert float(found[place]) == pytest.approx(float(expected[place]), rel=1e-12)
+    assert len(plain.stdout.splitlines()) == len(orbit_names())
+    for line, other in zip(plain.stdout.splitlines(), best.stdout.splitlines(), strict=True):
+        found, expected = line.split(), other.split()
+        assert found[:2] == ["numpy", "False"]
+        assert found[2:5] == expected[2:5]
+        numbers, others = (np.array(list(map(float, words[5:]))) for words in (found, expected))
+        assert_allclose(numbers, others, rtol=1e-11, atol=1e-11)
 
 
 @pytest.mark.parametrize("chosen", ["nonsense", "C", " numpy", "numpy,c", "1"])
@@ -92,8 +101,14 @@ def test_asking_for_c_that_is_not_there_names_the_remedy():
 
 
 def test_names_are_listed_and_loaded():
-    assert SYSTEM in system_names()
-    assert ORBIT in orbit_names()
+    assert system_names() == ("rigid-stop", "elastic-stop", "dry-friction")
+    assert orbit_names() == (
+        "rigid-stop/one-impact",
+        "elastic-stop/one-contact",
+        "dry-friction/symmetric",
+        "dry-friction/global-stick",
+        "dry-friction/solution-ii",
+    )
     for name in orbit_names():
         assert load_orbit(name).name == name
         assert load_orbit(name) is load_orbit(name)
@@ -229,6 +244,41 @@ def test_flows_form_a_group(configuration):
         assert_allclose(flow(-first, flow(first, state)), state, atol=1e-10)
 
 
+def stop_generator(configuration, values):
+    """Of (x, v, 1)' = A (x, v, 1), from Eqs. (1) and (4) with k1 + k2 in the corner."""
+    mass = np.array([values["m1"], values["m2"]])
+    k1, k2 = values["k1"], values["k2"]
+    stop = values["k3"] if configuration == "contact" else 0.0
+    matrix = np.zeros((5, 5))
+    matrix[:2, 2:4] = np.eye(2)
+    matrix[2:4, :2] = -np.array([[k1 + stop, -k1], [-k1, k1 + k2]]) / mass[:, None]
+    matrix[2, 4] = stop / mass[0]
+    return matrix
+
+
+@pytest.mark.parametrize(
+    ("system", "configuration"),
+    [("rigid-stop", "free"), ("elastic-stop", "free"), ("elastic-stop", "contact")],
+)
+def test_flows_of_the_stop_are_matrix_exponentials(system, configuration):
+    loaded, random = load_system(system), np.random.default_rng(35)
+    assert configuration in loaded.configurations
+    names = [p.name for p in loaded.parameters]
+    for _ in range(20):
+        values = dict(zip(names, np.exp(random.uniform(-2, 2, len(names))), strict=True))
+        state, first, second = random.uniform(-2, 2, 4), *random.uniform(0, 6, 2)
+        parameters = np.array(list(values.values()))
+        generated = expm(stop_generator(configuration, values) * first) @ [*state, 1]
+        found = loaded.flow(configuration, parameters, first, state)
+        assert_allclose(found, generated[:4], rtol=1e-10, atol=1e-10)
+        again = loaded.flow(configuration, parameters, second, found)
+        both = loaded.flow(configuration, parameters, first + second, state)
+        assert_allclose(again, both, rtol=1e-9, atol=1e-9)
+        assert_allclose(
+            loaded.flow(configuration, parameters, -first, found), state, rtol=1e-9, atol=1e-9
+        )
+
+
 def test_flows_broadcast():
     system, (values, state, _, _) = load_system(SYSTEM), next(draws(33, 1))
     parameters = np.array([values[n] for n in PHYSICAL])
@@ -347,6 +397,71 @@ def test_wrong_parameters_are_named_on_one_line(given, without, named):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
+@pytest.mark.parametrize("parameter", ["m1", "m2", "k1", "k2", "T"])
+@pytest.mark.parametrize("value", ["0", -1, float("nan"), "1e400", True])
+def test_a_stop_takes_positive_numbers(name, parameter, value):
+    with pytest.raises(InputError, match=f"{parameter}") as caught:
+        resolve(load_orbit(name), {parameter: value})
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("value", ["0", 0, -3, "1/0", "-1e-300"])
+def test_the_stiffness_of_the_stop_is_positive(value):
+    with pytest.raises(InputError, match="k3"):
+        resolve(load_orbit("elastic-stop/one-contact"), {"k3": value})
+
+
+@pytest.mark.parametrize("value", ["-1e-300", "1 + 1e-15", "1.2", -1, "inf"])
+def test_restitution_outside_its_domain_is_wrong_input(value):
+    with pytest.raises(InputError, match="r"):
+        resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+
+
+@pytest.mark.parametrize("value", ["0", 0, 0.5, "1 - 1e-15", "1/3"])
+def test_restitution_that_loses_energy_has_no_orbit(value):
+    with pytest.raises(NoConvergence, match="exists only for r = 1: with r = ") as caught:
+        resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("value", [1, "1", 1.0, "3/3", Fraction(1)])
+def test_the_required_value_may_be_said(value):
+    point = resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+    assert list(point.values) == ["m1", "m2", "k1", "k2", "T"]
+
+
+def test_forces_without_influence_are_checked_and_left():
+    door = load_orbit("dry-friction/symmetric")
+    plain = resolve(door, {})
+    for given in ({"us1": 1}, {"ur1": 2}, {"e1": 3}, {"us1": 1, "ur1": 2, "e1": 1}):
+        assert resolve(door, given) == plain
+    for given, part in (
+        ({"us1": 0}, "us1 = 0 is outside its domain"),
+        ({"ur1": -1}, "ur1 = -1 is outside its domain"),
+        ({"e1": -1}, "e1 = -1 is outside its domain"),
+        ({"us1": 2, "ur1": 1}, "e1 = ur1 - us1 is -1.0"),
+        ({"us1": 1, "ur1": 2, "e1": 3}, "e1 = 3 contradicts ur1 - us1"),
+        ({"us3": 1}, "unknown parameter 'us3'"),
+    ):
+        with pytest.raises(InputError, match=part):
+            resolve(door, given)
+
+
+@pytest.mark.parametrize(
+    ("given", "named"),
+    [
+        ({"e1": 3}, r"e1 is an unknown of dry-friction/solution-ii: .*--given e1=3\)"),
+        ({"us1": 1, "ur1": 3}, "e1 is to be solved for, but ur1, us1 fix it"),
+        ({"ur1": 3}, "ur1 decides nothing while e1 is to be solved for: give us1 instead"),
+        ({"ta": 0}, "unknown parameter 'ta'"),
+    ],
+)
+def test_what_a_border_collision_solves_for_is_not_given(given, named):
+    with pytest.raises(InputError, match=named):
+        resolve(load_orbit("dry-friction/solution-ii"), given)
+
+
 def test_what_is_solved_for_takes_no_value():
     point = resolve(load_orbit(ORBIT), {"us1": 1}, ["e1"])
     assert list(point.values) == ["chi", "eta", "V", "e2"]
@@ -362,6 +477,19 @@ def test_a_force_given_beside_an_exchange_decides():
             given={"ta": 1, "tau": 2},
         )
         assert orbit.admissibility.verdict is verdict
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_has_defaults_and_a_guess(name):
+    door = load_orbit(name)
+    point = resolve(door, {})
+    assert tuple(point.values) == door.parameter_names
+    assert {n: v.text for n, v in point.values.items()} == default_parameters(door)
+    assert set(door.table["reference"]["guess"]) == set(door.unknowns)
+    assert tuple(check_arrays(door, {})) == door.parameter_names
+    tables = (*door.parameters, *door.open_parameters, *door.other_parameters)
+    assert len({p.name for p in tables}) == len(tables)
+    assert {p.name for p in door.system.parameters} <= {p.name for p in tables}
 
 
 def test_parameters_keep_the_kernels_order_and_the_defaults():

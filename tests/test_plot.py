@@ -2,7 +2,7 @@
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from html.parser import HTMLParser
@@ -16,6 +16,7 @@ import nonsmooth
 from nonsmooth.derive.equations import derive_equations
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.errors import InputError, MissingExtra
+from nonsmooth.runtime.kernels import orbit_names
 from nonsmooth.runtime.notebook import symbol
 from nonsmooth.runtime.options import Kind
 from nonsmooth.runtime.plot import KINDS, PANELS, orbit_figure, plot_orbit, save_figure
@@ -32,8 +33,8 @@ CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
 
 
 @cache
-def orbit() -> nonsmooth.Orbit:
-    return nonsmooth.solve(ORBIT)
+def orbit(name: str = ORBIT) -> nonsmooth.Orbit:
+    return nonsmooth.solve(name)
 
 
 @pytest.fixture(autouse=True)
@@ -86,6 +87,79 @@ def test_every_kind_draws_into_given_axes_without_pyplot(kind: str) -> None:
     for axes in places:
         assert "nondimensional" in axes.get_xlabel()
         assert re.search("nondimensional|configuration", axes.get_ylabel())
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_is_drawn(name: str) -> None:
+    places = axes_of(len(PANELS))
+    orbit(name).plot("all", places)
+    motion = orbit(name).motion()
+    time, velocity, strip, phase, multipliers = places
+    letter = motion.names[0][0]
+    for mass in (0, 1):
+        label = f"${letter}_{{{mass + 1}}}$"
+        points = curve(time, label)
+        inside = ~np.isin(points[:, 0], motion.breaks)
+        assert inside.sum() > 400
+        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, mass], atol=1e-12)
+        points = curve(velocity, f"{label[:-1]}'$")
+        inside = ~np.isin(points[:, 0], motion.breaks)
+        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, 2 + mass], atol=1e-11)
+    assert [t.get_text() for t in strip.get_yticklabels()] == list(
+        dict.fromkeys(motion.configurations)
+    )
+    assert len(strip.patches) == len(motion.configurations)
+    assert len(legend(multipliers)) == len(orbit(name).stability.multipliers)
+    assert sum("trivial" in text for text in legend(multipliers)) == name.startswith(
+        ("rigid", "elastic")
+    )
+    assert len(curve(phase, f"(${letter}_{{1}}$, ${letter}_{{1}}'$)")) > 1000
+    time.figure.canvas.draw()
+
+
+@pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
+def test_the_stop_is_drawn_where_it_is(name: str) -> None:
+    (axes,) = axes_of()
+    orbit(name).plot("time", axes, periods=2)
+    (stop,) = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
+    assert set(stop.get_ydata()) == {1.0}
+    assert [text.get_text() for text in axes.texts if text.get_text()] == ["$x_{1} = 1$"]
+    places = axes_of(2)
+    orbit(name).plot("phase", places)
+    counts = [sum(line.get_linestyle() == ":" for line in a.get_lines()) for a in places]
+    assert counts == [1, 0]
+    assert "sticking" not in [*legend(places[0]), *legend(places[1])]
+
+
+def test_an_impact_is_drawn_before_and_behind() -> None:
+    (axes,) = axes_of()
+    orbit("rigid-stop/one-impact").plot("velocity", axes, periods=2)
+    points, u = curve(axes, "$x_{1}'$"), orbit("rigid-stop/one-impact").unknowns["u"]
+    (switch,) = np.flatnonzero(np.diff(points[:, 0]) == 0)
+    assert_allclose(points[[switch, switch + 1], 1], [-u, u], atol=1e-12)
+
+
+@pytest.mark.parametrize("masses", [(0,), [1], (1, 0), range(2)])
+def test_some_masses_alone(masses: Sequence[int]) -> None:
+    (axes,) = axes_of()
+    orbit().plot("time", axes, masses=masses)
+    assert legend(axes)[: len(masses)] == [f"$z_{{{m + 1}}}$" for m in masses]
+    assert legend(axes)[len(masses) :] == CONFIGURATIONS
+
+
+@pytest.mark.parametrize("masses", [(), (2,), (-1,), (0, 5)])
+def test_masses_that_are_none(masses: Sequence[int]) -> None:
+    with pytest.raises(InputError, match=r"masses = .*global-stick has \[0, 1\]"):
+        orbit().plot("time", axes_of(), masses=masses)
+
+
+def test_a_phase_that_takes_no_time_has_its_name_in_the_strip() -> None:
+    (axes,) = axes_of()
+    orbit("dry-friction/solution-ii").plot("strip", axes)
+    assert [text.get_text() for text in axes.texts] == [
+        *("$t_{a} = 0$", "$\\tau$", "$\\tau_{1}$", "$\\tau_{2}$")
+    ]
+    assert axes.patches[0].get_width() == 0
 
 
 @pytest.mark.parametrize("periods", [1, 2])
@@ -177,7 +251,7 @@ def test_multipliers_stand_in_the_unit_circle() -> None:
 def test_multipliers_outside_the_circle_and_trivial_ones() -> None:
     found = replace(orbit())
     multipliers = (Multiplier(1.7, 2.4), Multiplier(1.7, -2.4), Multiplier(1.0, 0.0, True))
-    vars(found)["stability"] = Stability(multipliers, 4.4, 3, -1.94, "unstable")
+    vars(found)["stability"] = Stability(multipliers, 4.4, 3, -1.94, "unstable", "")
     (axes,) = axes_of()
     found.plot("multipliers", axes)
     assert legend(axes) == [
@@ -309,6 +383,20 @@ class Table(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         self.texts.append(data)
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_notebooks_show_every_orbit(name: str) -> None:
+    text = " ".join(Table(orbit(name)._repr_html_()).texts)
+    told = orbit(name).to_json()
+    for number in (told["period"], *told["unknowns"].values()):
+        assert number[:10] in text
+    for multiplier in told["multipliers"]:
+        assert multiplier["re"][:10] in text
+    assert "+ -" not in text
+    assert told["stability"] in text
+    rows = orbit(name)._repr_latex_().splitlines()[1:-1]
+    assert len(rows) == len(told["unknowns"])
 
 
 @pytest.mark.parametrize("digits", [None, 40])

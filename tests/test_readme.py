@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import pytest
 from typer.testing import CliRunner
 
 from nonsmooth.runtime.cli import app
@@ -30,6 +31,7 @@ COMMANDS = [
 ]
 
 
+@pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
 def test_every_command_line_is_answered(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # in the README's order: a later one reads what an earlier saved
     for command in COMMANDS:

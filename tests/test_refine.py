@@ -8,11 +8,12 @@ import flint
 import mpmath
 import numpy as np
 import pytest
+from declared import Declared
 
 from nonsmooth.runtime import values
 from nonsmooth.runtime.arithmetic import Balls, Mpmath
 from nonsmooth.runtime.errors import InputError, NoConvergence
-from nonsmooth.runtime.kernels import load_orbit
+from nonsmooth.runtime.kernels import load_orbit, orbit_names
 from nonsmooth.runtime.refine import refine
 from nonsmooth.runtime.report import orbit_json
 from nonsmooth.runtime.solve import solve
@@ -41,6 +42,14 @@ def orbits():
     ]
 
 
+@pytest.fixture(scope="module")
+def every(orbits):
+    """Those, the other orbits, and an exchange in a border collision."""
+    others = [solve(name) for name in orbit_names() if name != ORBIT]
+    exchange = {"unknown": ["V"], "given": {"e1": "5/2"}}
+    return [*orbits, *others, solve("dry-friction/solution-ii", **exchange)]
+
+
 def error(first, second):
     """Largest error in units of max(1, |x|), in the arithmetic of the second."""
     mp = second.arithmetic.mp
@@ -55,8 +64,8 @@ def error(first, second):
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
 @pytest.mark.parametrize("digits", [1, 16, 50, 200])
-def test_digits_are_true(orbits, digits, arithmetic):
-    for orbit in orbits:
+def test_digits_are_true(every, digits, arithmetic):
+    for orbit in every:
         found = refine(orbit, digits, arithmetic=arithmetic)
         check = refine(orbit, 2 * digits + 30, arithmetic=arithmetic)
         assert found.digits == digits
@@ -69,16 +78,16 @@ def test_digits_are_true(orbits, digits, arithmetic):
 
 
 @pytest.mark.parametrize("digits", [5, 40, 120])
-def test_balls_and_mpmath_agree(orbits, digits):
-    for orbit in orbits:
+def test_balls_and_mpmath_agree(every, digits):
+    for orbit in every:
         balls, numbers = (refine(orbit, digits, arithmetic=a) for a in ARITHMETICS)
         assert error(numbers, balls) <= mpmath.mpf(10) ** -digits
         assert abs(numbers.trace - balls.trace) <= mpmath.mpf(10) ** -(digits - 3)
         assert abs(numbers.period - balls.period) <= mpmath.mpf(10) ** -(digits - 2)
 
 
-def test_the_double_precision_orbit_has_the_digits_it_claims(orbits):
-    for orbit in orbits:
+def test_the_double_precision_orbit_has_the_digits_it_claims(every):
+    for orbit in every:
         assert 10 <= orbit.digits <= 15
         assert error(orbit, refine(orbit, 30)) <= mpmath.mpf(10) ** -orbit.digits
 
@@ -128,41 +137,32 @@ def test_numbers_carry_their_digits_into_arithmetic(orbit):
 # --- the derivatives and the stability of a refined orbit
 
 
-def chain_rule(values, mp):
-    """Jacobian on the section, by matrix exponentials and (I - f n'/(n'f)) at each boundary."""
-    chi, eta = values["chi"], values["eta"]
-    first, second = [-1, chi, 0, 0], [chi * eta, -chi * eta, 0, 0]
-    none = [0, 0, 0, 0]
-    phases = (
-        (none, none, [1, -chi, 0, 0]),
-        (first, none, [-chi, chi, 0, 0]),
-        (first, second, [0, 0, 1, 0]),
-        (none, second, [0, 0, 0, 1]),
-    )
-    state = mp.matrix([values["z10"], values["z20"], values["V"], values["V"]])
-    product = mp.eye(4)
-    for (one, two, normal), name in zip(phases, DWELL_TIMES, strict=True):
-        generator = mp.matrix([[0, 0, 1, 0], [0, 0, 0, 1], one, two])
-        flow = mp.expm(generator * values[name], method="taylor")
-        state = flow * state
-        field, row = generator * state, mp.matrix([normal])
-        product = (mp.eye(4) - field * row / (row * field)[0]) * flow * product
-    return product[:2, :2]
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_orbits_close_under_matrix_exponentials(every, arithmetic):
+    for orbit in every:
+        found = refine(orbit, 60, arithmetic=arithmetic)
+        with mpmath.workdps(80):
+            declared = Declared(found, precise=True)
+            for piece, _, end in declared.steps:
+                assert abs((piece.normal @ end)[0]) < mpmath.mpf(10) ** -58
+            assert mpmath.norm(declared.end - declared.start, mpmath.inf) < mpmath.mpf(10) ** -58
 
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_the_trace_is_that_of_matrix_exponentials(orbits, arithmetic):
-    for orbit in orbits:
+def test_the_trace_is_that_of_matrix_exponentials(every, arithmetic):
+    for orbit in every:
         found = refine(orbit, 50, arithmetic=arithmetic)
-        lib = Mpmath(80)
-        values = {n: lib.mp.mpf(v) for n, v in found.values.items()}
-        jacobian = chain_rule(values, lib.mp)
-        assert abs(found.trace - (jacobian[0, 0] + jacobian[1, 1])) < mpmath.mpf(10) ** -50
-        assert abs(lib.mp.det(jacobian)) < mpmath.mpf(10) ** -50
-        emitted = found.evaluate("poincare_jacobian")
-        for i in range(2):
-            for j in range(2):
-                assert abs(emitted[i][j] - jacobian[i, j]) < mpmath.mpf(10) ** -50
+        emitted, jacobian = found.monodromy, found.evaluate("poincare_jacobian")
+        with mpmath.workdps(80):
+            matrix = Declared(found, precise=True).monodromy()
+            size, bound = matrix.rows, mpmath.mpf(10) ** -48
+            # the direction of the motion adds a one to the multipliers of the section
+            trace = sum(matrix[i, i] for i in range(size)) - 1
+            assert abs(mpmath.mpf(found.trace) - trace) < bound
+            assert abs(sum(row[i] for i, row in enumerate(jacobian)) - trace) < bound
+            for i in range(size):
+                for j in range(size):
+                    assert abs(mpmath.mpf(emitted[i][j]) - matrix[i, j]) < bound
 
 
 def test_one_multiplier_is_exactly_zero_and_the_other_is_the_trace(orbits):
@@ -191,8 +191,8 @@ def test_sensitivities_keep_their_digits():
         assert abs(slope - getattr(sensitivity, name)) < mp.mpf(10) ** -35
 
 
-def test_printed_digits_are_true(orbits):
-    for orbit in orbits:
+def test_printed_digits_are_true(every):
+    for orbit in every:
         short, long = orbit_json(refine(orbit, 30)), orbit_json(refine(orbit, 90))
         tolerance = mpmath.mpf(10) ** -30
         with mpmath.workdps(120):

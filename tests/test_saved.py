@@ -15,6 +15,7 @@ import pytest
 import nonsmooth
 from nonsmooth.runtime import saved
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import orbit_names
 from nonsmooth.runtime.values import decimal_string
 
 ORBIT = "dry-friction/global-stick"
@@ -92,6 +93,61 @@ def test_round_trip(
     assert after.trace == before.trace
     assert decimal_string(after.trace, after.digits) == decimal_string(before.trace, before.digits)
     assert after.to_json() == before.to_json()
+
+
+@pytest.mark.parametrize("digits", [None, 60])
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_comes_back(name: str, digits: int | None, path: Path) -> None:
+    before = nonsmooth.solve(name)
+    if digits is not None:
+        before = nonsmooth.refine(before, digits)
+    before.save(path)
+    after = nonsmooth.load(path)
+    assert after == before
+    assert list(after.unknowns) == list(before.unknowns)
+    assert after.stability == before.stability
+    assert after.admissibility == before.admissibility
+    assert after.dwell_times == before.dwell_times
+    assert after.to_json() == before.to_json()
+    assert (after.motion()([0.1, 5]) == before.motion()([0.1, 5])).all()
+    written = path.read_bytes()
+    after.save(path)
+    assert path.read_bytes() == written
+
+
+def test_an_exchange_in_a_border_collision_comes_back(path: Path) -> None:
+    before = nonsmooth.solve(
+        "dry-friction/solution-ii", {"us1": "1"}, unknown=["V"], given={"e1": "5/2"}
+    )
+    nonsmooth.refine(before, 30).save(path)
+    after = nonsmooth.load(path)
+    assert after.given["e1"].text == "5/2"
+    assert after.opened["us1"].text == "1"
+    assert after.to_json() == nonsmooth.refine(before, 30).to_json()
+
+
+@pytest.mark.parametrize(
+    ("name", "where", "text", "part"),
+    [
+        ("rigid-stop/one-impact", "given/T", "3", "not a solution of rigid-stop/one-impact"),
+        ("rigid-stop/one-impact", "given/T", "0", "T is outside its domain"),
+        ("rigid-stop/one-impact", "given/r", "1", "rigid-stop/one-impact has T, k1,"),
+        ("elastic-stop/one-contact", "unknowns/tau", "7", "dwell time tau1 is negative"),
+        ("elastic-stop/one-contact", "given/k3", "-1", "k3 is outside its domain"),
+        ("dry-friction/solution-ii", "unknowns/e1", "-1", "e1 is outside its domain"),
+        ("dry-friction/solution-ii", "unknowns/ta", "0", "dry-friction/solution-ii has V, chi,"),
+        ("dry-friction/symmetric", "opened/us1", "1", "unknown open parameter 'us1'"),
+    ],
+)
+def test_wrong_content_of_other_orbits_is_refused(
+    name: str, where: str, text: str, part: str, path: Path
+) -> None:
+    nonsmooth.solve(name).save(path)
+    content = json.loads(path.read_text(encoding="utf-8"))
+    put(where, text)(content)
+    content["sha256"] = checksum(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert part in refusal(path)
 
 
 def test_numbers_keep_their_precision(path: Path) -> None:

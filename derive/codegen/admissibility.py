@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
 from string import Template
 
 import sympy as sp
@@ -21,6 +22,7 @@ $prototype
 {
     static const int sums[] = {$sums}, terms[] = {$terms}, at_once[] = {$at_once};
     static const int opened[] = {$opened};
+    static const int exits[] = {$exits}, first_frequency[] = {$first_frequency};
     static const double per_unit[] = {$per_unit};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + $p * point, *const u = unknowns + $n * point;
@@ -30,12 +32,20 @@ $prototype
         $spectrum(q, spectral, derivatives);
         $functions(p, spectral, u, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
-        double noise = 0.0;
-        for (int i = 0; i < $p; ++i)
-            noise = fabs(p[i]) > noise ? fabs(p[i]) : noise;
-        for (int i = 0; i < $n; ++i)
-            noise = fabs(u[i]) > noise ? fabs(u[i]) : noise;
-        noise *= 32.0 * DBL_EPSILON;
+        const double measures[] = {$measures};
+        double size = 0.0, missed = 0.0;
+        for (int i = 0; i < $nm; ++i)
+            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
+        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
+        for (int phase = 0; phase < $phases; ++phase) {
+            const double miss = fabs(
+                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
+                                   coefficients + exits[phase], durations[phase]).value);
+            missed = miss > missed ? miss : missed;
+        }
+        const double most_missed = 0x1p-30 * size;
+        const double noise = 32.0 * DBL_EPSILON * size +
+                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[$least_count], most = 0.0, when = 0.0;
         int found = -1, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
@@ -97,6 +107,15 @@ def admissible_source(orbit: EquationSystem) -> str:
     ]
     names = ", ".join(map(str, orbit.open_parameters))
     many = len(orbit.open_parameters)
+    rows = [*accumulate((len(b.coefficients) for b in functions), initial=0)]
+    exits = [
+        next(
+            row
+            for row, b in zip(rows, functions, strict=False)
+            if (b.phase, b.boundary) == (index, phase.boundary)
+        )
+        for index, phase in enumerate(orbit.itinerary.phases)
+    ]
     places = {
         symbol: sp.Symbol(f"{array}[{i}]")
         for array, symbols in (("p", orbit.parameters), ("u", orbit.unknowns))
@@ -124,6 +143,10 @@ def admissible_source(orbit: EquationSystem) -> str:
         at_once=", ".join(str(int(link.duration == 0)) for link in orbit.chain.links),
         durations=", ".join(print_c(link.duration.xreplace(places)) for link in orbit.chain.links),
         opened=", ".join(map(str, opened)),
+        exits=", ".join(map(str, exits)),
+        first_frequency=", ".join(map(str, [*accumulate(terms, initial=0)][:-1])),
+        measures=", ".join(print_c(places[symbol]) for symbol in orbit.measures),
+        nm=len(orbit.measures),
         per_unit=", ".join(print_c(sp.Float(-b.open_coefficient)) for b in functions),
         ns=len(spectrum.symbols),
         nd=max(len(spectrum.symbols) * len(spectrum.parameters), 1),

@@ -39,7 +39,7 @@ $prototype
     enum { lanes = 8, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[$p][lanes], x[$most_x][lanes], fixed[$fixed][lanes];
+        double parameter[$p][lanes], ${x}fixed[$fixed][lanes];
         double taken[lanes], open[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
@@ -156,7 +156,7 @@ def solve_source(orbit: EquationSystem) -> str:
     return _SOLVE.substitute(
         p=len(orbit.parameters),
         n=len(orbit.unknowns),
-        most_x=max(count, 1),
+        x=f"x[{count}][lanes], " if count else "",
         guess_text=f" and guess ({count}: {names})" if count else "",
         begin="\n".join(begin),
         tolerance=TOLERANCE,

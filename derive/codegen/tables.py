@@ -84,6 +84,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "vanishing": list(itinerary.vanishing),
         "levels": _levels(orbit),
         "resets": [[[str(e) for e in row] for row in k.reset.tolist()] for k in orbit.chain.links],
+        "measures": [str(s) for s in orbit.measures],
         "terms": [len(w) for w in orbit.frequencies],
         "boundaries": [
             (

@@ -6,6 +6,7 @@ Text carries two marks: ``$...$`` around LaTeX and ``*...*`` around emphasised w
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import groupby
 
 import sympy as sp
 
@@ -43,6 +44,8 @@ class Line:
         What the left-hand side stands for, where that is one symbol.
     shows : expression or matrix, or None
         The derivation's own object of which the right-hand side is the LaTeX.
+    parts : tuple of Line
+        Where several relations stand side by side: those.
     """
 
     left: str
@@ -50,6 +53,7 @@ class Line:
     pieces: tuple[str, ...]
     subject: sp.Basic | None = None
     shows: sp.Basic | None = None
+    parts: tuple[Line, ...] = ()
 
     @property
     def latex(self) -> str:
@@ -73,6 +77,11 @@ class Formula:
     lines: tuple[Line, ...]
     label: str | None = None
     note: str | None = None
+
+    @property
+    def relations(self) -> tuple[Line, ...]:
+        """The relations, also those that stand side by side."""
+        return tuple(part for line in self.lines for part in (line.parts or (line,)))
 
     @property
     def latex(self) -> str:
@@ -99,6 +108,17 @@ class Document:
 
     title: str
     blocks: tuple[Block, ...]
+
+    @property
+    def groups(self) -> tuple[tuple[Block, ...], ...]:
+        """The blocks, numbered formulas in a row together."""
+        found: list[tuple[Block, ...]] = []
+        for numbered, run in groupby(
+            self.blocks, lambda b: isinstance(b, Formula) and b.label is not None
+        ):
+            blocks = tuple(run)
+            found += [blocks] if numbered else [(block,) for block in blocks]
+        return tuple(found)
 
     @property
     def formulas(self) -> tuple[Formula, ...]:

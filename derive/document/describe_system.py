@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
+from nonsmooth.derive.document.centres import Centres
 from nonsmooth.derive.document.flows import flow_blocks
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.document.wording import Naming, enumeration
@@ -24,9 +25,23 @@ __all__ = [
     "system_section",
 ]
 
+# of matrices, by the attribute of the motion that they are
+_Letters = dict[tuple[str, sp.Matrix], str]
 
-def system_section(naming: Naming, itinerary: Itinerary | None) -> list[Block]:
-    """Name, states, parameters, and the coordinates of the presentation."""
+
+def system_section(
+    naming: Naming, itinerary: Itinerary | None, required: Iterable[sp.Symbol] = ()
+) -> list[Block]:
+    """Name, states, parameters, and the coordinates of the presentation.
+
+    Parameters
+    ----------
+    naming : Naming
+    itinerary : Itinerary or None
+        None for the document of a system.
+    required : iterable of symbols
+        Parameters whose values the orbit requires: told where they come from.
+    """
     system = itinerary.system if itinerary else naming.system
     size = len(system.states) // 2
     text = f"The system is *{system.name}*: {naming.notation.prose(system.description)}."
@@ -50,6 +65,8 @@ def system_section(naming: Naming, itinerary: Itinerary | None) -> list[Block]:
     presentation = itinerary.presentation if itinerary else None
     if presentation:
         parameters += presentation.parameters
+    if itinerary and itinerary.period:
+        parameters.append(itinerary.period)
     blocks.append(
         Table(
             ("Parameter", "Meaning", "Domain"),
@@ -82,7 +99,9 @@ def system_section(naming: Naming, itinerary: Itinerary | None) -> list[Block]:
                 Paragraph("The equations are written in the shifted coordinates"),
                 Formula(tuple(moved)),
             ]
-        substituted = tuple(naming.equal(s, e) for s, e in presentation.substitution.items())
+        substituted = tuple(
+            naming.equal(s, e) for s, e in presentation.substitution.items() if s not in required
+        )
         if substituted:
             blocks += [
                 Paragraph(
@@ -98,14 +117,15 @@ def system_section(naming: Naming, itinerary: Itinerary | None) -> list[Block]:
 def _domain(parameter: Parameter, notation: Notation) -> str:
     name = notation.symbol(parameter.symbol)
     above, below = (r"\ge", r"\le") if parameter.closed else (">", "<")
+    end = r"\le" if parameter.upper_closed else "<"
     lower, upper = sp.sympify(parameter.lower), sp.sympify(parameter.upper)
     if lower.is_infinite and upper.is_infinite:
         return rf"{name} \in \mathbb{{R}}"
     if lower.is_infinite:
-        return f"{name} < {notation.latex(upper)}"
+        return f"{name} {end} {notation.latex(upper)}"
     if upper.is_infinite:
         return f"{name} {above} {notation.latex(lower)}"
-    return f"{notation.latex(lower)} {below} {name} < {notation.latex(upper)}"
+    return f"{notation.latex(lower)} {below} {name} {end} {notation.latex(upper)}"
 
 
 def configuration_section(
@@ -116,32 +136,43 @@ def configuration_section(
     chosen = [system.configuration(name) for name in names]
     blocks: list[Block] = []
     second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
+    letters: _Letters = {}
     if second:
         x = naming.letter
         damped = any(not sp.Matrix(d.damping).is_zero_matrix for d in second)
+        held = any(d.held for d in second)
+        # masses stay on the left where nothing is held and they are not all one
+        heavy = not held and any(d.mass != sp.eye(d.mass.rows) for d in second)
         damping = f" + C {x}'" if damped else ""
-        law = f"$M {x}''{damping} + K {x} = q$"
-        blocks.append(
-            Paragraph(
-                f"In every configuration the motion is linear, {law}, and a coordinate that is"
-                " held keeps its velocity: its row gives the reaction. The matrices are"
-            )
+        law = rf"$M {x}''{damping} + K {x} = \ell$"
+        text = f"In every configuration the motion is linear, {law}"
+        text += (
+            ", and a coordinate that is held keeps its velocity: its row gives the reaction."
+            if held
+            else "."
         )
-        blocks += _matrices(second, naming, damped)
-        blocks.append(
-            Paragraph(
-                "Solved for the accelerations, with the rows of the held coordinates set to"
-                " zero, the equations of motion are as follows."
-            )
-        )
+        blocks.append(Paragraph(f"{text} The matrices are"))
+        formula, letters = _matrices(second, naming, damped)
+        blocks.append(formula)
+        if not heavy:
+            where = ", with the rows of the held coordinates set to zero," if held else ","
+            text = f"Solved for the accelerations{where} the equations of motion are as follows."
+            blocks.append(Paragraph(text))
+            letters = {}
     for configuration in chosen:
         remark = remarks.get(configuration.name, "")
         blocks.append(Paragraph(f"*{configuration.name}*{remark}:"))
-        blocks.append(_motion(configuration, naming))
+        blocks.append(_motion(configuration, naming, letters))
     blocks.append(
         Paragraph(
             "A configuration is left where one of its boundary functions, negative inside,"
             " rises through zero."
+            + (
+                " One that acts when reached is left at a tangency too, one that acts when"
+                " exceeded is not."
+                if len({b.acts_when for c in chosen for b in c.boundaries}) > 1
+                else ""
+            )
         )
     )
     rows = [
@@ -158,23 +189,25 @@ def configuration_section(
     return blocks
 
 
-def _matrices(motions: Sequence[SecondOrder], naming: Naming, damped: bool) -> list[Block]:
-    """M, C and K: once where all configurations share them, otherwise each that occurs."""
-    shown: list[tuple[str, sp.Matrix]] = []
+def _matrices(
+    motions: Sequence[SecondOrder], naming: Naming, damped: bool
+) -> tuple[Formula, _Letters]:
+    """M, C and K, and their letters: with a number where configurations differ in them."""
+    shown: _Letters = {}
+    pieces: list[str] = []
     attributes = [("M", "mass"), *([("C", "damping")] if damped else []), ("K", "stiffness")]
     for letter, attribute in attributes:
         different = list(dict.fromkeys(getattr(d, attribute) for d in motions))
         for index, matrix in enumerate(different, start=1):
-            shown.append((letter if len(different) == 1 else f"{letter}_{{{index}}}", matrix))
-    pieces: list[str] = []
-    for position, (name, matrix) in enumerate(shown):
-        end = "." if position == len(shown) - 1 else r",\qquad"
-        pieces.append(f"{name} = {naming.notation.latex(matrix)}{end}")
-    return [Formula((Line("", "", tuple(pieces)),))]
+            name = letter if len(different) == 1 else f"{letter}_{{{index}}}"
+            shown[attribute, matrix] = name
+            pieces.append(f"{name} = {naming.notation.latex(matrix)}")
+    pieces = [*(rf"{piece},\qquad" for piece in pieces[:-1]), f"{pieces[-1]}."]
+    return Formula((Line("", "", tuple(pieces)),)), shown
 
 
-def _motion(configuration: Configuration, naming: Naming) -> Formula:
-    """Write the equations of motion in matrix form."""
+def _motion(configuration: Configuration, naming: Naming, letters: _Letters) -> Formula:
+    """Write the equations of motion in matrix form, in the letters of the matrices if given."""
     notation, dynamics, states = naming.notation, configuration.dynamics, naming.system.states
     matrix, offset = dynamics.field(states)
     matrix, offset = matrix.applyfunc(sp.cancel), offset.applyfunc(sp.cancel)
@@ -184,6 +217,14 @@ def _motion(configuration: Configuration, naming: Naming) -> Formula:
             pieces.append(f"+ {notation.latex(offset)}")
         return Formula((Line(f"{naming.state}'", "=", tuple(pieces)),))
     x, size = naming.letter, dynamics.mass.rows
+    if letters:
+        left = f"{letters['mass', dynamics.mass]} {x}''"
+        if not dynamics.damping.is_zero_matrix:
+            left += f" + {letters['damping', dynamics.damping]} {x}'"
+        load = dynamics.load
+        right = "0" if load.is_zero_matrix else notation.latex(load.applyfunc(notation.tidy))
+        left += f" + {letters['stiffness', dynamics.stiffness]} {x}"
+        return Formula((Line(left, "=", (right,)),))
     stiffness, damping = -matrix[size:, :size], -matrix[size:, size:]
     left = f"{x}''"
     if not damping.is_zero_matrix:
@@ -200,9 +241,16 @@ def _motion(configuration: Configuration, naming: Naming) -> Formula:
 
 
 def modal_section(
-    naming: Naming, spectrum: Spectrum, flows: Mapping[str, Flow], names: Sequence[str]
+    naming: Naming,
+    spectrum: Spectrum,
+    flows: Mapping[str, Flow],
+    names: Sequence[str],
+    centres: Centres | None = None,
 ) -> tuple[list[Block], dict[str, int]]:
-    """Spectrum and flows of the named configurations, and the number of each one's flow."""
+    """Spectrum and flows of the named configurations, and the number of each one's flow.
+
+    Centres that have letters are shown with them.
+    """
     used = [flows[name] for name in names]
     blocks: list[Block] = []
     entries = _entries(spectrum, used)
@@ -210,9 +258,9 @@ def modal_section(
         blocks += [
             Paragraph(
                 "All that needs a root of the parameters is the spectrum, evaluated once for"
-                " each set of parameters:"
+                f" each set of parameters{_meaning(naming, used, dict(entries))}:"
             ),
-            Formula(tuple(naming.equal(s, e) for s, e in entries)),
+            Formula(tuple(naming.equal(s, e, tidy=_single(e)) for s, e in entries)),
         ]
     needed = {s for f in used for g in f.basis for s in g.free_symbols}
     for group, matrix in spectrum.eigenvalues:
@@ -221,8 +269,30 @@ def modal_section(
                 Paragraph(f"{naming.list(group)} are the eigenvalues of the matrix"),
                 Formula((Line("", "", (naming.notation.latex(matrix),)),)),
             ]
-    more, numbers = flow_blocks(naming.notation, naming.state, used, naming.second_order)
+    more, numbers = flow_blocks(naming.notation, naming.state, used, naming.second_order, centres)
     return blocks + more, numbers
+
+
+def _meaning(naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, sp.Expr]) -> str:
+    """What the spectrum's symbols are: frequencies, distances of eigenvalues, projectors."""
+    oscillating = {s for f in flows for g in f.basis if g.has(sp.cos) for s in g.free_symbols}
+    if not naming.second_order or not oscillating & set(entries):
+        return ""
+    found = [
+        r"the frequencies $\omega$, whose squares are the eigenvalues of $M^{-1} K$ for the"
+        " coordinates that are free"
+    ]
+    stems = {str(s).rstrip("0123456789") for s in entries}
+    if "gap" in stems:
+        found.append(r"the differences $\Delta$ of two of these eigenvalues")
+    if "p" in stems:
+        found.append("the entries $p$ of the projectors on the modes")
+    return f". It consists of {enumeration(found)}"
+
+
+def _single(expression: sp.Expr) -> bool:
+    """Whether a fraction of one symbol below stays readable when it is put together."""
+    return len(sp.fraction(sp.together(expression))[1].free_symbols) < 2
 
 
 def _entries(spectrum: Spectrum, flows: Sequence[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:

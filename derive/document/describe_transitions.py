@@ -12,6 +12,8 @@ __all__ = ["transition_section"]
 def transition_section(naming: Naming) -> list[Block]:
     """Which configuration follows which set of boundaries, under which conditions."""
     notation, system = naming.notation, naming.system
+    if all(not t.conditions and len(t.boundaries) == 1 for t in system.transitions):
+        return _without_conditions(naming)
     conditions = list(dict.fromkeys(c for t in system.transitions for c in t.conditions))
     numbers = {c: f"$C_{{{i}}}$" for i, c in enumerate(conditions, start=1)}
     blocks: list[Block] = [
@@ -82,6 +84,25 @@ def transition_section(naming: Naming) -> list[Block]:
             wrapped=1,
         ),
     ]
+
+
+def _without_conditions(naming: Naming) -> list[Block]:
+    """One row a transition, where one boundary at a time is reached and nothing else decides."""
+    resets = [_reset(t, naming) for t in naming.system.transitions]
+    rows: list[tuple[str, ...]] = [
+        (f"*{t.source}*", ", ".join(f"*{b}*" for b in t.boundaries), f"*{t.target}*", reset)
+        for t, reset in zip(naming.system.transitions, resets, strict=True)
+    ]
+    header: tuple[str, ...] = ("From", "Boundary", "To", "Reset")
+    if any(resets):
+        text = (
+            "What follows at each boundary. A reset acts at the same instant; the states that it"
+            " does not name are continuous."
+        )
+    else:
+        text = "What follows at each boundary; the state is continuous there."
+        rows, header = [row[:3] for row in rows], header[:3]
+    return [Paragraph(text), Table(header, tuple(rows))]
 
 
 def _reset(transition: Transition, naming: Naming) -> str:

@@ -7,8 +7,10 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
+from nonsmooth.derive.document.centres import Centres, centre_of
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.symbols import Notation
+from nonsmooth.derive.document.wording import enumeration
 from nonsmooth.derive.entire import EntireDifference, EntirePair
 from nonsmooth.derive.modal import Flow
 
@@ -33,7 +35,11 @@ _PAIR = (
 
 
 def flow_blocks(
-    notation: Notation, state: str, flows: Sequence[Flow], in_blocks: bool
+    notation: Notation,
+    state: str,
+    flows: Sequence[Flow],
+    in_blocks: bool,
+    centres: Centres | None = None,
 ) -> tuple[list[Block], dict[str, int]]:
     """Flows of configurations; those with equal matrices share a number and are shown once."""
     distinct: list[Flow] = []
@@ -45,7 +51,7 @@ def flow_blocks(
             distinct.append(flow)
             known = flow
         numbers[flow.configuration] = distinct.index(known) + 1
-    blocks = _centres(notation, state, flows, numbers)
+    blocks = _centres(notation, state, flows, numbers, centres)
     functions = [g for f in distinct for g in f.basis]
     if any(isinstance(g, EntirePair | EntireDifference) for g in functions):
         text = _ENTIRE
@@ -58,6 +64,11 @@ def flow_blocks(
                 r"The flows are written by blocks of positions and velocities,"
                 r" $\Phi^{11}$ and $\Phi^{12}$ for the positions, $\Phi^{21}$ and $\Phi^{22}$ for"
                 r" the velocities; $I$ is the unit matrix."
+                + (
+                    " The matrices at the cosines are the projectors on the modes."
+                    if any(g.has(sp.cos) for g in functions)
+                    else ""
+                )
             )
         )
     names: dict[sp.Matrix, str] = {}
@@ -69,38 +80,65 @@ def flow_blocks(
 
 
 def _centres(
-    notation: Notation, state: str, flows: Sequence[Flow], numbers: dict[str, int]
+    notation: Notation,
+    state: str,
+    flows: Sequence[Flow],
+    numbers: dict[str, int],
+    named: Centres | None,
 ) -> list[Block]:
     """How each configuration maps a state: about its centre, or with an offset."""
     centred: list[tuple[Flow, sp.Matrix]] = []
     drifting: list[Flow] = []
     for flow in flows:
-        centre = _centre(flow)
+        centre = centre_of(flow)
         if centre is None:
             drifting.append(flow)
         elif not centre.is_zero_matrix:
             centred.append((flow, centre))
-    shifted = rf"${state}(t) = c + \Phi(t)\,({state}(0) - c)$"
+    shifted = rf"${state}(t) = d + \Phi(t)\,({state}(0) - d)$"
     blocks: list[Block] = []
-    if centred:
+    if centred and named and named.columns:
+        rows = [
+            rf"$d = {notation.latex(named.columns[f.configuration].T)}^{{\mathsf{{T}}}}$"
+            f" in *{f.configuration}*"
+            for f, _ in centred
+        ]
+        away = [f.configuration for f in (*(f for f, _ in centred), *drifting)]
+        others = [f"*{f.configuration}*" for f in flows if f.configuration not in away]
+        origin = f" and the origin in {enumeration(others)}" if others else ""
+        blocks += [
+            Paragraph(
+                f"Inside a configuration with the centre $d$, {shifted}. The centre is"
+                f" {enumeration(rows)}{origin}, with"
+            ),
+            Formula(
+                tuple(
+                    Line(named.names[s], "=", notation.pieces(sp.factor(e)), s, e)
+                    for s, e in named.values.items()
+                )
+            ),
+        ]
+    elif centred:
         blocks.append(
             Paragraph(
-                f"Inside a configuration with the centre $c$, {shifted}; the centres that differ"
+                f"Inside a configuration with the centre $d$, {shifted}; the centres that differ"
                 " from the origin are"
             )
         )
         lines = []
         for flow, centre in centred:
             column = notation.latex(centre.T.applyfunc(notation.tidy))
-            left = rf"c_{{\text{{{flow.configuration}}}}}"
+            left = rf"d_{{\text{{{flow.configuration}}}}}"
             lines.append(Line(left, "=", (rf"{column}^{{\mathsf{{T}}}}",)))
         blocks.append(Formula(tuple(lines)))
     elif not drifting:
+        where = (
+            "the centre is at the origin"
+            if len(flows) == 1
+            else "every one of the configurations has its centre at the origin"
+        )
         blocks.append(
-            Paragraph(
-                "In these coordinates every one of the configurations has its centre at the"
-                rf" origin, so that ${state}(t) = \Phi(t)\,{state}(0)$."
-            )
+            Paragraph(rf"In these coordinates {where}, so that ${state}(t) = \Phi(t)\,{state}(0)$.")
         )
     for flow in drifting:
         pieces = [rf"\Phi_{{{numbers[flow.configuration]}}}(t)\,{state}(0)"]
@@ -112,27 +150,6 @@ def _centres(
         blocks.append(Paragraph(f"*{flow.configuration}* has no centre; there"))
         blocks.append(Formula((Line(f"{state}(t)", "=", tuple(pieces)),)))
     return blocks
-
-
-def _centre(flow: Flow) -> sp.Matrix | None:
-    """Point c with y(t) - c = Phi(t) (y(0) - c), free components zero; None if there is none."""
-    matrix, offset = flow.field
-    size = matrix.rows
-    # states that drift come last, so that they are the free ones
-    drifting = (matrix * matrix).applyfunc(sp.cancel)
-    order = sorted(range(size), key=lambda i: (drifting[i, :].is_zero_matrix, i))
-    unknowns = sp.symbols(f"centre0:{size}")
-    solutions = sp.linsolve((matrix[:, order], -offset), *unknowns)
-    if not solutions:
-        return None
-    (solution,) = solutions
-    values = sp.Matrix(solution).subs(dict.fromkeys(unknowns, 0)).applyfunc(sp.factor)
-    centre = sp.Matrix([values[order.index(i)] for i in range(size)])
-    for function, phi, beta in zip(flow.basis, flow.matrices, flow.offsets, strict=True):
-        fixed = centre if function == 1 else sp.zeros(size, 1)
-        if not (beta + phi * centre - fixed).applyfunc(sp.cancel).is_zero_matrix:
-            return None
-    return centre
 
 
 def _flow(

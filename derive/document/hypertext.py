@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from html import escape
 
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.layout import rows
+from nonsmooth.derive.document.layout import notes_beside, rows
+from nonsmooth.derive.document.mathml import mended
 
 __all__ = ["to_html"]
 
@@ -22,10 +23,12 @@ h3 { font-size: 1.05rem; margin-top: 1.6rem; }
 .formula { display: flex; align-items: center; gap: 1.5rem; }
 .formula math { margin: 0 auto; }
 .formula .number { white-space: nowrap; }
-.note { font-style: italic; }
+.noted { display: grid; grid-template-columns: 45% 1fr auto; }
+.noted > math { justify-self: start; margin: 0 0 0 20%; }
+@media (max-width: 44rem) { .noted { display: flex; flex-wrap: wrap; } }
 math { font-size: 1.05em; }
 mtd { padding: 0.25em 0.35em; }
-.rows > mtr > mtd:first-child { text-align: right; }
+.rows > mtr > mtd:first-child { text-align: right; text-align: -webkit-right; padding-right: 0; }
 .rows > mtr > mtd:last-child { text-align: left; }
 table { border-collapse: collapse; font-size: 0.95rem; }
 th, td { border-bottom: 1px solid #8886; padding: 0.3rem 0.8rem 0.3rem 0; text-align: left;
@@ -49,7 +52,7 @@ def to_html(document: Document) -> str:
             'HTML needs the latex2mathml package: pip install "nonsmooth[html]"'
         ) from error
     page = _Page(convert)
-    body = "\n".join(page.block(block) for block in document.blocks)
+    body = "\n".join(page.group(group) for group in document.groups)
     title = escape(document.title)
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -65,26 +68,36 @@ class _Page:
     def __init__(self, convert: Callable[[str], str]) -> None:
         self.convert = convert
 
-    def block(self, block: Block) -> str:
-        """HTML of one block."""
+    def group(self, group: Sequence[Block]) -> str:
+        """HTML of one block, or of numbered formulas in a row."""
+        formulas = [b for b in group if isinstance(b, Formula)]
+        beside = notes_beside(formulas)
+        return "\n".join(
+            self.formula(b, beside=beside) if isinstance(b, Formula) else self.block(b)
+            for b in group
+        )
+
+    def block(self, block: Heading | Paragraph | Table) -> str:
+        """HTML of one block that is no formula."""
         if isinstance(block, Heading):
             return f"<h{block.level + 1}>{self.text(block.text)}</h{block.level + 1}>"
         if isinstance(block, Paragraph):
             return f"<p>{self.text(block.text)}</p>"
-        if isinstance(block, Formula):
-            return self.formula(block)
         return self.table(block)
 
-    def formula(self, formula: Formula) -> str:
-        """Rows aligned at their signs, in a box that scrolls by itself."""
+    def formula(self, formula: Formula, *, beside: bool) -> str:
+        """Rows aligned at their signs, in a box that scrolls by itself; the note where it fits."""
         cells = "".join(
             f"<mtr><mtd>{self.math(left)}</mtd><mtd>{self.math(right)}</mtd></mtr>"
             for left, right in rows(formula.lines)
         )
-        note = f'<span class="note">{self.text(formula.note)}</span>' if formula.note else ""
+        note = self.text(formula.note) if formula.note else ""
+        above = f"<p>{note[:1].upper()}{note[1:]}:</p>\n" if note and not beside else ""
+        note = f'<span class="note">{note}</span>' if note and beside else ""
         label = f'<span class="number">({escape(formula.label)})</span>' if formula.label else ""
+        kind = "formula noted" if note else "formula"
         return (
-            '<div class="formula"><math display="block" displaystyle="true">'
+            f'{above}<div class="{kind}"><math display="block" displaystyle="true">'
             f'<mtable class="rows" displaystyle="true">{cells}</mtable></math>{note}{label}</div>'
         )
 
@@ -113,5 +126,4 @@ class _Page:
         """MathML of one piece of LaTeX, without its outer element."""
         if not latex.strip():
             return "<mrow></mrow>"
-        converted = self.convert(latex)
-        return converted[converted.index(">") + 1 : converted.rindex("</math>")]
+        return mended(self.convert(latex))

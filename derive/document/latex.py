@@ -8,11 +8,11 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Sequence
-from itertools import groupby
+from dataclasses import replace
 from pathlib import Path
 
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.layout import rows, width
+from nonsmooth.derive.document.layout import notes_beside, rows, text_width
 
 __all__ = ["LatexMissing", "compile_pdf", "to_latex"]
 
@@ -20,7 +20,7 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
 \usepackage{amsmath,amssymb}
 \usepackage{array,booktabs,longtable}
 \usepackage[margin=25mm]{geometry}
-\allowdisplaybreaks[1]
+\allowdisplaybreaks[4]
 \setcounter{MaxMatrixCols}{40}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.5\baselineskip plus 2pt minus 1pt}
@@ -31,6 +31,10 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
   \setlength{\abovedisplayskip}{6pt plus 2pt minus 2pt}%
   \setlength{\belowdisplayskip}{3pt plus 2pt minus 1pt}}
 \renewcommand{\arraystretch}{1.15}
+% a heading, and a little of what follows it, on one page
+\newcommand{\needroom}[1]{\par\penalty-100\begingroup
+  \dimen0=\pagegoal\advance\dimen0-\pagetotal
+  \ifdim\dimen0<#1\ifdim\dimen0>0pt\newpage\fi\fi\endgroup}
 \newcolumntype{L}[1]{>{\raggedright\arraybackslash}p{#1}}
 """
 _SPECIAL = {
@@ -41,6 +45,9 @@ _SPECIAL = {
     **{c: f"\\{c}" for c in "&%#_{}"},
 }
 _TEXT_WIDTH = 45.5
+_ROOM = 6
+# a table of more rows may go over the end of a page
+_LONG = 14
 _MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 
 
@@ -62,69 +69,78 @@ def to_latex(document: Document) -> str:
         r"\begin{document}",
         rf"\begin{{center}}\Large\bfseries {title}\end{{center}}",
     ]
-    for numbered, group in groupby(document.blocks, _is_numbered):
-        blocks = list(group)
-        # equations in a row are aligned with each other
-        parts += [_formulas(blocks)] if numbered else [_block(block) for block in blocks]
+    parts += [_group(group) for group in document.groups]
     parts.append(r"\end{document}")
     return "\n".join(parts) + "\n"
 
 
-def _block(block: Block) -> str:
+def _group(group: Sequence[Block]) -> str:
+    block, *others = group
     if isinstance(block, Heading):
-        return f"\n\\{'sub' * (block.level - 1)}section{{{_text(block.text)}}}\n"
+        heading = f"\\{'sub' * (block.level - 1)}section{{{_text(block.text)}}}"
+        return f"\n\\needroom{{{_ROOM}\\baselineskip}}\n{heading}\n"
     if isinstance(block, Paragraph):
         return f"\n{_text(block.text)}"
-    if isinstance(block, Formula):
-        return _formulas([block])
-    return _table(block)
+    if isinstance(block, Table):
+        return _table(block)
+    formulas = [block, *(b for b in others if isinstance(b, Formula))]
+    if notes_beside(formulas):
+        # equations in a row are aligned with each other
+        return _aligned(formulas)
+    return "\n".join(
+        (f"\n{_text(_sentence(f.note))}:\n" if f.note else "") + _aligned([replace(f, note=None)])
+        for f in formulas
+    )
 
 
-def _is_numbered(block: Block) -> bool:
-    return isinstance(block, Formula) and block.label is not None
+def _sentence(note: str) -> str:
+    return note[:1].upper() + note[1:]
 
 
-def _formulas(formulas: Sequence[Block]) -> str:
-    found = []
+def _aligned(formulas: Sequence[Formula]) -> str:
+    found: list[str] = []
     for formula in formulas:
-        if not isinstance(formula, Formula):
-            continue
         broken = [f"{left} &{right}" for left, right in rows(formula.lines)]
         broken[-1] += rf" && \text{{{_text(formula.note)}}}" if formula.note else ""
         broken[-1] += rf" \tag{{{formula.label}}}" if formula.label else ""
         found += broken
-    body = " \\\\\n".join(found)
-    return f"\\begin{{align*}}\n{body}\n\\end{{align*}}"
+    body = found[0]
+    for place, row in enumerate(found[1:], start=1):
+        # a page may break where a relation begins, but not beside the first or the last row
+        free = 1 < place < len(found) - 1 and not row.startswith(" &")
+        body += (r" \\" if free else r" \\*") + f"\n{row}"
+    return f"\\begin{{align*}}\n{_spread(body)}\n\\end{{align*}}"
+
+
+def _spread(text: str) -> str:
+    """Matrices with fractions as entries have more room between their rows."""
+
+    def rows_apart(match: re.Match[str]) -> str:
+        found = match[0]
+        return found.replace(r"\\", r"\\[3pt]") if r"\frac" in found else found
+
+    return re.sub(r"\\begin\{matrix\}.*?\\end\{matrix\}", rows_apart, text)
 
 
 def _table(table: Table) -> str:
     columns = ["l"] * len(table.header)
     if table.wrapped is not None:
         widths = [
-            max(_measure(r[i]) for r in (table.header, *table.rows)) for i in range(len(columns))
+            max(text_width(r[i]) for r in (table.header, *table.rows)) for i in range(len(columns))
         ]
         taken = sum(w + 1.2 for i, w in enumerate(widths) if i != table.wrapped)
         room = min(_TEXT_WIDTH - taken - 1.2, widths[table.wrapped] + 1.0)
         columns[table.wrapped] = f"L{{{room:.1f}em}}"
     head = " & ".join(rf"\textbf{{{_text(h)}}}" for h in table.header)
-    body = [
-        rf"\begin{{longtable}}{{@{{}}{''.join(columns)}@{{}}}}",
-        r"\toprule",
-        rf"{head} \\",
-        r"\midrule",
-    ]
-    body += [r"\endhead", r"\bottomrule", r"\endlastfoot"]
-    body += [" & ".join(_text(cell) for cell in row) + r" \\" for row in table.rows]
-    body.append(r"\end{longtable}")
-    return "\n".join(body)
-
-
-def _measure(text: str) -> float:
-    """Approximate width of text in em."""
-    total = 0.0
-    for part in _MARKS.split(text):
-        total += width(part[1:-1]) if part.startswith("$") else 0.52 * len(part.strip("*"))
-    return total
+    body = [" & ".join(_text(cell) for cell in row) + r" \\" for row in table.rows]
+    columns_of = f"{{@{{}}{''.join(columns)}@{{}}}}"
+    top = [r"\toprule", rf"{head} \\", r"\midrule"]
+    if len(table.rows) <= _LONG:
+        begin = [r"\begin{center}", rf"\begin{{tabular}}{columns_of}"]
+        end = [r"\bottomrule", r"\end{tabular}", r"\end{center}"]
+        return "\n".join([*begin, *top, *body, *end])
+    top += [r"\endhead", r"\bottomrule", r"\endlastfoot"]
+    return "\n".join([rf"\begin{{longtable}}{columns_of}", *top, *body, r"\end{longtable}"])
 
 
 def _text(text: str) -> str:

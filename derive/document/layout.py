@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Protocol
 
-__all__ = ["LINE_WIDTH", "rows", "width"]
+__all__ = ["LINE_WIDTH", "notes_beside", "rows", "text_width", "width"]
 
 # em of the text block that the LaTeX preamble sets, less the room of an equation number
 LINE_WIDTH = 42.0
@@ -19,6 +19,11 @@ _TRANSPARENT = {r"\left", r"\right", r"\biggl", r"\biggr", r"\mathrm", r"\mathsf
 _TRANSPARENT |= {r"\operatorname", r"\bar", r"\hat", r"\displaystyle"}
 
 
+# em that a number and the gaps of a note beside a formula take
+_AROUND_NOTE = 7.0
+_MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
+
+
 class _Line(Protocol):
     @property
     def left(self) -> str: ...
@@ -28,6 +33,29 @@ class _Line(Protocol):
 
     @property
     def pieces(self) -> tuple[str, ...]: ...
+
+
+class _Formula(Protocol):
+    @property
+    def lines(self) -> Sequence[_Line]: ...
+
+    @property
+    def note(self) -> str | None: ...
+
+
+def notes_beside(formulas: Sequence[_Formula]) -> bool:
+    """Whether the notes of formulas that are aligned have room beside them."""
+    widest = [width(left) + width(right) for f in formulas for left, right in rows(f.lines)]
+    notes = [text_width(f.note) for f in formulas if f.note]
+    return max(widest, default=0.0) + max(notes, default=0.0) + _AROUND_NOTE <= LINE_WIDTH
+
+
+def text_width(text: str) -> float:
+    """Approximate width of text with its marks in em."""
+    total = 0.0
+    for part in _MARKS.split(text):
+        total += width(part[1:-1]) if part.startswith("$") else 0.52 * len(part.strip("*"))
+    return total
 
 
 def width(latex: str) -> float:
@@ -110,7 +138,7 @@ def rows(lines: Sequence[_Line], limit: float = LINE_WIDTH) -> list[tuple[str, s
         for piece in line.pieces:
             needed = width(piece)
             if not empty and indent + used + needed > limit:
-                found.append((left, text))
+                found.append((left, text.removesuffix(r"\qquad")))
                 left, text, used = "", r"\qquad{}", 2.0
             text, used, empty = f"{text} {piece}", used + needed, False
         found.append((left, text))

@@ -40,8 +40,7 @@ class Printer(LatexPrinter):
         if expression.exp.is_Rational and expression.exp.is_negative:
             return self._print_Mul(expression)
         if expression.exp == sp.Rational(1, 2):
-            base = expression.base
-            return rf"\sqrt{{{self._print(sp.together(base) if base.is_Add else base)}}}"
+            return rf"\sqrt{{{self.radicand(expression.base)}}}"
         return str(super()._print_Pow(expression))
 
     def _print_cos(self, expression: sp.Expr, exp: str | None = None) -> str:
@@ -65,18 +64,39 @@ class Printer(LatexPrinter):
         accent = "hat" if part == 1 else "bar"
         return rf"\{accent}{{c}}_{{{index}}}\left({time}; {mean}, {spread}\right)"
 
+    def radicand(self, base: sp.Expr) -> str:
+        """What stands below a root: one fraction, unless its terms have denominators."""
+        if not base.is_Add:
+            return str(self._print(base))
+        if any(sp.fraction(a)[1].free_symbols for a in base.args):
+            number, rest = sp.factor_terms(base).as_coeff_Mul()
+            inner = " ".join(self.summands(rest))
+            return inner if number == 1 else rf"{self._print(number)} \left({inner}\right)"
+        return str(self._print(sp.together(base)))
+
     def trigonometric(self, name: str, argument: sp.Expr, exponent: str | None) -> str:
         """Cosine or sine, without brackets around a product of symbols."""
-        text = self._print(argument)
-        plain = all(a.is_Symbol or a.is_Integer for a in sp.Mul.make_args(argument))
+        number, rest = argument.as_coeff_Mul()
+        plain = all(a.is_Symbol or a.is_Integer for a in sp.Mul.make_args(rest))
         head = rf"\{name}^{{{exponent}}}" if exponent else rf"\{name}"
+        if plain and number.is_Rational and number.q > 1:
+            return f"{head}({self._print(number.p * rest)}/{number.q})"
+        text = self._print(argument)
         return f"{head} {text}" if plain else rf"{head}\left({text}\right)"
 
     def ordered(self, expression: sp.Expr) -> list[tuple[sp.Expr, str]]:
         """Terms of a sum in the order of reading, each with its LaTeX and sign."""
         terms = [(self.rank(a), *self.term(a), a) for a in sp.Add.make_args(expression)]
-        terms.sort(key=lambda item: (*item[0][:2], item[1] < 0, item[0][2:]))
-        if terms[0][1] < 0 and not any(f.is_Add for f in sp.Mul.make_args(terms[0][3])):
+        terms.sort(
+            key=lambda item: (
+                not self.leads(item[3], expression),
+                *item[0][:2],
+                item[1] < 0,
+                item[0][2:],
+            )
+        )
+        leading = sp.Mul.make_args(terms[0][3])
+        if terms[0][1] < 0 and (len(terms) == 2 or not any(f.is_Add for f in leading)):
             # a short sum begins with a positive term if it has one
             first = next((t for t in terms if t[1] > 0), terms[0])
             terms.remove(first)
@@ -101,11 +121,25 @@ class Printer(LatexPrinter):
             inner = max(sums, key=lambda s: len(s.args))
             sign, outer = self.term(sp.Mul(*(f for f in sp.Mul.make_args(term) if f is not inner)))
             head = "- " if sign < 0 else "+ " if found else ""
+            if len(sums) > 1 and outer and self.is_bare_sum(term, inner):
+                outer = rf"\left({outer}\right)"
             first, *rest = self.summands(inner)
             found.append(rf"{head}{'' if outer == '1' else outer} \biggl({first}")
             found += rest
             found[-1] += r"\biggr)"
         return tuple(found)
+
+    def is_bare_sum(self, term: sp.Expr, inner: sp.Add) -> bool:
+        """Whether nothing but a sum is left of a product without one of its sums."""
+        others = [f for f in sp.Mul.make_args(term) if f is not inner]
+        return len([f for f in others if f != -1]) == 1
+
+    def leads(self, term: sp.Expr, total: sp.Expr) -> bool:
+        """Whether a term of a sum over entries of projectors belongs to no state: it is first."""
+        notation, symbols = self.notation, total.free_symbols
+        if not symbols & set(notation.projectors) or any(map(notation.is_function, symbols)):
+            return False
+        return bool(term.free_symbols <= {*notation.projectors, *notation.names})
 
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
         """Place of a term in a sum: states in order, what moves, constants; numbers first."""
@@ -124,7 +158,7 @@ class Printer(LatexPrinter):
         number, rest = term.as_coeff_Mul()
         sign = -1 if number.is_negative else 1
         factors = list(sp.Mul.make_args(rest))
-        roots = [f for f in factors if f.is_Pow and f.exp == sp.Rational(1, 2)]
+        roots = [f for f in factors if f.is_Pow and abs(f.exp) == sp.Rational(1, 2)]
         scale = sp.Integer(1)
         if number.is_Rational and any(f.base.is_number for f in roots):
             scale, number = number**2, sp.Integer(sign)
@@ -135,11 +169,14 @@ class Printer(LatexPrinter):
             if base.is_Add and exponent.is_Integer and exponent % 2 and self.looks_negative(base):
                 base, sign = -base, -sign
             if exponent.is_Rational and exponent < 0:
+                if exponent % 2 and self.looks_turned(base):
+                    base, sign = -base, -sign
                 below.append(base**-exponent)
             else:
                 above.append(base**exponent)
         if roots:
-            radicand = sp.together(sp.Mul(*(f.base for f in roots)))
+            radicand = sp.Mul(*(f.base ** (2 * f.exp) for f in roots))
+            radicand = radicand if len(roots) == 1 else sp.together(radicand)
             if scale != 1:
                 radicand = sp.Mul(scale, radicand, evaluate=False)
             above.append(sp.Pow(radicand, sp.Rational(1, 2), evaluate=False))
@@ -151,11 +188,13 @@ class Printer(LatexPrinter):
         below = [f for f in below if f != 1]
         if not below:
             return sign, self.product(above) or "1"
-        outside = [f for f in above if isinstance(f, Angle)]
+        outside = [f for f in above if isinstance(f, Angle) or _is_root_of_fraction(f)]
         sums = [f for f in above if f.is_Add]
         beside_function = any(self.place(f)[0] == 5 for f in above)
         nested = any(r"\frac" in self._print(f) for f in sums)
-        if nested or (len(above) > len(sums) and not beside_function):
+        constant = set().union(*(f.free_symbols for f in sums)) <= set(self.notation.constants)
+        over_sum = constant and any(f.is_Add for f in below)
+        if nested or (len(above) > len(sums) and not beside_function and not over_sum):
             outside += sums
         inside = [f for f in above if f not in outside]
         text = rf"\frac{{{self.product(inside) or '1'}}}{{{self.product(below)}}}"
@@ -168,9 +207,20 @@ class Printer(LatexPrinter):
             return bool(number.is_negative)
         return all(self.term(a)[0] < 0 for a in expression.args)
 
+    def looks_turned(self, expression: sp.Expr) -> bool:
+        """Whether a denominator subtracts a parameter from a state and not the other way."""
+        if not expression.is_Add or expression.as_coeff_Add()[0] != 0:
+            return False
+        constants = set(self.notation.constants)
+        fixed = [a for a in expression.args if a.free_symbols <= constants]
+        moving = len(fixed) < len(expression.args)
+        return bool(fixed) and moving and all(a.as_coeff_Mul()[0] < 0 for a in fixed)
+
     def turnable(self, factor: sp.Expr) -> bool:
         """Whether a sum can take up a minus sign in front of it."""
         if not factor.is_Add or factor.as_coeff_Add()[0] != 0:
+            return False
+        if factor.free_symbols & set(self.notation.names):
             return False
         return any(self.term(a)[0] < 0 for a in factor.args)
 
@@ -189,7 +239,9 @@ class Printer(LatexPrinter):
         if base.is_number:
             return 0, str(factor)
         if base.is_Add:
-            return 3, str(factor)
+            moving = any(map(self.notation.is_function, base.free_symbols))
+            entries = base.free_symbols & set(self.notation.projectors)
+            return 3, f"{2 if moving else 0 if entries else 1} {factor}"
         if base.is_Function or self.notation.is_function(base):
             return 5, str(factor)
         if "_by_" in str(base):
@@ -197,3 +249,9 @@ class Printer(LatexPrinter):
         if base in self.notation.constants:
             return 1, str(factor)
         return 2, str(factor)
+
+
+def _is_root_of_fraction(factor: sp.Expr) -> bool:
+    return bool(
+        factor.is_Pow and factor.exp == sp.Rational(1, 2) and sp.fraction(factor.base)[1] != 1
+    )

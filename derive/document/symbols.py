@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -57,17 +57,32 @@ class Notation:
     constants : tuple of symbols
         Parameters and the spectrum.
     functions : mapping of symbol to expression
-        Symbols that stand for values of functions of time.
+        Symbols that stand for values of functions of time, or for half a dwell time.
     unknowns : tuple of symbols
+    start : mapping of symbol to int
+        Coordinates of the start, and which of the states each is.
+    projectors : tuple of symbols
+        Those of the spectrum that are entries of projectors.
+    names : mapping of symbol to LaTeX
+        Symbols that the document itself introduces.
     """
 
     states: tuple[sp.Symbol, ...]
     constants: tuple[sp.Symbol, ...]
     functions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     unknowns: tuple[sp.Symbol, ...] = ()
+    start: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    projectors: tuple[sp.Symbol, ...] = ()
+    names: Mapping[sp.Symbol, str] = field(default_factory=dict)
+
+    def with_names(self, names: Mapping[sp.Symbol, str]) -> Notation:
+        """The same notation with more symbols that the document introduces."""
+        return replace(self, names={**self.names, **names})
 
     def symbol(self, name: sp.Symbol | str) -> str:
         """LaTeX of a symbol."""
+        if isinstance(name, sp.Symbol) and name in self.names:
+            return self.names[name]
         text = str(name)
         inner, by, variable = text.rpartition("_by_")
         if by:
@@ -111,10 +126,15 @@ class Notation:
 
         return _EXPRESSION.sub(formula, text)
 
+    def plain(self, expression: sp.Expr) -> sp.Expr:
+        """An expression with powers of time, and halves of dwell times, written out."""
+        return sp.sympify(expression).xreplace(
+            {s: e for s, e in self.functions.items() if not e.is_Function}
+        )
+
     def tidy(self, expression: sp.Expr) -> sp.Expr:
         """Order an expression for reading: state by state, constants factored."""
-        powers = {s: e for s, e in self.functions.items() if e.is_Pow}
-        expression = sp.sympify(expression).xreplace(powers)
+        expression = self.plain(expression)
         if expression.has(sp.Function) or expression.is_Atom:
             return expression
         if any(p.exp == sp.Rational(1, 2) and p.base.is_Add for p in expression.atoms(sp.Pow)):
@@ -144,19 +164,28 @@ class Notation:
         return sp.factor_terms(sp.Add(*parts)) if len(parts) > 1 else sp.Add(*parts)
 
     def is_state(self, symbol: sp.Symbol) -> bool:
-        """Whether a symbol is a state, a state behind a phase, or its derivative."""
+        """Whether a symbol is a state, at the start or behind a phase too, or its derivative."""
         name = str(symbol).partition("_by_")[0]
-        return symbol in self.states or self._state_at(name) is not None
+        return symbol in (*self.states, *self.start) or self._state_at(name) is not None
 
     def place(self, symbol: sp.Symbol) -> int:
         """Which of the states a symbol belongs to."""
+        if symbol in self.start:
+            return self.start[symbol]
         name = str(symbol).partition("_by_")[0]
         state = self._state_at(name)
         return self._state_names.index(state[0] if state else name)
 
     def is_function(self, symbol: sp.Symbol) -> bool:
         """Whether a symbol is written as a function, without brackets behind it."""
-        return symbol in self.functions or _TURNED.fullmatch(str(symbol)) is not None
+        known = self.functions.get(symbol)
+        return (known is not None and known.is_Function) or _TURNED.fullmatch(
+            str(symbol)
+        ) is not None
+
+    def term(self, term: sp.Expr) -> tuple[int, str]:
+        """Sign and LaTeX of a product."""
+        return self._printer.term(term)
 
     def _state_at(self, name: str) -> tuple[str, str, str] | None:
         match = re.fullmatch(r"(\w+?)_(\d+)(_reset)?", name)

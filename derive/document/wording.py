@@ -8,13 +8,16 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from nonsmooth.derive.document.arrange import by_function, signed
 from nonsmooth.derive.document.blocks import Formula, Line
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.system import System
 
-__all__ = ["Naming", "count", "enumeration", "numbered"]
+__all__ = ["Naming", "count", "enumeration", "in_one_line", "number", "numbered"]
 
+# capitals that stand for matrices and the like in every document
+_TAKEN = set("ADEFIJKMPQRSTU")
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
 
@@ -43,8 +46,9 @@ class Naming:
 
     @property
     def state(self) -> str:
-        """Letter of the whole state."""
-        return self.letter.upper() if self.second_order else "Y"
+        """Letter of the whole state: a capital that stands for nothing else."""
+        letter = self.letter.upper()
+        return letter if self.second_order and letter not in _TAKEN else "Y"
 
     def prose(self, text: str) -> str:
         """Text with formulas for symbols and emphasis on the system's own names."""
@@ -55,12 +59,26 @@ class Naming:
         marked = re.split(f"({pattern})", text)
         return "".join(f"*{p}*" if p in names else self.notation.prose(p) for p in marked)
 
-    def equal(self, left: sp.Symbol, right: sp.Expr, *, tidy: bool = True) -> Line:
-        """Make the line ``left = right``."""
-        shown = self.notation.tidy(right) if tidy else right
+    def equal(
+        self,
+        left: sp.Symbol,
+        right: sp.Expr,
+        *,
+        tidy: bool = True,
+        written: sp.Expr | None = None,
+    ) -> Line:
+        """Make the line ``left = right``, the right side as it is `written` if that differs."""
+        shown = right if written is None else written
+        shown = self.notation.tidy(shown) if tidy else shown
         return Line(
             self.notation.symbol(left), "=", self.notation.pieces(shown), left, sp.sympify(right)
         )
+
+    def sum(self, left: sp.Symbol, right: sp.Expr, written: sp.Expr | None = None) -> Line:
+        """Make the line ``left = right``, arranged function by function of time."""
+        terms = by_function(self.notation, right if written is None else written)
+        pieces = signed(self.notation, terms)
+        return Line(self.notation.symbol(left), "=", pieces, left, sp.sympify(right))
 
     def list(self, symbols: Iterable[sp.Symbol]) -> str:
         """Symbols in running text."""
@@ -74,26 +92,54 @@ def enumeration(words: Sequence[str]) -> str:
     return f"{', '.join(words[:-1])} and {words[-1]}"
 
 
-def count(number: int, noun: str) -> str:
+def number(value: int) -> str:
+    """A number in words."""
+    return _COUNTS[value] if value < len(_COUNTS) else str(value)
+
+
+def count(value: int, noun: str) -> str:
     """Number and noun in words."""
-    word = _COUNTS[number] if number < len(_COUNTS) else str(number)
-    return f"{word} {noun}{'' if number == 1 else 's'}"
+    return f"{number(value)} {noun}{'' if value == 1 else 's'}"
+
+
+def in_one_line(lines: Sequence[Line]) -> Line:
+    """Short relations side by side, the first aligned with what is above."""
+    first, *others = lines
+    if not others:
+        return first
+    texts = [" ".join(first.pieces), *(line.latex for line in others)]
+    pieces = (*(rf"{text},\qquad" for text in texts[:-1]), texts[-1])
+    return Line(first.left, first.relation, pieces, parts=tuple(lines))
 
 
 def numbered(
-    naming: Naming, equations: Sequence[tuple[str, sp.Expr]], prefix: str
+    naming: Naming,
+    equations: Sequence[tuple[str, sp.Expr]],
+    labels: Sequence[str],
+    written: Sequence[sp.Expr] | None = None,
 ) -> list[Formula]:
-    """Number equations with their meanings, each a formula."""
-    return [
-        Formula(
-            (_vanishing(naming, expression),),
-            label=f"{prefix}{number}",
-            note=naming.prose(meaning),
-        )
-        for number, (meaning, expression) in enumerate(equations, start=1)
-    ]
+    """Number equations with their meanings, each a formula.
+
+    Those in which functions of time occur are arranged by them.
+    """
+    found = []
+    for (meaning, expression), label, shown in zip(
+        equations, labels, written or [e for _, e in equations], strict=True
+    ):
+        notation = naming.notation
+        if any(notation.is_function(s) for s in shown.free_symbols):
+            pieces = signed(notation, by_function(notation, shown))
+        else:
+            pieces = notation.pieces(notation.tidy(shown))
+        line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
+        found.append(Formula((line,), label=label, note=_meaning(naming, meaning)))
+    return found
 
 
-def _vanishing(naming: Naming, expression: sp.Expr) -> Line:
-    pieces = naming.notation.pieces(naming.notation.tidy(expression))
-    return Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
+def _meaning(naming: Naming, text: str) -> str:
+    """What an equation says: its first word may be a symbol of one letter."""
+    word, _, rest = text.partition(" ")
+    names = {str(s): s for s in (*naming.system.states, *naming.notation.unknowns)}
+    if word in names and rest:
+        return f"${naming.notation.symbol(names[word])}$ {naming.prose(rest)}"
+    return naming.prose(text)
