@@ -355,8 +355,8 @@ def poincare_jacobian(
         )
         delays = [-(link.normal * carried[:, j])[0] / speed for j in range(len(columns))]
         delay, values = assign(
-            f"derivatives of {link.dwell} on the boundary",
-            [f"{link.dwell}_by_{q}" for q in columns],
+            f"derivatives of the time to the boundary after {link.dwell}",
+            [f"delay_{link.dwell}_by_{q}" for q in columns],
             delays,
         )
         projected = carried + velocity * sp.Matrix(1, len(columns), values)

@@ -47,7 +47,7 @@ def eliminate_coordinates(
         Parameters and spectrum.
     choose : mapping of symbol to number
         A known point: of the square parts of the equations that with the best determinant
-        there is solved. Without it the first is.
+        there is solved. Where it is not known whole, the first is.
     rank : int
         Dimension of the smallest section of the orbit.
 
@@ -137,15 +137,14 @@ def _rows(
 ) -> tuple[int, ...]:
     """Which of the equations are solved for the coordinates."""
     table = [[sp.diff(e, q) for q in coordinates] for _, e in equations]
-    if choose:
-        flat = evaluate(stages, [c for row in table for c in row], choose)
-        width = len(coordinates)
-        numbers = sp.Matrix(len(table), width, [sp.sympify(c).evalf(30) for c in flat])
+    flat = evaluate(stages, [c for row in table for c in row], choose)
+    numbers = sp.Matrix(len(table), len(coordinates), [sp.sympify(c).evalf(30) for c in flat])
+    chosen = all(n.is_number for n in numbers)
     best: tuple[sp.Expr, tuple[int, ...]] | None = None
     for rows in combinations(range(len(equations)), len(coordinates)):
         if sp.Matrix([table[i] for i in rows]).det() == 0:
             continue
-        if not choose:
+        if not chosen:
             return rows
         part = numbers.extract(list(rows), list(range(len(coordinates))))
         size = abs(part.det()) / sp.prod([part.row(i).norm() for i in range(part.rows)])

@@ -220,9 +220,12 @@ class Itinerary:
             ("vanishing dwell time", self.vanishing, dwell_times),
             ("parameter to solve for", self.solved_for, parameters),
         ):
-            for name in names:
+            given = list(names)
+            for place, name in enumerate(given):
                 if name not in known:
                     raise DeclarationError(f"{where}: {kind} {name!r}, which is not declared")
+                if name in given[:place]:
+                    raise DeclarationError(f"{where}: {kind} {name!r} is named twice")
         if len(self.vanishing) != len(self.solved_for):
             raise DeclarationError(
                 f"{where}: {len(self.vanishing)} vanishing dwell times,"

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 1651bd0fc05ede85 */
+ * SymPy 1.14.0, derivation cd9e7cb19aadb051 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -824,18 +824,18 @@ void dry_friction_symmetric_poincare_jacobian(
     /* rate of the exit boundary after tau */
     const double t20 = chi*z2_1;
     const double rate_1 = chi*eta*z1_1 - eta*t20;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t21 = (1.0/(rate_1));
-    const double tau_by_z20 = -carried_v2_1_by_z20*t21;
-    const double tau_by_v10 = -carried_v2_1_by_v10*t21;
+    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t21;
+    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t21;
     /* perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
-    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
-    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
-    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
     const double t22 = t20 - z1_1;
-    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t22*tau_by_z20;
-    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t22*tau_by_v10;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t22;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t22;
     /* Phi along tau1 */
     const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t18*z2_1_on_boundary_by_z20;
     const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t18*z2_1_on_boundary_by_v10;
@@ -843,16 +843,16 @@ void dry_friction_symmetric_poincare_jacobian(
     const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t19*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
     const double rate_2 = V*chi - chi*v1_2;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t23 = (1.0/(rate_2));
-    const double tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
-    const double tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
+    const double delay_tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
     /* perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20;
-    const double z2_2_on_boundary_by_v10 = V*tau1_by_v10 + z2_1_on_boundary_by_v10;
+    const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
+    const double z2_2_on_boundary_by_v10 = V*delay_tau1_by_v10 + z2_1_on_boundary_by_v10;
     const double t24 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t24*tau1_by_z20;
-    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + t24*tau1_by_v10;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t24;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t24;
     poincare_jacobian[0] = z2_2_on_boundary_by_z20;
     poincare_jacobian[1] = z2_2_on_boundary_by_v10;
     poincare_jacobian[2] = v1_2_on_boundary_by_z20;
@@ -1165,31 +1165,31 @@ void dry_friction_symmetric_trace(
     /* rate of the exit boundary after tau */
     const double t20 = chi*z2_1;
     const double rate_1 = chi*eta*z1_1 - eta*t20;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t21 = (1.0/(rate_1));
-    const double tau_by_z20 = -carried_v2_1_by_z20*t21;
-    const double tau_by_v10 = -carried_v2_1_by_v10*t21;
+    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t21;
+    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t21;
     /* perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
-    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
-    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
-    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
     const double t22 = t20 - z1_1;
-    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t22*tau_by_z20;
-    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t22*tau_by_v10;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t22;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t22;
     /* Phi along tau1 */
     const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t18*z2_1_on_boundary_by_z20;
     const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t18*z2_1_on_boundary_by_v10;
     const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t19*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
     const double rate_2 = V*chi - chi*v1_2;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t23 = (1.0/(rate_2));
-    const double tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
-    const double tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
+    const double delay_tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
     /* perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20;
-    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + tau1_by_v10*(chi*z2_2 - z1_2);
+    const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*(chi*z2_2 - z1_2);
     *trace = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
 }
 
@@ -1276,32 +1276,32 @@ void dry_friction_symmetric_trace_gradient(
     const double t36 = eta*z1_1;
     const double t37 = chi*z2_1;
     const double rate_1 = chi*t36 - eta*t37;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t38 = (1.0/(rate_1));
-    const double tau_by_z20 = -carried_v2_1_by_z20*t38;
-    const double tau_by_v10 = -carried_v2_1_by_v10*t38;
+    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t38;
+    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t38;
     /* perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
-    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
-    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
-    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+    const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
     const double t39 = t37 - z1_1;
-    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t39*tau_by_z20;
-    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t39*tau_by_v10;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t39;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t39;
     /* Phi along tau1 */
     const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20;
     const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
     const double t40 = V*chi;
     const double rate_2 = -chi*v1_2 + t40;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t41 = (1.0/(rate_2));
     const double t42 = chi*z2_1_on_boundary_by_z20;
     const double t43 = carried_z1_2_by_z20*chi - t42;
-    const double tau1_by_z20 = t41*t43;
+    const double delay_tau1_by_z20 = t41*t43;
     const double t44 = chi*z2_1_on_boundary_by_v10;
     const double t45 = carried_z1_2_by_v10*chi - t44;
-    const double tau1_by_v10 = t41*t45;
+    const double delay_tau1_by_v10 = t41*t45;
     /* d/dtau of: functions of tau in slip-slip */
     const double cos_omega1_tau_by_tau = -omega1*sin_omega1_tau;
     const double sin_omega1_tau_by_tau = cos_omega1_tau*omega1;
@@ -1505,91 +1505,91 @@ void dry_friction_symmetric_trace_gradient(
     const double rate_1_by_eta = chi*z1_1 + t132*z1_1_by_eta - t132*z2_1_by_eta - t37;
     /* d/dV of: rate of the exit boundary after tau */
     const double rate_1_by_V = t132*z1_1_by_V - t132*z2_1_by_V;
-    /* d/dz10 of: derivatives of tau on the boundary */
+    /* d/dz10 of: derivatives of the time to the boundary after tau */
     const double t133 = (1.0/(rate_1*rate_1));
     const double t134 = rate_1_by_z10*t133;
-    const double tau_by_z20_by_z10 = carried_v2_1_by_z20*t134;
-    const double tau_by_v10_by_z10 = carried_v2_1_by_v10*t134;
-    /* d/dz20 of: derivatives of tau on the boundary */
+    const double delay_tau_by_z20_by_z10 = carried_v2_1_by_z20*t134;
+    const double delay_tau_by_v10_by_z10 = carried_v2_1_by_v10*t134;
+    /* d/dz20 of: derivatives of the time to the boundary after tau */
     const double t135 = rate_1_by_z20*t133;
-    const double tau_by_z20_by_z20 = carried_v2_1_by_z20*t135;
-    const double tau_by_v10_by_z20 = carried_v2_1_by_v10*t135;
-    /* d/dv10 of: derivatives of tau on the boundary */
+    const double delay_tau_by_z20_by_z20 = carried_v2_1_by_z20*t135;
+    const double delay_tau_by_v10_by_z20 = carried_v2_1_by_v10*t135;
+    /* d/dv10 of: derivatives of the time to the boundary after tau */
     const double t136 = rate_1_by_v10*t133;
-    const double tau_by_z20_by_v10 = carried_v2_1_by_z20*t136;
-    const double tau_by_v10_by_v10 = carried_v2_1_by_v10*t136;
-    /* d/dtau of: derivatives of tau on the boundary */
+    const double delay_tau_by_z20_by_v10 = carried_v2_1_by_z20*t136;
+    const double delay_tau_by_v10_by_v10 = carried_v2_1_by_v10*t136;
+    /* d/dtau of: derivatives of the time to the boundary after tau */
     const double t137 = rate_1_by_tau*t133;
-    const double tau_by_z20_by_tau = carried_v2_1_by_z20*t137 - carried_v2_1_by_z20_by_tau*t38;
-    const double tau_by_v10_by_tau = carried_v2_1_by_v10*t137 - carried_v2_1_by_v10_by_tau*t38;
-    /* d/dchi of: derivatives of tau on the boundary */
+    const double delay_tau_by_z20_by_tau = carried_v2_1_by_z20*t137 - carried_v2_1_by_z20_by_tau*t38;
+    const double delay_tau_by_v10_by_tau = carried_v2_1_by_v10*t137 - carried_v2_1_by_v10_by_tau*t38;
+    /* d/dchi of: derivatives of the time to the boundary after tau */
     const double t138 = rate_1_by_chi*t133;
-    const double tau_by_z20_by_chi = carried_v2_1_by_z20*t138 - carried_v2_1_by_z20_by_chi*t38;
-    const double tau_by_v10_by_chi = carried_v2_1_by_v10*t138 - carried_v2_1_by_v10_by_chi*t38;
-    /* d/deta of: derivatives of tau on the boundary */
+    const double delay_tau_by_z20_by_chi = carried_v2_1_by_z20*t138 - carried_v2_1_by_z20_by_chi*t38;
+    const double delay_tau_by_v10_by_chi = carried_v2_1_by_v10*t138 - carried_v2_1_by_v10_by_chi*t38;
+    /* d/deta of: derivatives of the time to the boundary after tau */
     const double t139 = rate_1_by_eta*t133;
-    const double tau_by_z20_by_eta = carried_v2_1_by_z20*t139 - carried_v2_1_by_z20_by_eta*t38;
-    const double tau_by_v10_by_eta = carried_v2_1_by_v10*t139 - carried_v2_1_by_v10_by_eta*t38;
-    /* d/dV of: derivatives of tau on the boundary */
+    const double delay_tau_by_z20_by_eta = carried_v2_1_by_z20*t139 - carried_v2_1_by_z20_by_eta*t38;
+    const double delay_tau_by_v10_by_eta = carried_v2_1_by_v10*t139 - carried_v2_1_by_v10_by_eta*t38;
+    /* d/dV of: derivatives of the time to the boundary after tau */
     const double t140 = rate_1_by_V*t133;
-    const double tau_by_z20_by_V = carried_v2_1_by_z20*t140;
-    const double tau_by_v10_by_V = carried_v2_1_by_v10*t140;
+    const double delay_tau_by_z20_by_V = carried_v2_1_by_z20*t140;
+    const double delay_tau_by_v10_by_V = carried_v2_1_by_v10*t140;
     /* d/dz10 of: perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20_by_z10 = tau_by_z20*v1_1_by_z10 + tau_by_z20_by_z10*v1_1;
-    const double z1_1_on_boundary_by_v10_by_z10 = tau_by_v10*v1_1_by_z10 + tau_by_v10_by_z10*v1_1;
-    const double z2_1_on_boundary_by_z20_by_z10 = tau_by_z20*v2_1_by_z10 + tau_by_z20_by_z10*v2_1;
-    const double z2_1_on_boundary_by_v10_by_z10 = tau_by_v10*v2_1_by_z10 + tau_by_v10_by_z10*v2_1;
+    const double z1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v1_1_by_z10 + delay_tau_by_z20_by_z10*v1_1;
+    const double z1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v1_1_by_z10 + delay_tau_by_v10_by_z10*v1_1;
+    const double z2_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v2_1_by_z10 + delay_tau_by_z20_by_z10*v2_1;
+    const double z2_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v2_1_by_z10 + delay_tau_by_v10_by_z10*v2_1;
     const double t141 = chi*z2_1_by_z10;
-    const double v1_1_on_boundary_by_z20_by_z10 = t141*tau_by_z20 + t39*tau_by_z20_by_z10 - tau_by_z20*z1_1_by_z10;
-    const double v1_1_on_boundary_by_v10_by_z10 = t141*tau_by_v10 + t39*tau_by_v10_by_z10 - tau_by_v10*z1_1_by_z10;
+    const double v1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*t141 - delay_tau_by_z20*z1_1_by_z10 + delay_tau_by_z20_by_z10*t39;
+    const double v1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*t141 - delay_tau_by_v10*z1_1_by_z10 + delay_tau_by_v10_by_z10*t39;
     /* d/dz20 of: perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20_by_z20 = tau_by_z20*v1_1_by_z20 + tau_by_z20_by_z20*v1_1;
-    const double z1_1_on_boundary_by_v10_by_z20 = tau_by_v10*v1_1_by_z20 + tau_by_v10_by_z20*v1_1;
-    const double z2_1_on_boundary_by_z20_by_z20 = tau_by_z20*v2_1_by_z20 + tau_by_z20_by_z20*v2_1;
-    const double z2_1_on_boundary_by_v10_by_z20 = tau_by_v10*v2_1_by_z20 + tau_by_v10_by_z20*v2_1;
+    const double z1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v1_1_by_z20 + delay_tau_by_z20_by_z20*v1_1;
+    const double z1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v1_1_by_z20 + delay_tau_by_v10_by_z20*v1_1;
+    const double z2_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v2_1_by_z20 + delay_tau_by_z20_by_z20*v2_1;
+    const double z2_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v2_1_by_z20 + delay_tau_by_v10_by_z20*v2_1;
     const double t142 = chi*z2_1_by_z20;
-    const double v1_1_on_boundary_by_z20_by_z20 = t142*tau_by_z20 + t39*tau_by_z20_by_z20 - tau_by_z20*z1_1_by_z20;
-    const double v1_1_on_boundary_by_v10_by_z20 = t142*tau_by_v10 + t39*tau_by_v10_by_z20 - tau_by_v10*z1_1_by_z20;
+    const double v1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*t142 - delay_tau_by_z20*z1_1_by_z20 + delay_tau_by_z20_by_z20*t39;
+    const double v1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*t142 - delay_tau_by_v10*z1_1_by_z20 + delay_tau_by_v10_by_z20*t39;
     /* d/dv10 of: perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20_by_v10 = tau_by_z20*v1_1_by_v10 + tau_by_z20_by_v10*v1_1;
-    const double z1_1_on_boundary_by_v10_by_v10 = tau_by_v10*v1_1_by_v10 + tau_by_v10_by_v10*v1_1;
-    const double z2_1_on_boundary_by_z20_by_v10 = tau_by_z20*v2_1_by_v10 + tau_by_z20_by_v10*v2_1;
-    const double z2_1_on_boundary_by_v10_by_v10 = tau_by_v10*v2_1_by_v10 + tau_by_v10_by_v10*v2_1;
+    const double z1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v1_1_by_v10 + delay_tau_by_z20_by_v10*v1_1;
+    const double z1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v1_1_by_v10 + delay_tau_by_v10_by_v10*v1_1;
+    const double z2_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v2_1_by_v10 + delay_tau_by_z20_by_v10*v2_1;
+    const double z2_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v2_1_by_v10 + delay_tau_by_v10_by_v10*v2_1;
     const double t143 = chi*z2_1_by_v10;
-    const double v1_1_on_boundary_by_z20_by_v10 = t143*tau_by_z20 + t39*tau_by_z20_by_v10 - tau_by_z20*z1_1_by_v10;
-    const double v1_1_on_boundary_by_v10_by_v10 = t143*tau_by_v10 + t39*tau_by_v10_by_v10 - tau_by_v10*z1_1_by_v10;
+    const double v1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*t143 - delay_tau_by_z20*z1_1_by_v10 + delay_tau_by_z20_by_v10*t39;
+    const double v1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*t143 - delay_tau_by_v10*z1_1_by_v10 + delay_tau_by_v10_by_v10*t39;
     /* d/dtau of: perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20_by_tau = carried_z1_1_by_z20_by_tau + tau_by_z20*v1_1_by_tau + tau_by_z20_by_tau*v1_1;
-    const double z1_1_on_boundary_by_v10_by_tau = carried_z1_1_by_v10_by_tau + tau_by_v10*v1_1_by_tau + tau_by_v10_by_tau*v1_1;
-    const double z2_1_on_boundary_by_z20_by_tau = carried_z2_1_by_z20_by_tau + tau_by_z20*v2_1_by_tau + tau_by_z20_by_tau*v2_1;
-    const double z2_1_on_boundary_by_v10_by_tau = carried_z2_1_by_v10_by_tau + tau_by_v10*v2_1_by_tau + tau_by_v10_by_tau*v2_1;
+    const double z1_1_on_boundary_by_z20_by_tau = carried_z1_1_by_z20_by_tau + delay_tau_by_z20*v1_1_by_tau + delay_tau_by_z20_by_tau*v1_1;
+    const double z1_1_on_boundary_by_v10_by_tau = carried_z1_1_by_v10_by_tau + delay_tau_by_v10*v1_1_by_tau + delay_tau_by_v10_by_tau*v1_1;
+    const double z2_1_on_boundary_by_z20_by_tau = carried_z2_1_by_z20_by_tau + delay_tau_by_z20*v2_1_by_tau + delay_tau_by_z20_by_tau*v2_1;
+    const double z2_1_on_boundary_by_v10_by_tau = carried_z2_1_by_v10_by_tau + delay_tau_by_v10*v2_1_by_tau + delay_tau_by_v10_by_tau*v2_1;
     const double t144 = chi*z2_1_by_tau;
-    const double v1_1_on_boundary_by_z20_by_tau = carried_v1_1_by_z20_by_tau + t144*tau_by_z20 + t39*tau_by_z20_by_tau - tau_by_z20*z1_1_by_tau;
-    const double v1_1_on_boundary_by_v10_by_tau = carried_v1_1_by_v10_by_tau + t144*tau_by_v10 + t39*tau_by_v10_by_tau - tau_by_v10*z1_1_by_tau;
+    const double v1_1_on_boundary_by_z20_by_tau = carried_v1_1_by_z20_by_tau + delay_tau_by_z20*t144 - delay_tau_by_z20*z1_1_by_tau + delay_tau_by_z20_by_tau*t39;
+    const double v1_1_on_boundary_by_v10_by_tau = carried_v1_1_by_v10_by_tau + delay_tau_by_v10*t144 - delay_tau_by_v10*z1_1_by_tau + delay_tau_by_v10_by_tau*t39;
     /* d/dchi of: perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20_by_chi = carried_z1_1_by_z20_by_chi + tau_by_z20*v1_1_by_chi + tau_by_z20_by_chi*v1_1;
-    const double z1_1_on_boundary_by_v10_by_chi = carried_z1_1_by_v10_by_chi + tau_by_v10*v1_1_by_chi + tau_by_v10_by_chi*v1_1;
-    const double z2_1_on_boundary_by_z20_by_chi = carried_z2_1_by_z20_by_chi + tau_by_z20*v2_1_by_chi + tau_by_z20_by_chi*v2_1;
-    const double z2_1_on_boundary_by_v10_by_chi = carried_z2_1_by_v10_by_chi + tau_by_v10*v2_1_by_chi + tau_by_v10_by_chi*v2_1;
+    const double z1_1_on_boundary_by_z20_by_chi = carried_z1_1_by_z20_by_chi + delay_tau_by_z20*v1_1_by_chi + delay_tau_by_z20_by_chi*v1_1;
+    const double z1_1_on_boundary_by_v10_by_chi = carried_z1_1_by_v10_by_chi + delay_tau_by_v10*v1_1_by_chi + delay_tau_by_v10_by_chi*v1_1;
+    const double z2_1_on_boundary_by_z20_by_chi = carried_z2_1_by_z20_by_chi + delay_tau_by_z20*v2_1_by_chi + delay_tau_by_z20_by_chi*v2_1;
+    const double z2_1_on_boundary_by_v10_by_chi = carried_z2_1_by_v10_by_chi + delay_tau_by_v10*v2_1_by_chi + delay_tau_by_v10_by_chi*v2_1;
     const double t145 = chi*z2_1_by_chi;
-    const double v1_1_on_boundary_by_z20_by_chi = carried_v1_1_by_z20_by_chi + t145*tau_by_z20 + t39*tau_by_z20_by_chi - tau_by_z20*z1_1_by_chi + tau_by_z20*z2_1;
-    const double v1_1_on_boundary_by_v10_by_chi = carried_v1_1_by_v10_by_chi + t145*tau_by_v10 + t39*tau_by_v10_by_chi - tau_by_v10*z1_1_by_chi + tau_by_v10*z2_1;
+    const double v1_1_on_boundary_by_z20_by_chi = carried_v1_1_by_z20_by_chi + delay_tau_by_z20*t145 - delay_tau_by_z20*z1_1_by_chi + delay_tau_by_z20*z2_1 + delay_tau_by_z20_by_chi*t39;
+    const double v1_1_on_boundary_by_v10_by_chi = carried_v1_1_by_v10_by_chi + delay_tau_by_v10*t145 - delay_tau_by_v10*z1_1_by_chi + delay_tau_by_v10*z2_1 + delay_tau_by_v10_by_chi*t39;
     /* d/deta of: perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20_by_eta = carried_z1_1_by_z20_by_eta + tau_by_z20*v1_1_by_eta + tau_by_z20_by_eta*v1_1;
-    const double z1_1_on_boundary_by_v10_by_eta = carried_z1_1_by_v10_by_eta + tau_by_v10*v1_1_by_eta + tau_by_v10_by_eta*v1_1;
-    const double z2_1_on_boundary_by_z20_by_eta = carried_z2_1_by_z20_by_eta + tau_by_z20*v2_1_by_eta + tau_by_z20_by_eta*v2_1;
-    const double z2_1_on_boundary_by_v10_by_eta = carried_z2_1_by_v10_by_eta + tau_by_v10*v2_1_by_eta + tau_by_v10_by_eta*v2_1;
+    const double z1_1_on_boundary_by_z20_by_eta = carried_z1_1_by_z20_by_eta + delay_tau_by_z20*v1_1_by_eta + delay_tau_by_z20_by_eta*v1_1;
+    const double z1_1_on_boundary_by_v10_by_eta = carried_z1_1_by_v10_by_eta + delay_tau_by_v10*v1_1_by_eta + delay_tau_by_v10_by_eta*v1_1;
+    const double z2_1_on_boundary_by_z20_by_eta = carried_z2_1_by_z20_by_eta + delay_tau_by_z20*v2_1_by_eta + delay_tau_by_z20_by_eta*v2_1;
+    const double z2_1_on_boundary_by_v10_by_eta = carried_z2_1_by_v10_by_eta + delay_tau_by_v10*v2_1_by_eta + delay_tau_by_v10_by_eta*v2_1;
     const double t146 = chi*z2_1_by_eta;
-    const double v1_1_on_boundary_by_z20_by_eta = carried_v1_1_by_z20_by_eta + t146*tau_by_z20 + t39*tau_by_z20_by_eta - tau_by_z20*z1_1_by_eta;
-    const double v1_1_on_boundary_by_v10_by_eta = carried_v1_1_by_v10_by_eta + t146*tau_by_v10 + t39*tau_by_v10_by_eta - tau_by_v10*z1_1_by_eta;
+    const double v1_1_on_boundary_by_z20_by_eta = carried_v1_1_by_z20_by_eta + delay_tau_by_z20*t146 - delay_tau_by_z20*z1_1_by_eta + delay_tau_by_z20_by_eta*t39;
+    const double v1_1_on_boundary_by_v10_by_eta = carried_v1_1_by_v10_by_eta + delay_tau_by_v10*t146 - delay_tau_by_v10*z1_1_by_eta + delay_tau_by_v10_by_eta*t39;
     /* d/dV of: perturbation on the boundary after tau */
-    const double z1_1_on_boundary_by_z20_by_V = tau_by_z20*v1_1_by_V + tau_by_z20_by_V*v1_1;
-    const double z1_1_on_boundary_by_v10_by_V = tau_by_v10*v1_1_by_V + tau_by_v10_by_V*v1_1;
-    const double z2_1_on_boundary_by_z20_by_V = tau_by_z20*v2_1_by_V + tau_by_z20_by_V*v2_1;
-    const double z2_1_on_boundary_by_v10_by_V = tau_by_v10*v2_1_by_V + tau_by_v10_by_V*v2_1;
+    const double z1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v1_1_by_V + delay_tau_by_z20_by_V*v1_1;
+    const double z1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v1_1_by_V + delay_tau_by_v10_by_V*v1_1;
+    const double z2_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v2_1_by_V + delay_tau_by_z20_by_V*v2_1;
+    const double z2_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v2_1_by_V + delay_tau_by_v10_by_V*v2_1;
     const double t147 = chi*z2_1_by_V;
-    const double v1_1_on_boundary_by_z20_by_V = t147*tau_by_z20 + t39*tau_by_z20_by_V - tau_by_z20*z1_1_by_V;
-    const double v1_1_on_boundary_by_v10_by_V = t147*tau_by_v10 + t39*tau_by_v10_by_V - tau_by_v10*z1_1_by_V;
+    const double v1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*t147 - delay_tau_by_z20*z1_1_by_V + delay_tau_by_z20_by_V*t39;
+    const double v1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*t147 - delay_tau_by_v10*z1_1_by_V + delay_tau_by_v10_by_V*t39;
     /* d/dz10 of: Phi along tau1 */
     const double carried_z1_2_by_z20_by_z10 = cos_tau1*z1_1_on_boundary_by_z20_by_z10 + sin_tau1*v1_1_on_boundary_by_z20_by_z10 + t34*z2_1_on_boundary_by_z20_by_z10;
     const double carried_z1_2_by_v10_by_z10 = cos_tau1*z1_1_on_boundary_by_v10_by_z10 + sin_tau1*v1_1_on_boundary_by_v10_by_z10 + t34*z2_1_on_boundary_by_v10_by_z10;
@@ -1639,65 +1639,65 @@ void dry_friction_symmetric_trace_gradient(
     const double rate_2_by_eta = -chi*v1_2_by_eta;
     /* d/dV of: rate of the exit boundary after tau1 */
     const double rate_2_by_V = -chi*v1_2_by_V + chi;
-    /* d/dz10 of: derivatives of tau1 on the boundary */
+    /* d/dz10 of: derivatives of the time to the boundary after tau1 */
     const double t149 = (1.0/(rate_2*rate_2));
     const double t150 = rate_2_by_z10*t149;
     const double t151 = chi*t41;
-    const double tau1_by_z20_by_z10 = carried_z1_2_by_z20_by_z10*chi*t41 - t150*t43 - t151*z2_1_on_boundary_by_z20_by_z10;
-    const double tau1_by_v10_by_z10 = carried_z1_2_by_v10_by_z10*chi*t41 - t150*t45 - t151*z2_1_on_boundary_by_v10_by_z10;
-    /* d/dz20 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z20_by_z10 = carried_z1_2_by_z20_by_z10*chi*t41 - t150*t43 - t151*z2_1_on_boundary_by_z20_by_z10;
+    const double delay_tau1_by_v10_by_z10 = carried_z1_2_by_v10_by_z10*chi*t41 - t150*t45 - t151*z2_1_on_boundary_by_v10_by_z10;
+    /* d/dz20 of: derivatives of the time to the boundary after tau1 */
     const double t152 = rate_2_by_z20*t149;
-    const double tau1_by_z20_by_z20 = carried_z1_2_by_z20_by_z20*chi*t41 - t151*z2_1_on_boundary_by_z20_by_z20 - t152*t43;
-    const double tau1_by_v10_by_z20 = carried_z1_2_by_v10_by_z20*chi*t41 - t151*z2_1_on_boundary_by_v10_by_z20 - t152*t45;
-    /* d/dv10 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z20_by_z20 = carried_z1_2_by_z20_by_z20*chi*t41 - t151*z2_1_on_boundary_by_z20_by_z20 - t152*t43;
+    const double delay_tau1_by_v10_by_z20 = carried_z1_2_by_v10_by_z20*chi*t41 - t151*z2_1_on_boundary_by_v10_by_z20 - t152*t45;
+    /* d/dv10 of: derivatives of the time to the boundary after tau1 */
     const double t153 = rate_2_by_v10*t149;
-    const double tau1_by_z20_by_v10 = carried_z1_2_by_z20_by_v10*chi*t41 - t151*z2_1_on_boundary_by_z20_by_v10 - t153*t43;
-    const double tau1_by_v10_by_v10 = carried_z1_2_by_v10_by_v10*chi*t41 - t151*z2_1_on_boundary_by_v10_by_v10 - t153*t45;
-    /* d/dtau of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z20_by_v10 = carried_z1_2_by_z20_by_v10*chi*t41 - t151*z2_1_on_boundary_by_z20_by_v10 - t153*t43;
+    const double delay_tau1_by_v10_by_v10 = carried_z1_2_by_v10_by_v10*chi*t41 - t151*z2_1_on_boundary_by_v10_by_v10 - t153*t45;
+    /* d/dtau of: derivatives of the time to the boundary after tau1 */
     const double t154 = rate_2_by_tau*t149;
-    const double tau1_by_z20_by_tau = carried_z1_2_by_z20_by_tau*chi*t41 - t151*z2_1_on_boundary_by_z20_by_tau - t154*t43;
-    const double tau1_by_v10_by_tau = carried_z1_2_by_v10_by_tau*chi*t41 - t151*z2_1_on_boundary_by_v10_by_tau - t154*t45;
-    /* d/dtau1 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z20_by_tau = carried_z1_2_by_z20_by_tau*chi*t41 - t151*z2_1_on_boundary_by_z20_by_tau - t154*t43;
+    const double delay_tau1_by_v10_by_tau = carried_z1_2_by_v10_by_tau*chi*t41 - t151*z2_1_on_boundary_by_v10_by_tau - t154*t45;
+    /* d/dtau1 of: derivatives of the time to the boundary after tau1 */
     const double t155 = rate_2_by_tau1*t149;
-    const double tau1_by_z20_by_tau1 = carried_z1_2_by_z20_by_tau1*t151 - t155*t43;
-    const double tau1_by_v10_by_tau1 = carried_z1_2_by_v10_by_tau1*t151 - t155*t45;
-    /* d/dchi of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z20_by_tau1 = carried_z1_2_by_z20_by_tau1*t151 - t155*t43;
+    const double delay_tau1_by_v10_by_tau1 = carried_z1_2_by_v10_by_tau1*t151 - t155*t45;
+    /* d/dchi of: derivatives of the time to the boundary after tau1 */
     const double t156 = rate_2_by_chi*t149;
-    const double tau1_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t151 - t151*z2_1_on_boundary_by_z20_by_chi - t156*t43 + t41*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20);
-    const double tau1_by_v10_by_chi = carried_z1_2_by_v10_by_chi*t151 - t151*z2_1_on_boundary_by_v10_by_chi - t156*t45 + t41*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10);
-    /* d/deta of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t151 - t151*z2_1_on_boundary_by_z20_by_chi - t156*t43 + t41*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20);
+    const double delay_tau1_by_v10_by_chi = carried_z1_2_by_v10_by_chi*t151 - t151*z2_1_on_boundary_by_v10_by_chi - t156*t45 + t41*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10);
+    /* d/deta of: derivatives of the time to the boundary after tau1 */
     const double t157 = rate_2_by_eta*t149;
-    const double tau1_by_z20_by_eta = carried_z1_2_by_z20_by_eta*chi*t41 - t151*z2_1_on_boundary_by_z20_by_eta - t157*t43;
-    const double tau1_by_v10_by_eta = carried_z1_2_by_v10_by_eta*chi*t41 - t151*z2_1_on_boundary_by_v10_by_eta - t157*t45;
-    /* d/dV of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z20_by_eta = carried_z1_2_by_z20_by_eta*chi*t41 - t151*z2_1_on_boundary_by_z20_by_eta - t157*t43;
+    const double delay_tau1_by_v10_by_eta = carried_z1_2_by_v10_by_eta*chi*t41 - t151*z2_1_on_boundary_by_v10_by_eta - t157*t45;
+    /* d/dV of: derivatives of the time to the boundary after tau1 */
     const double t158 = rate_2_by_V*t149;
-    const double tau1_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t41 - t151*z2_1_on_boundary_by_z20_by_V - t158*t43;
-    const double tau1_by_v10_by_V = carried_z1_2_by_v10_by_V*chi*t41 - t151*z2_1_on_boundary_by_v10_by_V - t158*t45;
+    const double delay_tau1_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t41 - t151*z2_1_on_boundary_by_z20_by_V - t158*t43;
+    const double delay_tau1_by_v10_by_V = carried_z1_2_by_v10_by_V*chi*t41 - t151*z2_1_on_boundary_by_v10_by_V - t158*t45;
     /* d/dz10 of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_z10 = V*tau1_by_z20_by_z10 + z2_1_on_boundary_by_z20_by_z10;
+    const double z2_2_on_boundary_by_z20_by_z10 = V*delay_tau1_by_z20_by_z10 + z2_1_on_boundary_by_z20_by_z10;
     const double t159 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_v10_by_z10 = carried_v1_2_by_v10_by_z10 + t141*tau1_by_v10 + t159*tau1_by_v10_by_z10 - tau1_by_v10*z1_2_by_z10;
+    const double v1_2_on_boundary_by_v10_by_z10 = carried_v1_2_by_v10_by_z10 + delay_tau1_by_v10*t141 - delay_tau1_by_v10*z1_2_by_z10 + delay_tau1_by_v10_by_z10*t159;
     /* d/dz20 of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_z20 = V*tau1_by_z20_by_z20 + z2_1_on_boundary_by_z20_by_z20;
-    const double v1_2_on_boundary_by_v10_by_z20 = carried_v1_2_by_v10_by_z20 + t142*tau1_by_v10 + t159*tau1_by_v10_by_z20 - tau1_by_v10*z1_2_by_z20;
+    const double z2_2_on_boundary_by_z20_by_z20 = V*delay_tau1_by_z20_by_z20 + z2_1_on_boundary_by_z20_by_z20;
+    const double v1_2_on_boundary_by_v10_by_z20 = carried_v1_2_by_v10_by_z20 + delay_tau1_by_v10*t142 - delay_tau1_by_v10*z1_2_by_z20 + delay_tau1_by_v10_by_z20*t159;
     /* d/dv10 of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_v10 = V*tau1_by_z20_by_v10 + z2_1_on_boundary_by_z20_by_v10;
-    const double v1_2_on_boundary_by_v10_by_v10 = carried_v1_2_by_v10_by_v10 + t143*tau1_by_v10 + t159*tau1_by_v10_by_v10 - tau1_by_v10*z1_2_by_v10;
+    const double z2_2_on_boundary_by_z20_by_v10 = V*delay_tau1_by_z20_by_v10 + z2_1_on_boundary_by_z20_by_v10;
+    const double v1_2_on_boundary_by_v10_by_v10 = carried_v1_2_by_v10_by_v10 + delay_tau1_by_v10*t143 - delay_tau1_by_v10*z1_2_by_v10 + delay_tau1_by_v10_by_v10*t159;
     /* d/dtau of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_tau = V*tau1_by_z20_by_tau + z2_1_on_boundary_by_z20_by_tau;
-    const double v1_2_on_boundary_by_v10_by_tau = carried_v1_2_by_v10_by_tau + t144*tau1_by_v10 + t159*tau1_by_v10_by_tau - tau1_by_v10*z1_2_by_tau;
+    const double z2_2_on_boundary_by_z20_by_tau = V*delay_tau1_by_z20_by_tau + z2_1_on_boundary_by_z20_by_tau;
+    const double v1_2_on_boundary_by_v10_by_tau = carried_v1_2_by_v10_by_tau + delay_tau1_by_v10*t144 - delay_tau1_by_v10*z1_2_by_tau + delay_tau1_by_v10_by_tau*t159;
     /* d/dtau1 of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_tau1 = V*tau1_by_z20_by_tau1;
-    const double v1_2_on_boundary_by_v10_by_tau1 = carried_v1_2_by_v10_by_tau1 + t159*tau1_by_v10_by_tau1 + t40*tau1_by_v10 - tau1_by_v10*z1_2_by_tau1;
+    const double z2_2_on_boundary_by_z20_by_tau1 = V*delay_tau1_by_z20_by_tau1;
+    const double v1_2_on_boundary_by_v10_by_tau1 = carried_v1_2_by_v10_by_tau1 + delay_tau1_by_v10*t40 - delay_tau1_by_v10*z1_2_by_tau1 + delay_tau1_by_v10_by_tau1*t159;
     /* d/dchi of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_chi = V*tau1_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi;
-    const double v1_2_on_boundary_by_v10_by_chi = carried_v1_2_by_v10_by_chi + t145*tau1_by_v10 + t159*tau1_by_v10_by_chi - tau1_by_v10*z1_2_by_chi + tau1_by_v10*z2_2;
+    const double z2_2_on_boundary_by_z20_by_chi = V*delay_tau1_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi;
+    const double v1_2_on_boundary_by_v10_by_chi = carried_v1_2_by_v10_by_chi + delay_tau1_by_v10*t145 - delay_tau1_by_v10*z1_2_by_chi + delay_tau1_by_v10*z2_2 + delay_tau1_by_v10_by_chi*t159;
     /* d/deta of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_eta = V*tau1_by_z20_by_eta + z2_1_on_boundary_by_z20_by_eta;
-    const double v1_2_on_boundary_by_v10_by_eta = carried_v1_2_by_v10_by_eta + t146*tau1_by_v10 + t159*tau1_by_v10_by_eta - tau1_by_v10*z1_2_by_eta;
+    const double z2_2_on_boundary_by_z20_by_eta = V*delay_tau1_by_z20_by_eta + z2_1_on_boundary_by_z20_by_eta;
+    const double v1_2_on_boundary_by_v10_by_eta = carried_v1_2_by_v10_by_eta + delay_tau1_by_v10*t146 - delay_tau1_by_v10*z1_2_by_eta + delay_tau1_by_v10_by_eta*t159;
     /* d/dV of: perturbation on the boundary after tau1 */
-    const double z2_2_on_boundary_by_z20_by_V = V*tau1_by_z20_by_V + tau1_by_z20 + z2_1_on_boundary_by_z20_by_V;
-    const double v1_2_on_boundary_by_v10_by_V = carried_v1_2_by_v10_by_V + chi*tau1_by_v10*z2_2_by_V + t159*tau1_by_v10_by_V - tau1_by_v10*z1_2_by_V;
+    const double z2_2_on_boundary_by_z20_by_V = V*delay_tau1_by_z20_by_V + delay_tau1_by_z20 + z2_1_on_boundary_by_z20_by_V;
+    const double v1_2_on_boundary_by_v10_by_V = carried_v1_2_by_v10_by_V + chi*delay_tau1_by_v10*z2_2_by_V - delay_tau1_by_v10*z1_2_by_V + delay_tau1_by_v10_by_V*t159;
     trace_gradient[0] = v1_2_on_boundary_by_v10_by_z10 + z2_2_on_boundary_by_z20_by_z10;
     trace_gradient[1] = v1_2_on_boundary_by_v10_by_z20 + z2_2_on_boundary_by_z20_by_z20;
     trace_gradient[2] = v1_2_on_boundary_by_v10_by_v10 + z2_2_on_boundary_by_z20_by_v10;
@@ -2776,14 +2776,14 @@ void dry_friction_global_stick_poincare_jacobian(
     /* rate of the exit boundary after ta */
     const double t25 = V*chi;
     const double rate_1 = V - t25;
-    /* derivatives of ta on the boundary */
+    /* derivatives of the time to the boundary after ta */
     const double t26 = (1.0/(rate_1));
-    const double ta_by_z10 = -t26;
-    const double ta_by_z20 = chi*t26;
+    const double delay_ta_by_z10 = -t26;
+    const double delay_ta_by_z20 = chi*t26;
     /* perturbation on the boundary after ta */
-    const double t27 = V*ta_by_z10;
+    const double t27 = V*delay_ta_by_z10;
     const double z1_1_on_boundary_by_z10 = t27 + 1;
-    const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+    const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
     const double z2_1_on_boundary_by_z10 = t27;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
@@ -2793,18 +2793,18 @@ void dry_friction_global_stick_poincare_jacobian(
     const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
     const double rate_2 = -chi*v1_2 + t25;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t29 = (1.0/(rate_2));
-    const double tau_by_z10 = t29*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double tau_by_z20 = t29*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau_by_z10 = t29*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t29*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
-    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
-    const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
-    const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
+    const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
     const double t30 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t30*tau_by_z10;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t30*tau_by_z20;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t30;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t30;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t10*z1_2_on_boundary_by_z10 + t11*z2_2_on_boundary_by_z10 + t9*v1_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t10*z1_2_on_boundary_by_z20 + t11*z2_2_on_boundary_by_z20 + t9*v1_2_on_boundary_by_z20;
@@ -2817,19 +2817,19 @@ void dry_friction_global_stick_poincare_jacobian(
     /* rate of the exit boundary after tau1 */
     const double t31 = chi*z2_3;
     const double rate_3 = t31 - z1_3;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t32 = (1.0/(rate_3));
-    const double tau1_by_z10 = -carried_v1_3_by_z10*t32;
-    const double tau1_by_z20 = -carried_v1_3_by_z20*t32;
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t32;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t32;
     /* perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
-    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
-    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
-    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
     const double t33 = chi*eta;
     const double t34 = -eta*t31 + t33*z1_3;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t34*tau1_by_z10;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t34*tau1_by_z20;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t34;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t34;
     /* Phi along tau2 */
     const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t22*z1_3_on_boundary_by_z10 + t23*v2_3_on_boundary_by_z10;
     const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t22*z1_3_on_boundary_by_z20 + t23*v2_3_on_boundary_by_z20;
@@ -2837,15 +2837,15 @@ void dry_friction_global_stick_poincare_jacobian(
     const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t24*z1_3_on_boundary_by_z20 - t24*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
     const double rate_4 = t33*z1_4 - t33*z2_4;
-    /* derivatives of tau2 on the boundary */
+    /* derivatives of the time to the boundary after tau2 */
     const double t35 = (1.0/(rate_4));
-    const double tau2_by_z10 = -carried_v2_4_by_z10*t35;
-    const double tau2_by_z20 = -carried_v2_4_by_z20*t35;
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t35;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t35;
     /* perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10;
-    const double z1_4_on_boundary_by_z20 = V*tau2_by_z20 + z1_3_on_boundary_by_z20;
-    const double z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + tau2_by_z10*v2_4;
-    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4;
+    const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
+    const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
+    const double z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + delay_tau2_by_z10*v2_4;
+    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
     poincare_jacobian[0] = z1_4_on_boundary_by_z10;
     poincare_jacobian[1] = z1_4_on_boundary_by_z20;
     poincare_jacobian[2] = z2_4_on_boundary_by_z10;
@@ -4995,14 +4995,14 @@ void dry_friction_solution_ii_poincare_jacobian(
     /* rate of the exit boundary after ta */
     const double t24 = V*chi;
     const double rate_1 = V - t24;
-    /* derivatives of ta on the boundary */
+    /* derivatives of the time to the boundary after ta */
     const double t25 = (1.0/(rate_1));
-    const double ta_by_z10 = -t25;
-    const double ta_by_z20 = chi*t25;
+    const double delay_ta_by_z10 = -t25;
+    const double delay_ta_by_z20 = chi*t25;
     /* perturbation on the boundary after ta */
-    const double t26 = V*ta_by_z10;
+    const double t26 = V*delay_ta_by_z10;
     const double z1_1_on_boundary_by_z10 = t26 + 1;
-    const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+    const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
     const double z2_1_on_boundary_by_z10 = t26;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
@@ -5012,18 +5012,18 @@ void dry_friction_solution_ii_poincare_jacobian(
     const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
     const double rate_2 = -chi*v1_2 + t24;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t28 = (1.0/(rate_2));
-    const double tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
-    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
-    const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
-    const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
+    const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
     const double t29 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t29*tau_by_z10;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t29*tau_by_z20;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t29;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t29;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t10*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10 + t9*z1_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t10*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20 + t9*z1_2_on_boundary_by_z20;
@@ -5036,19 +5036,19 @@ void dry_friction_solution_ii_poincare_jacobian(
     /* rate of the exit boundary after tau1 */
     const double t30 = chi*z2_3;
     const double rate_3 = t30 - z1_3;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t31 = (1.0/(rate_3));
-    const double tau1_by_z10 = -carried_v1_3_by_z10*t31;
-    const double tau1_by_z20 = -carried_v1_3_by_z20*t31;
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t31;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t31;
     /* perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
-    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
-    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
-    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
     const double t32 = chi*eta;
     const double t33 = -eta*t30 + t32*z1_3;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t33*tau1_by_z10;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t33*tau1_by_z20;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t33;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t33;
     /* Phi along tau2 */
     const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t21*z1_3_on_boundary_by_z10 + t22*v2_3_on_boundary_by_z10;
     const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t21*z1_3_on_boundary_by_z20 + t22*v2_3_on_boundary_by_z20;
@@ -5056,15 +5056,15 @@ void dry_friction_solution_ii_poincare_jacobian(
     const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t23*z1_3_on_boundary_by_z20 - t23*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
     const double rate_4 = t32*z1_4 - t32*z2_4;
-    /* derivatives of tau2 on the boundary */
+    /* derivatives of the time to the boundary after tau2 */
     const double t34 = (1.0/(rate_4));
-    const double tau2_by_z10 = -carried_v2_4_by_z10*t34;
-    const double tau2_by_z20 = -carried_v2_4_by_z20*t34;
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t34;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t34;
     /* perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10;
-    const double z1_4_on_boundary_by_z20 = V*tau2_by_z20 + z1_3_on_boundary_by_z20;
-    const double z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + tau2_by_z10*v2_4;
-    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4;
+    const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
+    const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
+    const double z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + delay_tau2_by_z10*v2_4;
+    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
     poincare_jacobian[0] = z1_4_on_boundary_by_z10;
     poincare_jacobian[1] = z1_4_on_boundary_by_z20;
     poincare_jacobian[2] = z2_4_on_boundary_by_z10;
@@ -5472,14 +5472,14 @@ void dry_friction_solution_ii_trace(
     /* rate of the exit boundary after ta */
     const double t24 = V*chi;
     const double rate_1 = V - t24;
-    /* derivatives of ta on the boundary */
+    /* derivatives of the time to the boundary after ta */
     const double t25 = (1.0/(rate_1));
-    const double ta_by_z10 = -t25;
-    const double ta_by_z20 = chi*t25;
+    const double delay_ta_by_z10 = -t25;
+    const double delay_ta_by_z20 = chi*t25;
     /* perturbation on the boundary after ta */
-    const double t26 = V*ta_by_z10;
+    const double t26 = V*delay_ta_by_z10;
     const double z1_1_on_boundary_by_z10 = t26 + 1;
-    const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+    const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
     const double z2_1_on_boundary_by_z10 = t26;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
@@ -5489,18 +5489,18 @@ void dry_friction_solution_ii_trace(
     const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
     const double rate_2 = -chi*v1_2 + t24;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t28 = (1.0/(rate_2));
-    const double tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
-    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
-    const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
-    const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
+    const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
     const double t29 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t29*tau_by_z10;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t29*tau_by_z20;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t29;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t29;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t10*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10 + t9*z1_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t10*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20 + t9*z1_2_on_boundary_by_z20;
@@ -5513,32 +5513,32 @@ void dry_friction_solution_ii_trace(
     /* rate of the exit boundary after tau1 */
     const double t30 = chi*z2_3;
     const double rate_3 = t30 - z1_3;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t31 = (1.0/(rate_3));
-    const double tau1_by_z10 = -carried_v1_3_by_z10*t31;
-    const double tau1_by_z20 = -carried_v1_3_by_z20*t31;
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t31;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t31;
     /* perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
-    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
-    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
-    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
     const double t32 = chi*eta;
     const double t33 = -eta*t30 + t32*z1_3;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t33*tau1_by_z10;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t33*tau1_by_z20;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t33;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t33;
     /* Phi along tau2 */
     const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t21*z1_3_on_boundary_by_z20 + t22*v2_3_on_boundary_by_z20;
     const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t23*z1_3_on_boundary_by_z10 - t23*z2_3_on_boundary_by_z10;
     const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t23*z1_3_on_boundary_by_z20 - t23*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
     const double rate_4 = t32*z1_4 - t32*z2_4;
-    /* derivatives of tau2 on the boundary */
+    /* derivatives of the time to the boundary after tau2 */
     const double t34 = (1.0/(rate_4));
-    const double tau2_by_z10 = -carried_v2_4_by_z10*t34;
-    const double tau2_by_z20 = -carried_v2_4_by_z20*t34;
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t34;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t34;
     /* perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10;
-    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4;
+    const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
+    const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
     *trace = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20;
 }
 
@@ -5635,14 +5635,14 @@ void dry_friction_solution_ii_trace_gradient(
     /* rate of the exit boundary after ta */
     const double t45 = V*chi;
     const double rate_1 = V - t45;
-    /* derivatives of ta on the boundary */
+    /* derivatives of the time to the boundary after ta */
     const double t47 = (1.0/(rate_1));
-    const double ta_by_z10 = -t47;
-    const double ta_by_z20 = chi*t47;
+    const double delay_ta_by_z10 = -t47;
+    const double delay_ta_by_z20 = chi*t47;
     /* perturbation on the boundary after ta */
-    const double t49 = V*ta_by_z10;
+    const double t49 = V*delay_ta_by_z10;
     const double z1_1_on_boundary_by_z10 = t49 + 1;
-    const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+    const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
     const double z2_1_on_boundary_by_z10 = t49;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
@@ -5652,22 +5652,22 @@ void dry_friction_solution_ii_trace_gradient(
     const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
     const double rate_2 = -chi*v1_2 + t45;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t51 = (1.0/(rate_2));
     const double t52 = chi*z2_1_on_boundary_by_z10;
     const double t53 = carried_z1_2_by_z10*chi - t52;
-    const double tau_by_z10 = t51*t53;
+    const double delay_tau_by_z10 = t51*t53;
     const double t54 = chi*z2_1_on_boundary_by_z20;
     const double t55 = carried_z1_2_by_z20*chi - t54;
-    const double tau_by_z20 = t51*t55;
+    const double delay_tau_by_z20 = t51*t55;
     /* perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
-    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
-    const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
-    const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+    const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
+    const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
     const double t56 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t56*tau_by_z10;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t56*tau_by_z20;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t56;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t56;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t17*v1_2_on_boundary_by_z10 + t18*z1_2_on_boundary_by_z10 + t19*z2_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t17*v1_2_on_boundary_by_z20 + t18*z1_2_on_boundary_by_z20 + t19*z2_2_on_boundary_by_z20;
@@ -5680,19 +5680,19 @@ void dry_friction_solution_ii_trace_gradient(
     /* rate of the exit boundary after tau1 */
     const double t57 = chi*z2_3;
     const double rate_3 = t57 - z1_3;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t58 = (1.0/(rate_3));
-    const double tau1_by_z10 = -carried_v1_3_by_z10*t58;
-    const double tau1_by_z20 = -carried_v1_3_by_z20*t58;
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t58;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t58;
     /* perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
-    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
-    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
-    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
+    const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
     const double t59 = eta*z1_3;
     const double t60 = chi*t59 - eta*t57;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t60*tau1_by_z10;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t60*tau1_by_z20;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t60;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t60;
     /* Phi along tau2 */
     const double t61 = omega3*z1_3_on_boundary_by_z10;
     const double t62 = omega3*z2_3_on_boundary_by_z10;
@@ -5704,10 +5704,10 @@ void dry_friction_solution_ii_trace_gradient(
     const double t65 = eta*z1_4;
     const double t66 = eta*z2_4;
     const double rate_4 = chi*t65 - chi*t66;
-    /* derivatives of tau2 on the boundary */
+    /* derivatives of the time to the boundary after tau2 */
     const double t67 = (1.0/(rate_4));
-    const double tau2_by_z10 = -carried_v2_4_by_z10*t67;
-    const double tau2_by_z20 = -carried_v2_4_by_z20*t67;
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t67;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t67;
     /* d/dtau of: functions of tau in slip-stick */
     const double cos_tau_by_tau = -sin_tau;
     const double sin_tau_by_tau = cos_tau;
@@ -5877,21 +5877,21 @@ void dry_friction_solution_ii_trace_gradient(
     const double rate_1_by_chi = -V;
     /* d/dV of: rate of the exit boundary after ta */
     const double rate_1_by_V = 1 - chi;
-    /* d/dchi of: derivatives of ta on the boundary */
+    /* d/dchi of: derivatives of the time to the boundary after ta */
     const double t135 = (1.0/(rate_1*rate_1));
-    const double ta_by_z10_by_chi = rate_1_by_chi*t135;
-    const double ta_by_z20_by_chi = -chi*ta_by_z10_by_chi + t47;
-    /* d/dV of: derivatives of ta on the boundary */
-    const double ta_by_z10_by_V = rate_1_by_V*t135;
-    const double ta_by_z20_by_V = -chi*ta_by_z10_by_V;
+    const double delay_ta_by_z10_by_chi = rate_1_by_chi*t135;
+    const double delay_ta_by_z20_by_chi = -chi*delay_ta_by_z10_by_chi + t47;
+    /* d/dV of: derivatives of the time to the boundary after ta */
+    const double delay_ta_by_z10_by_V = rate_1_by_V*t135;
+    const double delay_ta_by_z20_by_V = -chi*delay_ta_by_z10_by_V;
     /* d/dchi of: perturbation on the boundary after ta */
-    const double z1_1_on_boundary_by_z10_by_chi = V*ta_by_z10_by_chi;
-    const double z1_1_on_boundary_by_z20_by_chi = V*ta_by_z20_by_chi;
+    const double z1_1_on_boundary_by_z10_by_chi = V*delay_ta_by_z10_by_chi;
+    const double z1_1_on_boundary_by_z20_by_chi = V*delay_ta_by_z20_by_chi;
     const double z2_1_on_boundary_by_z10_by_chi = z1_1_on_boundary_by_z10_by_chi;
     const double z2_1_on_boundary_by_z20_by_chi = z1_1_on_boundary_by_z20_by_chi;
     /* d/dV of: perturbation on the boundary after ta */
-    const double z1_1_on_boundary_by_z10_by_V = V*ta_by_z10_by_V + ta_by_z10;
-    const double z1_1_on_boundary_by_z20_by_V = V*ta_by_z20_by_V + ta_by_z20;
+    const double z1_1_on_boundary_by_z10_by_V = V*delay_ta_by_z10_by_V + delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z20_by_V = V*delay_ta_by_z20_by_V + delay_ta_by_z20;
     const double z2_1_on_boundary_by_z10_by_V = z1_1_on_boundary_by_z10_by_V;
     const double z2_1_on_boundary_by_z20_by_V = z1_1_on_boundary_by_z20_by_V;
     /* d/dtau of: Phi along tau */
@@ -5921,63 +5921,63 @@ void dry_friction_solution_ii_trace_gradient(
     const double rate_2_by_chi = V - chi*v1_2_by_chi - v1_2;
     /* d/dV of: rate of the exit boundary after tau */
     const double rate_2_by_V = -chi*v1_2_by_V + chi;
-    /* d/dz10 of: derivatives of tau on the boundary */
+    /* d/dz10 of: derivatives of the time to the boundary after tau */
     const double t144 = (1.0/(rate_2*rate_2));
     const double t145 = rate_2_by_z10*t144;
-    const double tau_by_z10_by_z10 = -t145*t53;
-    const double tau_by_z20_by_z10 = -t145*t55;
-    /* d/dz20 of: derivatives of tau on the boundary */
+    const double delay_tau_by_z10_by_z10 = -t145*t53;
+    const double delay_tau_by_z20_by_z10 = -t145*t55;
+    /* d/dz20 of: derivatives of the time to the boundary after tau */
     const double t146 = rate_2_by_z20*t144;
-    const double tau_by_z10_by_z20 = -t146*t53;
-    const double tau_by_z20_by_z20 = -t146*t55;
-    /* d/dtau of: derivatives of tau on the boundary */
+    const double delay_tau_by_z10_by_z20 = -t146*t53;
+    const double delay_tau_by_z20_by_z20 = -t146*t55;
+    /* d/dtau of: derivatives of the time to the boundary after tau */
     const double t147 = chi*t51;
     const double t148 = rate_2_by_tau*t144;
-    const double tau_by_z10_by_tau = carried_z1_2_by_z10_by_tau*t147 - t148*t53;
-    const double tau_by_z20_by_tau = carried_z1_2_by_z20_by_tau*t147 - t148*t55;
-    /* d/dchi of: derivatives of tau on the boundary */
+    const double delay_tau_by_z10_by_tau = carried_z1_2_by_z10_by_tau*t147 - t148*t53;
+    const double delay_tau_by_z20_by_tau = carried_z1_2_by_z20_by_tau*t147 - t148*t55;
+    /* d/dchi of: derivatives of the time to the boundary after tau */
     const double t149 = rate_2_by_chi*t144;
-    const double tau_by_z10_by_chi = carried_z1_2_by_z10_by_chi*t147 - t147*z2_1_on_boundary_by_z10_by_chi - t149*t53 + t51*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10);
-    const double tau_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t147 - t147*z2_1_on_boundary_by_z20_by_chi - t149*t55 + t51*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20);
-    /* d/dV of: derivatives of tau on the boundary */
+    const double delay_tau_by_z10_by_chi = carried_z1_2_by_z10_by_chi*t147 - t147*z2_1_on_boundary_by_z10_by_chi - t149*t53 + t51*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t147 - t147*z2_1_on_boundary_by_z20_by_chi - t149*t55 + t51*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20);
+    /* d/dV of: derivatives of the time to the boundary after tau */
     const double t150 = rate_2_by_V*t144;
-    const double tau_by_z10_by_V = carried_z1_2_by_z10_by_V*chi*t51 - t147*z2_1_on_boundary_by_z10_by_V - t150*t53;
-    const double tau_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t51 - t147*z2_1_on_boundary_by_z20_by_V - t150*t55;
+    const double delay_tau_by_z10_by_V = carried_z1_2_by_z10_by_V*chi*t51 - t147*z2_1_on_boundary_by_z10_by_V - t150*t53;
+    const double delay_tau_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t51 - t147*z2_1_on_boundary_by_z20_by_V - t150*t55;
     /* d/dz10 of: perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10_by_z10 = tau_by_z10*v1_2_by_z10 + tau_by_z10_by_z10*v1_2;
-    const double z1_2_on_boundary_by_z20_by_z10 = tau_by_z20*v1_2_by_z10 + tau_by_z20_by_z10*v1_2;
-    const double z2_2_on_boundary_by_z10_by_z10 = V*tau_by_z10_by_z10;
-    const double z2_2_on_boundary_by_z20_by_z10 = V*tau_by_z20_by_z10;
-    const double v1_2_on_boundary_by_z10_by_z10 = -cos_tau*tau_by_z10 + t56*tau_by_z10_by_z10;
-    const double v1_2_on_boundary_by_z20_by_z10 = -cos_tau*tau_by_z20 + t56*tau_by_z20_by_z10;
+    const double z1_2_on_boundary_by_z10_by_z10 = delay_tau_by_z10*v1_2_by_z10 + delay_tau_by_z10_by_z10*v1_2;
+    const double z1_2_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v1_2_by_z10 + delay_tau_by_z20_by_z10*v1_2;
+    const double z2_2_on_boundary_by_z10_by_z10 = V*delay_tau_by_z10_by_z10;
+    const double z2_2_on_boundary_by_z20_by_z10 = V*delay_tau_by_z20_by_z10;
+    const double v1_2_on_boundary_by_z10_by_z10 = -cos_tau*delay_tau_by_z10 + delay_tau_by_z10_by_z10*t56;
+    const double v1_2_on_boundary_by_z20_by_z10 = -cos_tau*delay_tau_by_z20 + delay_tau_by_z20_by_z10*t56;
     /* d/dz20 of: perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10_by_z20 = tau_by_z10*v1_2_by_z20 + tau_by_z10_by_z20*v1_2;
-    const double z1_2_on_boundary_by_z20_by_z20 = tau_by_z20*v1_2_by_z20 + tau_by_z20_by_z20*v1_2;
-    const double z2_2_on_boundary_by_z10_by_z20 = V*tau_by_z10_by_z20;
-    const double z2_2_on_boundary_by_z20_by_z20 = V*tau_by_z20_by_z20;
-    const double v1_2_on_boundary_by_z10_by_z20 = chi*tau_by_z10 + t56*tau_by_z10_by_z20 - tau_by_z10*z1_2_by_z20;
-    const double v1_2_on_boundary_by_z20_by_z20 = chi*tau_by_z20 + t56*tau_by_z20_by_z20 - tau_by_z20*z1_2_by_z20;
+    const double z1_2_on_boundary_by_z10_by_z20 = delay_tau_by_z10*v1_2_by_z20 + delay_tau_by_z10_by_z20*v1_2;
+    const double z1_2_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v1_2_by_z20 + delay_tau_by_z20_by_z20*v1_2;
+    const double z2_2_on_boundary_by_z10_by_z20 = V*delay_tau_by_z10_by_z20;
+    const double z2_2_on_boundary_by_z20_by_z20 = V*delay_tau_by_z20_by_z20;
+    const double v1_2_on_boundary_by_z10_by_z20 = chi*delay_tau_by_z10 - delay_tau_by_z10*z1_2_by_z20 + delay_tau_by_z10_by_z20*t56;
+    const double v1_2_on_boundary_by_z20_by_z20 = chi*delay_tau_by_z20 - delay_tau_by_z20*z1_2_by_z20 + delay_tau_by_z20_by_z20*t56;
     /* d/dtau of: perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10_by_tau = carried_z1_2_by_z10_by_tau + tau_by_z10*v1_2_by_tau + tau_by_z10_by_tau*v1_2;
-    const double z1_2_on_boundary_by_z20_by_tau = carried_z1_2_by_z20_by_tau + tau_by_z20*v1_2_by_tau + tau_by_z20_by_tau*v1_2;
-    const double z2_2_on_boundary_by_z10_by_tau = V*tau_by_z10_by_tau;
-    const double z2_2_on_boundary_by_z20_by_tau = V*tau_by_z20_by_tau;
-    const double v1_2_on_boundary_by_z10_by_tau = carried_v1_2_by_z10_by_tau + t45*tau_by_z10 + t56*tau_by_z10_by_tau - tau_by_z10*z1_2_by_tau;
-    const double v1_2_on_boundary_by_z20_by_tau = carried_v1_2_by_z20_by_tau + t45*tau_by_z20 + t56*tau_by_z20_by_tau - tau_by_z20*z1_2_by_tau;
+    const double z1_2_on_boundary_by_z10_by_tau = carried_z1_2_by_z10_by_tau + delay_tau_by_z10*v1_2_by_tau + delay_tau_by_z10_by_tau*v1_2;
+    const double z1_2_on_boundary_by_z20_by_tau = carried_z1_2_by_z20_by_tau + delay_tau_by_z20*v1_2_by_tau + delay_tau_by_z20_by_tau*v1_2;
+    const double z2_2_on_boundary_by_z10_by_tau = V*delay_tau_by_z10_by_tau;
+    const double z2_2_on_boundary_by_z20_by_tau = V*delay_tau_by_z20_by_tau;
+    const double v1_2_on_boundary_by_z10_by_tau = carried_v1_2_by_z10_by_tau + delay_tau_by_z10*t45 - delay_tau_by_z10*z1_2_by_tau + delay_tau_by_z10_by_tau*t56;
+    const double v1_2_on_boundary_by_z20_by_tau = carried_v1_2_by_z20_by_tau + delay_tau_by_z20*t45 - delay_tau_by_z20*z1_2_by_tau + delay_tau_by_z20_by_tau*t56;
     /* d/dchi of: perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10_by_chi = carried_z1_2_by_z10_by_chi + tau_by_z10*v1_2_by_chi + tau_by_z10_by_chi*v1_2;
-    const double z1_2_on_boundary_by_z20_by_chi = carried_z1_2_by_z20_by_chi + tau_by_z20*v1_2_by_chi + tau_by_z20_by_chi*v1_2;
-    const double z2_2_on_boundary_by_z10_by_chi = V*tau_by_z10_by_chi + z2_1_on_boundary_by_z10_by_chi;
-    const double z2_2_on_boundary_by_z20_by_chi = V*tau_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi;
-    const double v1_2_on_boundary_by_z10_by_chi = carried_v1_2_by_z10_by_chi + t56*tau_by_z10_by_chi - tau_by_z10*z1_2_by_chi + tau_by_z10*z2_2;
-    const double v1_2_on_boundary_by_z20_by_chi = carried_v1_2_by_z20_by_chi + t56*tau_by_z20_by_chi - tau_by_z20*z1_2_by_chi + tau_by_z20*z2_2;
+    const double z1_2_on_boundary_by_z10_by_chi = carried_z1_2_by_z10_by_chi + delay_tau_by_z10*v1_2_by_chi + delay_tau_by_z10_by_chi*v1_2;
+    const double z1_2_on_boundary_by_z20_by_chi = carried_z1_2_by_z20_by_chi + delay_tau_by_z20*v1_2_by_chi + delay_tau_by_z20_by_chi*v1_2;
+    const double z2_2_on_boundary_by_z10_by_chi = V*delay_tau_by_z10_by_chi + z2_1_on_boundary_by_z10_by_chi;
+    const double z2_2_on_boundary_by_z20_by_chi = V*delay_tau_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi;
+    const double v1_2_on_boundary_by_z10_by_chi = carried_v1_2_by_z10_by_chi - delay_tau_by_z10*z1_2_by_chi + delay_tau_by_z10*z2_2 + delay_tau_by_z10_by_chi*t56;
+    const double v1_2_on_boundary_by_z20_by_chi = carried_v1_2_by_z20_by_chi - delay_tau_by_z20*z1_2_by_chi + delay_tau_by_z20*z2_2 + delay_tau_by_z20_by_chi*t56;
     /* d/dV of: perturbation on the boundary after tau */
-    const double z1_2_on_boundary_by_z10_by_V = carried_z1_2_by_z10_by_V + tau_by_z10*v1_2_by_V + tau_by_z10_by_V*v1_2;
-    const double z1_2_on_boundary_by_z20_by_V = carried_z1_2_by_z20_by_V + tau_by_z20*v1_2_by_V + tau_by_z20_by_V*v1_2;
-    const double z2_2_on_boundary_by_z10_by_V = V*tau_by_z10_by_V + tau_by_z10 + z2_1_on_boundary_by_z10_by_V;
-    const double z2_2_on_boundary_by_z20_by_V = V*tau_by_z20_by_V + tau_by_z20 + z2_1_on_boundary_by_z20_by_V;
-    const double v1_2_on_boundary_by_z10_by_V = carried_v1_2_by_z10_by_V + t56*tau_by_z10_by_V + t70*tau_by_z10 - tau_by_z10*z1_2_by_V;
-    const double v1_2_on_boundary_by_z20_by_V = carried_v1_2_by_z20_by_V + t56*tau_by_z20_by_V + t70*tau_by_z20 - tau_by_z20*z1_2_by_V;
+    const double z1_2_on_boundary_by_z10_by_V = carried_z1_2_by_z10_by_V + delay_tau_by_z10*v1_2_by_V + delay_tau_by_z10_by_V*v1_2;
+    const double z1_2_on_boundary_by_z20_by_V = carried_z1_2_by_z20_by_V + delay_tau_by_z20*v1_2_by_V + delay_tau_by_z20_by_V*v1_2;
+    const double z2_2_on_boundary_by_z10_by_V = V*delay_tau_by_z10_by_V + delay_tau_by_z10 + z2_1_on_boundary_by_z10_by_V;
+    const double z2_2_on_boundary_by_z20_by_V = V*delay_tau_by_z20_by_V + delay_tau_by_z20 + z2_1_on_boundary_by_z20_by_V;
+    const double v1_2_on_boundary_by_z10_by_V = carried_v1_2_by_z10_by_V + delay_tau_by_z10*t70 - delay_tau_by_z10*z1_2_by_V + delay_tau_by_z10_by_V*t56;
+    const double v1_2_on_boundary_by_z20_by_V = carried_v1_2_by_z20_by_V + delay_tau_by_z20*t70 - delay_tau_by_z20*z1_2_by_V + delay_tau_by_z20_by_V*t56;
     /* d/dz10 of: Phi along tau1 */
     const double carried_z1_3_by_z10_by_z10 = t17*v1_2_on_boundary_by_z10_by_z10 + t18*z1_2_on_boundary_by_z10_by_z10 + t19*z2_2_on_boundary_by_z10_by_z10;
     const double carried_z1_3_by_z20_by_z10 = t17*v1_2_on_boundary_by_z20_by_z10 + t18*z1_2_on_boundary_by_z20_by_z10 + t19*z2_2_on_boundary_by_z20_by_z10;
@@ -6132,101 +6132,101 @@ void dry_friction_solution_ii_trace_gradient(
     /* d/dV of: rate of the exit boundary after tau1 */
     const double t227 = chi*z2_3_by_V;
     const double rate_3_by_V = t227 - z1_3_by_V;
-    /* d/dz10 of: derivatives of tau1 on the boundary */
+    /* d/dz10 of: derivatives of the time to the boundary after tau1 */
     const double t228 = (1.0/(rate_3*rate_3));
     const double t229 = rate_3_by_z10*t228;
-    const double tau1_by_z10_by_z10 = carried_v1_3_by_z10*t229 - carried_v1_3_by_z10_by_z10*t58;
-    const double tau1_by_z20_by_z10 = carried_v1_3_by_z20*t229 - carried_v1_3_by_z20_by_z10*t58;
-    /* d/dz20 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z10_by_z10 = carried_v1_3_by_z10*t229 - carried_v1_3_by_z10_by_z10*t58;
+    const double delay_tau1_by_z20_by_z10 = carried_v1_3_by_z20*t229 - carried_v1_3_by_z20_by_z10*t58;
+    /* d/dz20 of: derivatives of the time to the boundary after tau1 */
     const double t230 = rate_3_by_z20*t228;
-    const double tau1_by_z10_by_z20 = carried_v1_3_by_z10*t230 - carried_v1_3_by_z10_by_z20*t58;
-    const double tau1_by_z20_by_z20 = carried_v1_3_by_z20*t230 - carried_v1_3_by_z20_by_z20*t58;
-    /* d/dtau of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z10_by_z20 = carried_v1_3_by_z10*t230 - carried_v1_3_by_z10_by_z20*t58;
+    const double delay_tau1_by_z20_by_z20 = carried_v1_3_by_z20*t230 - carried_v1_3_by_z20_by_z20*t58;
+    /* d/dtau of: derivatives of the time to the boundary after tau1 */
     const double t231 = rate_3_by_tau*t228;
-    const double tau1_by_z10_by_tau = carried_v1_3_by_z10*t231 - carried_v1_3_by_z10_by_tau*t58;
-    const double tau1_by_z20_by_tau = carried_v1_3_by_z20*t231 - carried_v1_3_by_z20_by_tau*t58;
-    /* d/dtau1 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z10_by_tau = carried_v1_3_by_z10*t231 - carried_v1_3_by_z10_by_tau*t58;
+    const double delay_tau1_by_z20_by_tau = carried_v1_3_by_z20*t231 - carried_v1_3_by_z20_by_tau*t58;
+    /* d/dtau1 of: derivatives of the time to the boundary after tau1 */
     const double t232 = rate_3_by_tau1*t228;
-    const double tau1_by_z10_by_tau1 = carried_v1_3_by_z10*t232 - carried_v1_3_by_z10_by_tau1*t58;
-    const double tau1_by_z20_by_tau1 = carried_v1_3_by_z20*t232 - carried_v1_3_by_z20_by_tau1*t58;
-    /* d/dchi of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z10_by_tau1 = carried_v1_3_by_z10*t232 - carried_v1_3_by_z10_by_tau1*t58;
+    const double delay_tau1_by_z20_by_tau1 = carried_v1_3_by_z20*t232 - carried_v1_3_by_z20_by_tau1*t58;
+    /* d/dchi of: derivatives of the time to the boundary after tau1 */
     const double t233 = rate_3_by_chi*t228;
-    const double tau1_by_z10_by_chi = carried_v1_3_by_z10*t233 - carried_v1_3_by_z10_by_chi*t58;
-    const double tau1_by_z20_by_chi = carried_v1_3_by_z20*t233 - carried_v1_3_by_z20_by_chi*t58;
-    /* d/deta of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z10_by_chi = carried_v1_3_by_z10*t233 - carried_v1_3_by_z10_by_chi*t58;
+    const double delay_tau1_by_z20_by_chi = carried_v1_3_by_z20*t233 - carried_v1_3_by_z20_by_chi*t58;
+    /* d/deta of: derivatives of the time to the boundary after tau1 */
     const double t234 = rate_3_by_eta*t228;
-    const double tau1_by_z10_by_eta = carried_v1_3_by_z10*t234 - carried_v1_3_by_z10_by_eta*t58;
-    const double tau1_by_z20_by_eta = carried_v1_3_by_z20*t234 - carried_v1_3_by_z20_by_eta*t58;
-    /* d/dV of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_z10_by_eta = carried_v1_3_by_z10*t234 - carried_v1_3_by_z10_by_eta*t58;
+    const double delay_tau1_by_z20_by_eta = carried_v1_3_by_z20*t234 - carried_v1_3_by_z20_by_eta*t58;
+    /* d/dV of: derivatives of the time to the boundary after tau1 */
     const double t235 = rate_3_by_V*t228;
-    const double tau1_by_z10_by_V = carried_v1_3_by_z10*t235 - carried_v1_3_by_z10_by_V*t58;
-    const double tau1_by_z20_by_V = carried_v1_3_by_z20*t235 - carried_v1_3_by_z20_by_V*t58;
+    const double delay_tau1_by_z10_by_V = carried_v1_3_by_z10*t235 - carried_v1_3_by_z10_by_V*t58;
+    const double delay_tau1_by_z20_by_V = carried_v1_3_by_z20*t235 - carried_v1_3_by_z20_by_V*t58;
     /* d/dz10 of: perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10_by_z10 = carried_z1_3_by_z10_by_z10 + tau1_by_z10*v1_3_by_z10 + tau1_by_z10_by_z10*v1_3;
-    const double z1_3_on_boundary_by_z20_by_z10 = carried_z1_3_by_z20_by_z10 + tau1_by_z20*v1_3_by_z10 + tau1_by_z20_by_z10*v1_3;
-    const double z2_3_on_boundary_by_z10_by_z10 = carried_z2_3_by_z10_by_z10 + tau1_by_z10*v2_3_by_z10 + tau1_by_z10_by_z10*v2_3;
-    const double z2_3_on_boundary_by_z20_by_z10 = carried_z2_3_by_z20_by_z10 + tau1_by_z20*v2_3_by_z10 + tau1_by_z20_by_z10*v2_3;
+    const double z1_3_on_boundary_by_z10_by_z10 = carried_z1_3_by_z10_by_z10 + delay_tau1_by_z10*v1_3_by_z10 + delay_tau1_by_z10_by_z10*v1_3;
+    const double z1_3_on_boundary_by_z20_by_z10 = carried_z1_3_by_z20_by_z10 + delay_tau1_by_z20*v1_3_by_z10 + delay_tau1_by_z20_by_z10*v1_3;
+    const double z2_3_on_boundary_by_z10_by_z10 = carried_z2_3_by_z10_by_z10 + delay_tau1_by_z10*v2_3_by_z10 + delay_tau1_by_z10_by_z10*v2_3;
+    const double z2_3_on_boundary_by_z20_by_z10 = carried_z2_3_by_z20_by_z10 + delay_tau1_by_z20*v2_3_by_z10 + delay_tau1_by_z20_by_z10*v2_3;
     const double t236 = chi*eta;
     const double t237 = t236*z1_3_by_z10;
     const double t238 = eta*t221;
-    const double v2_3_on_boundary_by_z10_by_z10 = carried_v2_3_by_z10_by_z10 + t237*tau1_by_z10 - t238*tau1_by_z10 + t60*tau1_by_z10_by_z10;
-    const double v2_3_on_boundary_by_z20_by_z10 = carried_v2_3_by_z20_by_z10 + t237*tau1_by_z20 - t238*tau1_by_z20 + t60*tau1_by_z20_by_z10;
+    const double v2_3_on_boundary_by_z10_by_z10 = carried_v2_3_by_z10_by_z10 + delay_tau1_by_z10*t237 - delay_tau1_by_z10*t238 + delay_tau1_by_z10_by_z10*t60;
+    const double v2_3_on_boundary_by_z20_by_z10 = carried_v2_3_by_z20_by_z10 + delay_tau1_by_z20*t237 - delay_tau1_by_z20*t238 + delay_tau1_by_z20_by_z10*t60;
     /* d/dz20 of: perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10_by_z20 = carried_z1_3_by_z10_by_z20 + tau1_by_z10*v1_3_by_z20 + tau1_by_z10_by_z20*v1_3;
-    const double z1_3_on_boundary_by_z20_by_z20 = carried_z1_3_by_z20_by_z20 + tau1_by_z20*v1_3_by_z20 + tau1_by_z20_by_z20*v1_3;
-    const double z2_3_on_boundary_by_z10_by_z20 = carried_z2_3_by_z10_by_z20 + tau1_by_z10*v2_3_by_z20 + tau1_by_z10_by_z20*v2_3;
-    const double z2_3_on_boundary_by_z20_by_z20 = carried_z2_3_by_z20_by_z20 + tau1_by_z20*v2_3_by_z20 + tau1_by_z20_by_z20*v2_3;
+    const double z1_3_on_boundary_by_z10_by_z20 = carried_z1_3_by_z10_by_z20 + delay_tau1_by_z10*v1_3_by_z20 + delay_tau1_by_z10_by_z20*v1_3;
+    const double z1_3_on_boundary_by_z20_by_z20 = carried_z1_3_by_z20_by_z20 + delay_tau1_by_z20*v1_3_by_z20 + delay_tau1_by_z20_by_z20*v1_3;
+    const double z2_3_on_boundary_by_z10_by_z20 = carried_z2_3_by_z10_by_z20 + delay_tau1_by_z10*v2_3_by_z20 + delay_tau1_by_z10_by_z20*v2_3;
+    const double z2_3_on_boundary_by_z20_by_z20 = carried_z2_3_by_z20_by_z20 + delay_tau1_by_z20*v2_3_by_z20 + delay_tau1_by_z20_by_z20*v2_3;
     const double t239 = t236*z1_3_by_z20;
     const double t240 = eta*t222;
-    const double v2_3_on_boundary_by_z10_by_z20 = carried_v2_3_by_z10_by_z20 + t239*tau1_by_z10 - t240*tau1_by_z10 + t60*tau1_by_z10_by_z20;
-    const double v2_3_on_boundary_by_z20_by_z20 = carried_v2_3_by_z20_by_z20 + t239*tau1_by_z20 - t240*tau1_by_z20 + t60*tau1_by_z20_by_z20;
+    const double v2_3_on_boundary_by_z10_by_z20 = carried_v2_3_by_z10_by_z20 + delay_tau1_by_z10*t239 - delay_tau1_by_z10*t240 + delay_tau1_by_z10_by_z20*t60;
+    const double v2_3_on_boundary_by_z20_by_z20 = carried_v2_3_by_z20_by_z20 + delay_tau1_by_z20*t239 - delay_tau1_by_z20*t240 + delay_tau1_by_z20_by_z20*t60;
     /* d/dtau of: perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10_by_tau = carried_z1_3_by_z10_by_tau + tau1_by_z10*v1_3_by_tau + tau1_by_z10_by_tau*v1_3;
-    const double z1_3_on_boundary_by_z20_by_tau = carried_z1_3_by_z20_by_tau + tau1_by_z20*v1_3_by_tau + tau1_by_z20_by_tau*v1_3;
-    const double z2_3_on_boundary_by_z10_by_tau = carried_z2_3_by_z10_by_tau + tau1_by_z10*v2_3_by_tau + tau1_by_z10_by_tau*v2_3;
-    const double z2_3_on_boundary_by_z20_by_tau = carried_z2_3_by_z20_by_tau + tau1_by_z20*v2_3_by_tau + tau1_by_z20_by_tau*v2_3;
+    const double z1_3_on_boundary_by_z10_by_tau = carried_z1_3_by_z10_by_tau + delay_tau1_by_z10*v1_3_by_tau + delay_tau1_by_z10_by_tau*v1_3;
+    const double z1_3_on_boundary_by_z20_by_tau = carried_z1_3_by_z20_by_tau + delay_tau1_by_z20*v1_3_by_tau + delay_tau1_by_z20_by_tau*v1_3;
+    const double z2_3_on_boundary_by_z10_by_tau = carried_z2_3_by_z10_by_tau + delay_tau1_by_z10*v2_3_by_tau + delay_tau1_by_z10_by_tau*v2_3;
+    const double z2_3_on_boundary_by_z20_by_tau = carried_z2_3_by_z20_by_tau + delay_tau1_by_z20*v2_3_by_tau + delay_tau1_by_z20_by_tau*v2_3;
     const double t241 = t236*z1_3_by_tau;
     const double t242 = eta*t223;
-    const double v2_3_on_boundary_by_z10_by_tau = carried_v2_3_by_z10_by_tau + t241*tau1_by_z10 - t242*tau1_by_z10 + t60*tau1_by_z10_by_tau;
-    const double v2_3_on_boundary_by_z20_by_tau = carried_v2_3_by_z20_by_tau + t241*tau1_by_z20 - t242*tau1_by_z20 + t60*tau1_by_z20_by_tau;
+    const double v2_3_on_boundary_by_z10_by_tau = carried_v2_3_by_z10_by_tau + delay_tau1_by_z10*t241 - delay_tau1_by_z10*t242 + delay_tau1_by_z10_by_tau*t60;
+    const double v2_3_on_boundary_by_z20_by_tau = carried_v2_3_by_z20_by_tau + delay_tau1_by_z20*t241 - delay_tau1_by_z20*t242 + delay_tau1_by_z20_by_tau*t60;
     /* d/dtau1 of: perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10_by_tau1 = carried_z1_3_by_z10_by_tau1 + tau1_by_z10*v1_3_by_tau1 + tau1_by_z10_by_tau1*v1_3;
-    const double z1_3_on_boundary_by_z20_by_tau1 = carried_z1_3_by_z20_by_tau1 + tau1_by_z20*v1_3_by_tau1 + tau1_by_z20_by_tau1*v1_3;
-    const double z2_3_on_boundary_by_z10_by_tau1 = carried_z2_3_by_z10_by_tau1 + tau1_by_z10*v2_3_by_tau1 + tau1_by_z10_by_tau1*v2_3;
-    const double z2_3_on_boundary_by_z20_by_tau1 = carried_z2_3_by_z20_by_tau1 + tau1_by_z20*v2_3_by_tau1 + tau1_by_z20_by_tau1*v2_3;
+    const double z1_3_on_boundary_by_z10_by_tau1 = carried_z1_3_by_z10_by_tau1 + delay_tau1_by_z10*v1_3_by_tau1 + delay_tau1_by_z10_by_tau1*v1_3;
+    const double z1_3_on_boundary_by_z20_by_tau1 = carried_z1_3_by_z20_by_tau1 + delay_tau1_by_z20*v1_3_by_tau1 + delay_tau1_by_z20_by_tau1*v1_3;
+    const double z2_3_on_boundary_by_z10_by_tau1 = carried_z2_3_by_z10_by_tau1 + delay_tau1_by_z10*v2_3_by_tau1 + delay_tau1_by_z10_by_tau1*v2_3;
+    const double z2_3_on_boundary_by_z20_by_tau1 = carried_z2_3_by_z20_by_tau1 + delay_tau1_by_z20*v2_3_by_tau1 + delay_tau1_by_z20_by_tau1*v2_3;
     const double t243 = t236*z1_3_by_tau1;
     const double t244 = eta*t224;
-    const double v2_3_on_boundary_by_z10_by_tau1 = carried_v2_3_by_z10_by_tau1 + t243*tau1_by_z10 - t244*tau1_by_z10 + t60*tau1_by_z10_by_tau1;
-    const double v2_3_on_boundary_by_z20_by_tau1 = carried_v2_3_by_z20_by_tau1 + t243*tau1_by_z20 - t244*tau1_by_z20 + t60*tau1_by_z20_by_tau1;
+    const double v2_3_on_boundary_by_z10_by_tau1 = carried_v2_3_by_z10_by_tau1 + delay_tau1_by_z10*t243 - delay_tau1_by_z10*t244 + delay_tau1_by_z10_by_tau1*t60;
+    const double v2_3_on_boundary_by_z20_by_tau1 = carried_v2_3_by_z20_by_tau1 + delay_tau1_by_z20*t243 - delay_tau1_by_z20*t244 + delay_tau1_by_z20_by_tau1*t60;
     /* d/dchi of: perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10_by_chi = carried_z1_3_by_z10_by_chi + tau1_by_z10*v1_3_by_chi + tau1_by_z10_by_chi*v1_3;
-    const double z1_3_on_boundary_by_z20_by_chi = carried_z1_3_by_z20_by_chi + tau1_by_z20*v1_3_by_chi + tau1_by_z20_by_chi*v1_3;
-    const double z2_3_on_boundary_by_z10_by_chi = carried_z2_3_by_z10_by_chi + tau1_by_z10*v2_3_by_chi + tau1_by_z10_by_chi*v2_3;
-    const double z2_3_on_boundary_by_z20_by_chi = carried_z2_3_by_z20_by_chi + tau1_by_z20*v2_3_by_chi + tau1_by_z20_by_chi*v2_3;
+    const double z1_3_on_boundary_by_z10_by_chi = carried_z1_3_by_z10_by_chi + delay_tau1_by_z10*v1_3_by_chi + delay_tau1_by_z10_by_chi*v1_3;
+    const double z1_3_on_boundary_by_z20_by_chi = carried_z1_3_by_z20_by_chi + delay_tau1_by_z20*v1_3_by_chi + delay_tau1_by_z20_by_chi*v1_3;
+    const double z2_3_on_boundary_by_z10_by_chi = carried_z2_3_by_z10_by_chi + delay_tau1_by_z10*v2_3_by_chi + delay_tau1_by_z10_by_chi*v2_3;
+    const double z2_3_on_boundary_by_z20_by_chi = carried_z2_3_by_z20_by_chi + delay_tau1_by_z20*v2_3_by_chi + delay_tau1_by_z20_by_chi*v2_3;
     const double t245 = -eta*z2_3 + t59;
     const double t246 = t236*z1_3_by_chi;
     const double t247 = eta*t225;
-    const double v2_3_on_boundary_by_z10_by_chi = carried_v2_3_by_z10_by_chi + t245*tau1_by_z10 + t246*tau1_by_z10 - t247*tau1_by_z10 + t60*tau1_by_z10_by_chi;
-    const double v2_3_on_boundary_by_z20_by_chi = carried_v2_3_by_z20_by_chi + t245*tau1_by_z20 + t246*tau1_by_z20 - t247*tau1_by_z20 + t60*tau1_by_z20_by_chi;
+    const double v2_3_on_boundary_by_z10_by_chi = carried_v2_3_by_z10_by_chi + delay_tau1_by_z10*t245 + delay_tau1_by_z10*t246 - delay_tau1_by_z10*t247 + delay_tau1_by_z10_by_chi*t60;
+    const double v2_3_on_boundary_by_z20_by_chi = carried_v2_3_by_z20_by_chi + delay_tau1_by_z20*t245 + delay_tau1_by_z20*t246 - delay_tau1_by_z20*t247 + delay_tau1_by_z20_by_chi*t60;
     /* d/deta of: perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10_by_eta = carried_z1_3_by_z10_by_eta + tau1_by_z10*v1_3_by_eta + tau1_by_z10_by_eta*v1_3;
-    const double z1_3_on_boundary_by_z20_by_eta = carried_z1_3_by_z20_by_eta + tau1_by_z20*v1_3_by_eta + tau1_by_z20_by_eta*v1_3;
-    const double z2_3_on_boundary_by_z10_by_eta = carried_z2_3_by_z10_by_eta + tau1_by_z10*v2_3_by_eta + tau1_by_z10_by_eta*v2_3;
-    const double z2_3_on_boundary_by_z20_by_eta = carried_z2_3_by_z20_by_eta + tau1_by_z20*v2_3_by_eta + tau1_by_z20_by_eta*v2_3;
+    const double z1_3_on_boundary_by_z10_by_eta = carried_z1_3_by_z10_by_eta + delay_tau1_by_z10*v1_3_by_eta + delay_tau1_by_z10_by_eta*v1_3;
+    const double z1_3_on_boundary_by_z20_by_eta = carried_z1_3_by_z20_by_eta + delay_tau1_by_z20*v1_3_by_eta + delay_tau1_by_z20_by_eta*v1_3;
+    const double z2_3_on_boundary_by_z10_by_eta = carried_z2_3_by_z10_by_eta + delay_tau1_by_z10*v2_3_by_eta + delay_tau1_by_z10_by_eta*v2_3;
+    const double z2_3_on_boundary_by_z20_by_eta = carried_z2_3_by_z20_by_eta + delay_tau1_by_z20*v2_3_by_eta + delay_tau1_by_z20_by_eta*v2_3;
     const double t248 = chi*z1_3 - t57;
     const double t249 = t236*z1_3_by_eta;
     const double t250 = eta*t226;
-    const double v2_3_on_boundary_by_z10_by_eta = carried_v2_3_by_z10_by_eta + t248*tau1_by_z10 + t249*tau1_by_z10 - t250*tau1_by_z10 + t60*tau1_by_z10_by_eta;
-    const double v2_3_on_boundary_by_z20_by_eta = carried_v2_3_by_z20_by_eta + t248*tau1_by_z20 + t249*tau1_by_z20 - t250*tau1_by_z20 + t60*tau1_by_z20_by_eta;
+    const double v2_3_on_boundary_by_z10_by_eta = carried_v2_3_by_z10_by_eta + delay_tau1_by_z10*t248 + delay_tau1_by_z10*t249 - delay_tau1_by_z10*t250 + delay_tau1_by_z10_by_eta*t60;
+    const double v2_3_on_boundary_by_z20_by_eta = carried_v2_3_by_z20_by_eta + delay_tau1_by_z20*t248 + delay_tau1_by_z20*t249 - delay_tau1_by_z20*t250 + delay_tau1_by_z20_by_eta*t60;
     /* d/dV of: perturbation on the boundary after tau1 */
-    const double z1_3_on_boundary_by_z10_by_V = carried_z1_3_by_z10_by_V + tau1_by_z10*v1_3_by_V + tau1_by_z10_by_V*v1_3;
-    const double z1_3_on_boundary_by_z20_by_V = carried_z1_3_by_z20_by_V + tau1_by_z20*v1_3_by_V + tau1_by_z20_by_V*v1_3;
-    const double z2_3_on_boundary_by_z10_by_V = carried_z2_3_by_z10_by_V + tau1_by_z10*v2_3_by_V + tau1_by_z10_by_V*v2_3;
-    const double z2_3_on_boundary_by_z20_by_V = carried_z2_3_by_z20_by_V + tau1_by_z20*v2_3_by_V + tau1_by_z20_by_V*v2_3;
+    const double z1_3_on_boundary_by_z10_by_V = carried_z1_3_by_z10_by_V + delay_tau1_by_z10*v1_3_by_V + delay_tau1_by_z10_by_V*v1_3;
+    const double z1_3_on_boundary_by_z20_by_V = carried_z1_3_by_z20_by_V + delay_tau1_by_z20*v1_3_by_V + delay_tau1_by_z20_by_V*v1_3;
+    const double z2_3_on_boundary_by_z10_by_V = carried_z2_3_by_z10_by_V + delay_tau1_by_z10*v2_3_by_V + delay_tau1_by_z10_by_V*v2_3;
+    const double z2_3_on_boundary_by_z20_by_V = carried_z2_3_by_z20_by_V + delay_tau1_by_z20*v2_3_by_V + delay_tau1_by_z20_by_V*v2_3;
     const double t251 = t236*z1_3_by_V;
     const double t252 = eta*t227;
-    const double v2_3_on_boundary_by_z10_by_V = carried_v2_3_by_z10_by_V + t251*tau1_by_z10 - t252*tau1_by_z10 + t60*tau1_by_z10_by_V;
-    const double v2_3_on_boundary_by_z20_by_V = carried_v2_3_by_z20_by_V + t251*tau1_by_z20 - t252*tau1_by_z20 + t60*tau1_by_z20_by_V;
+    const double v2_3_on_boundary_by_z10_by_V = carried_v2_3_by_z10_by_V + delay_tau1_by_z10*t251 - delay_tau1_by_z10*t252 + delay_tau1_by_z10_by_V*t60;
+    const double v2_3_on_boundary_by_z20_by_V = carried_v2_3_by_z20_by_V + delay_tau1_by_z20*t251 - delay_tau1_by_z20*t252 + delay_tau1_by_z20_by_V*t60;
     /* d/dz10 of: Phi along tau2 */
     const double carried_z2_4_by_z20_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_z10 + t38*z1_3_on_boundary_by_z20_by_z10 + t40*v2_3_on_boundary_by_z20_by_z10;
     const double carried_v2_4_by_z10_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_z10 + t127*z1_3_on_boundary_by_z10_by_z10 - t127*z2_3_on_boundary_by_z10_by_z10;
@@ -6282,63 +6282,63 @@ void dry_friction_solution_ii_trace_gradient(
     const double rate_4_by_eta = chi*z1_4 - chi*z2_4 - t236*z2_4_by_eta + t249;
     /* d/dV of: rate of the exit boundary after tau2 */
     const double rate_4_by_V = t236*z1_4_by_V - t236*z2_4_by_V;
-    /* d/dz10 of: derivatives of tau2 on the boundary */
+    /* d/dz10 of: derivatives of the time to the boundary after tau2 */
     const double t260 = (1.0/(rate_4*rate_4));
     const double t261 = rate_4_by_z10*t260;
-    const double tau2_by_z10_by_z10 = carried_v2_4_by_z10*t261 - carried_v2_4_by_z10_by_z10*t67;
-    const double tau2_by_z20_by_z10 = carried_v2_4_by_z20*t261 - carried_v2_4_by_z20_by_z10*t67;
-    /* d/dz20 of: derivatives of tau2 on the boundary */
+    const double delay_tau2_by_z10_by_z10 = carried_v2_4_by_z10*t261 - carried_v2_4_by_z10_by_z10*t67;
+    const double delay_tau2_by_z20_by_z10 = carried_v2_4_by_z20*t261 - carried_v2_4_by_z20_by_z10*t67;
+    /* d/dz20 of: derivatives of the time to the boundary after tau2 */
     const double t262 = rate_4_by_z20*t260;
-    const double tau2_by_z10_by_z20 = carried_v2_4_by_z10*t262 - carried_v2_4_by_z10_by_z20*t67;
-    const double tau2_by_z20_by_z20 = carried_v2_4_by_z20*t262 - carried_v2_4_by_z20_by_z20*t67;
-    /* d/dtau of: derivatives of tau2 on the boundary */
+    const double delay_tau2_by_z10_by_z20 = carried_v2_4_by_z10*t262 - carried_v2_4_by_z10_by_z20*t67;
+    const double delay_tau2_by_z20_by_z20 = carried_v2_4_by_z20*t262 - carried_v2_4_by_z20_by_z20*t67;
+    /* d/dtau of: derivatives of the time to the boundary after tau2 */
     const double t263 = rate_4_by_tau*t260;
-    const double tau2_by_z10_by_tau = carried_v2_4_by_z10*t263 - carried_v2_4_by_z10_by_tau*t67;
-    const double tau2_by_z20_by_tau = carried_v2_4_by_z20*t263 - carried_v2_4_by_z20_by_tau*t67;
-    /* d/dtau1 of: derivatives of tau2 on the boundary */
+    const double delay_tau2_by_z10_by_tau = carried_v2_4_by_z10*t263 - carried_v2_4_by_z10_by_tau*t67;
+    const double delay_tau2_by_z20_by_tau = carried_v2_4_by_z20*t263 - carried_v2_4_by_z20_by_tau*t67;
+    /* d/dtau1 of: derivatives of the time to the boundary after tau2 */
     const double t264 = rate_4_by_tau1*t260;
-    const double tau2_by_z10_by_tau1 = carried_v2_4_by_z10*t264 - carried_v2_4_by_z10_by_tau1*t67;
-    const double tau2_by_z20_by_tau1 = carried_v2_4_by_z20*t264 - carried_v2_4_by_z20_by_tau1*t67;
-    /* d/dtau2 of: derivatives of tau2 on the boundary */
+    const double delay_tau2_by_z10_by_tau1 = carried_v2_4_by_z10*t264 - carried_v2_4_by_z10_by_tau1*t67;
+    const double delay_tau2_by_z20_by_tau1 = carried_v2_4_by_z20*t264 - carried_v2_4_by_z20_by_tau1*t67;
+    /* d/dtau2 of: derivatives of the time to the boundary after tau2 */
     const double t265 = rate_4_by_tau2*t260;
-    const double tau2_by_z10_by_tau2 = carried_v2_4_by_z10*t265 - carried_v2_4_by_z10_by_tau2*t67;
-    const double tau2_by_z20_by_tau2 = carried_v2_4_by_z20*t265 - carried_v2_4_by_z20_by_tau2*t67;
-    /* d/dchi of: derivatives of tau2 on the boundary */
+    const double delay_tau2_by_z10_by_tau2 = carried_v2_4_by_z10*t265 - carried_v2_4_by_z10_by_tau2*t67;
+    const double delay_tau2_by_z20_by_tau2 = carried_v2_4_by_z20*t265 - carried_v2_4_by_z20_by_tau2*t67;
+    /* d/dchi of: derivatives of the time to the boundary after tau2 */
     const double t266 = rate_4_by_chi*t260;
-    const double tau2_by_z10_by_chi = carried_v2_4_by_z10*t266 - carried_v2_4_by_z10_by_chi*t67;
-    const double tau2_by_z20_by_chi = carried_v2_4_by_z20*t266 - carried_v2_4_by_z20_by_chi*t67;
-    /* d/deta of: derivatives of tau2 on the boundary */
+    const double delay_tau2_by_z10_by_chi = carried_v2_4_by_z10*t266 - carried_v2_4_by_z10_by_chi*t67;
+    const double delay_tau2_by_z20_by_chi = carried_v2_4_by_z20*t266 - carried_v2_4_by_z20_by_chi*t67;
+    /* d/deta of: derivatives of the time to the boundary after tau2 */
     const double t267 = rate_4_by_eta*t260;
-    const double tau2_by_z10_by_eta = carried_v2_4_by_z10*t267 - carried_v2_4_by_z10_by_eta*t67;
-    const double tau2_by_z20_by_eta = carried_v2_4_by_z20*t267 - carried_v2_4_by_z20_by_eta*t67;
-    /* d/dV of: derivatives of tau2 on the boundary */
+    const double delay_tau2_by_z10_by_eta = carried_v2_4_by_z10*t267 - carried_v2_4_by_z10_by_eta*t67;
+    const double delay_tau2_by_z20_by_eta = carried_v2_4_by_z20*t267 - carried_v2_4_by_z20_by_eta*t67;
+    /* d/dV of: derivatives of the time to the boundary after tau2 */
     const double t268 = rate_4_by_V*t260;
-    const double tau2_by_z10_by_V = carried_v2_4_by_z10*t268 - carried_v2_4_by_z10_by_V*t67;
-    const double tau2_by_z20_by_V = carried_v2_4_by_z20*t268 - carried_v2_4_by_z20_by_V*t67;
+    const double delay_tau2_by_z10_by_V = carried_v2_4_by_z10*t268 - carried_v2_4_by_z10_by_V*t67;
+    const double delay_tau2_by_z20_by_V = carried_v2_4_by_z20*t268 - carried_v2_4_by_z20_by_V*t67;
     /* d/dz10 of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_z10 = V*tau2_by_z10_by_z10 + z1_3_on_boundary_by_z10_by_z10;
-    const double z2_4_on_boundary_by_z20_by_z10 = carried_z2_4_by_z20_by_z10 + tau2_by_z20*v2_4_by_z10 + tau2_by_z20_by_z10*v2_4;
+    const double z1_4_on_boundary_by_z10_by_z10 = V*delay_tau2_by_z10_by_z10 + z1_3_on_boundary_by_z10_by_z10;
+    const double z2_4_on_boundary_by_z20_by_z10 = carried_z2_4_by_z20_by_z10 + delay_tau2_by_z20*v2_4_by_z10 + delay_tau2_by_z20_by_z10*v2_4;
     /* d/dz20 of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_z20 = V*tau2_by_z10_by_z20 + z1_3_on_boundary_by_z10_by_z20;
-    const double z2_4_on_boundary_by_z20_by_z20 = carried_z2_4_by_z20_by_z20 + tau2_by_z20*v2_4_by_z20 + tau2_by_z20_by_z20*v2_4;
+    const double z1_4_on_boundary_by_z10_by_z20 = V*delay_tau2_by_z10_by_z20 + z1_3_on_boundary_by_z10_by_z20;
+    const double z2_4_on_boundary_by_z20_by_z20 = carried_z2_4_by_z20_by_z20 + delay_tau2_by_z20*v2_4_by_z20 + delay_tau2_by_z20_by_z20*v2_4;
     /* d/dtau of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_tau = V*tau2_by_z10_by_tau + z1_3_on_boundary_by_z10_by_tau;
-    const double z2_4_on_boundary_by_z20_by_tau = carried_z2_4_by_z20_by_tau + tau2_by_z20*v2_4_by_tau + tau2_by_z20_by_tau*v2_4;
+    const double z1_4_on_boundary_by_z10_by_tau = V*delay_tau2_by_z10_by_tau + z1_3_on_boundary_by_z10_by_tau;
+    const double z2_4_on_boundary_by_z20_by_tau = carried_z2_4_by_z20_by_tau + delay_tau2_by_z20*v2_4_by_tau + delay_tau2_by_z20_by_tau*v2_4;
     /* d/dtau1 of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_tau1 = V*tau2_by_z10_by_tau1 + z1_3_on_boundary_by_z10_by_tau1;
-    const double z2_4_on_boundary_by_z20_by_tau1 = carried_z2_4_by_z20_by_tau1 + tau2_by_z20*v2_4_by_tau1 + tau2_by_z20_by_tau1*v2_4;
+    const double z1_4_on_boundary_by_z10_by_tau1 = V*delay_tau2_by_z10_by_tau1 + z1_3_on_boundary_by_z10_by_tau1;
+    const double z2_4_on_boundary_by_z20_by_tau1 = carried_z2_4_by_z20_by_tau1 + delay_tau2_by_z20*v2_4_by_tau1 + delay_tau2_by_z20_by_tau1*v2_4;
     /* d/dtau2 of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_tau2 = V*tau2_by_z10_by_tau2;
-    const double z2_4_on_boundary_by_z20_by_tau2 = carried_z2_4_by_z20_by_tau2 + tau2_by_z20*v2_4_by_tau2 + tau2_by_z20_by_tau2*v2_4;
+    const double z1_4_on_boundary_by_z10_by_tau2 = V*delay_tau2_by_z10_by_tau2;
+    const double z2_4_on_boundary_by_z20_by_tau2 = carried_z2_4_by_z20_by_tau2 + delay_tau2_by_z20*v2_4_by_tau2 + delay_tau2_by_z20_by_tau2*v2_4;
     /* d/dchi of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_chi = V*tau2_by_z10_by_chi + z1_3_on_boundary_by_z10_by_chi;
-    const double z2_4_on_boundary_by_z20_by_chi = carried_z2_4_by_z20_by_chi + tau2_by_z20*v2_4_by_chi + tau2_by_z20_by_chi*v2_4;
+    const double z1_4_on_boundary_by_z10_by_chi = V*delay_tau2_by_z10_by_chi + z1_3_on_boundary_by_z10_by_chi;
+    const double z2_4_on_boundary_by_z20_by_chi = carried_z2_4_by_z20_by_chi + delay_tau2_by_z20*v2_4_by_chi + delay_tau2_by_z20_by_chi*v2_4;
     /* d/deta of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_eta = V*tau2_by_z10_by_eta + z1_3_on_boundary_by_z10_by_eta;
-    const double z2_4_on_boundary_by_z20_by_eta = carried_z2_4_by_z20_by_eta + tau2_by_z20*v2_4_by_eta + tau2_by_z20_by_eta*v2_4;
+    const double z1_4_on_boundary_by_z10_by_eta = V*delay_tau2_by_z10_by_eta + z1_3_on_boundary_by_z10_by_eta;
+    const double z2_4_on_boundary_by_z20_by_eta = carried_z2_4_by_z20_by_eta + delay_tau2_by_z20*v2_4_by_eta + delay_tau2_by_z20_by_eta*v2_4;
     /* d/dV of: perturbation on the boundary after tau2 */
-    const double z1_4_on_boundary_by_z10_by_V = V*tau2_by_z10_by_V + tau2_by_z10 + z1_3_on_boundary_by_z10_by_V;
-    const double z2_4_on_boundary_by_z20_by_V = carried_z2_4_by_z20_by_V + tau2_by_z20*v2_4_by_V + tau2_by_z20_by_V*v2_4;
+    const double z1_4_on_boundary_by_z10_by_V = V*delay_tau2_by_z10_by_V + delay_tau2_by_z10 + z1_3_on_boundary_by_z10_by_V;
+    const double z2_4_on_boundary_by_z20_by_V = carried_z2_4_by_z20_by_V + delay_tau2_by_z20*v2_4_by_V + delay_tau2_by_z20_by_V*v2_4;
     trace_gradient[0] = z1_4_on_boundary_by_z10_by_z10 + z2_4_on_boundary_by_z20_by_z10;
     trace_gradient[1] = z1_4_on_boundary_by_z10_by_z20 + z2_4_on_boundary_by_z20_by_z20;
     trace_gradient[2] = z1_4_on_boundary_by_z10_by_tau + z2_4_on_boundary_by_z20_by_tau;
@@ -7271,30 +7271,30 @@ void dry_friction_symmetric_solve(
             /* rate of the exit boundary after tau */
             const double t53 = chi*z2_1;
             const double rate_1 = h23*t53 + h24*z1_1;
-            /* derivatives of tau on the boundary */
+            /* derivatives of the time to the boundary after tau */
             const double t54 = (1.0/(rate_1));
-            const double tau_by_z20 = -carried_v2_1_by_z20*t54;
-            const double tau_by_v10 = -carried_v2_1_by_v10*t54;
+            const double delay_tau_by_z20 = -carried_v2_1_by_z20*t54;
+            const double delay_tau_by_v10 = -carried_v2_1_by_v10*t54;
             /* perturbation on the boundary after tau */
-            const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1;
-            const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1;
-            const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1;
-            const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1;
+            const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
+            const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
+            const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
+            const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
             const double t55 = t53 - z1_1;
-            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t55*tau_by_z20;
-            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t55*tau_by_v10;
+            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t55;
+            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t55;
             /* Phi along tau1 */
             const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t51*z2_1_on_boundary_by_z20;
             const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t51*z2_1_on_boundary_by_v10;
             const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t52*z2_1_on_boundary_by_v10;
             const double rate_2 = h22*v1_2 + t56;
-            /* derivatives of tau1 on the boundary */
+            /* derivatives of the time to the boundary after tau1 */
             const double t57 = (1.0/(rate_2));
-            const double tau1_by_z20 = t57*(carried_z1_2_by_z20*chi + h22*z2_1_on_boundary_by_z20);
-            const double tau1_by_v10 = t57*(carried_z1_2_by_v10*chi + h22*z2_1_on_boundary_by_v10);
+            const double delay_tau1_by_z20 = t57*(carried_z1_2_by_z20*chi + h22*z2_1_on_boundary_by_z20);
+            const double delay_tau1_by_v10 = t57*(carried_z1_2_by_v10*chi + h22*z2_1_on_boundary_by_v10);
             /* perturbation on the boundary after tau1 */
-            const double z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20;
-            const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + tau1_by_v10*(chi*z2_2 - z1_2);
+            const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
+            const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*(chi*z2_2 - z1_2);
             /* outputs */
             const double t58 = cos_omega1_half_tau*t13;
             const double t59 = p3*v10;
@@ -7966,14 +7966,14 @@ void dry_friction_solution_ii_solve(
             const double h15 = -omega3;
             /* rate of the exit boundary after ta */
             const double rate_1 = t36;
-            /* derivatives of ta on the boundary */
+            /* derivatives of the time to the boundary after ta */
             const double t54 = (1.0/(rate_1));
-            const double ta_by_z10 = -t54;
-            const double ta_by_z20 = chi*t54;
+            const double delay_ta_by_z10 = -t54;
+            const double delay_ta_by_z20 = chi*t54;
             /* perturbation on the boundary after ta */
-            const double t55 = V*ta_by_z10;
+            const double t55 = V*delay_ta_by_z10;
             const double z1_1_on_boundary_by_z10 = t55 + 1;
-            const double z1_1_on_boundary_by_z20 = V*ta_by_z20;
+            const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
             const double z2_1_on_boundary_by_z10 = t55;
             const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
             const double h16 = -z1_1_on_boundary_by_z10;
@@ -8350,18 +8350,18 @@ void dry_friction_solution_ii_solve(
             const double carried_v1_2_by_z20 = h17*sin_tau + t8*z2_1_on_boundary_by_z20;
             /* rate of the exit boundary after tau */
             const double rate_2 = h1*v1_2 + t35;
-            /* derivatives of tau on the boundary */
+            /* derivatives of the time to the boundary after tau */
             const double t57 = (1.0/(rate_2));
-            const double tau_by_z10 = t57*(carried_z1_2_by_z10*chi + h18);
-            const double tau_by_z20 = t57*(carried_z1_2_by_z20*chi + h19);
+            const double delay_tau_by_z10 = t57*(carried_z1_2_by_z10*chi + h18);
+            const double delay_tau_by_z20 = t57*(carried_z1_2_by_z20*chi + h19);
             /* perturbation on the boundary after tau */
-            const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2;
-            const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2;
-            const double z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10;
-            const double z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20;
+            const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
+            const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
+            const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
+            const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
             const double t58 = chi*z2_2 - z1_2;
-            const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t58*tau_by_z10;
-            const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t58*tau_by_z20;
+            const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t58;
+            const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t58;
             /* Phi along tau1 */
             const double carried_z1_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t16*z1_2_on_boundary_by_z10 + t17*z2_2_on_boundary_by_z10;
             const double carried_z1_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t16*z1_2_on_boundary_by_z20 + t17*z2_2_on_boundary_by_z20;
@@ -8373,17 +8373,17 @@ void dry_friction_solution_ii_solve(
             const double carried_v2_3_by_z20 = t19*v1_2_on_boundary_by_z20 + t25*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20;
             /* rate of the exit boundary after tau1 */
             const double rate_3 = v1_3_by_tau1;
-            /* derivatives of tau1 on the boundary */
+            /* derivatives of the time to the boundary after tau1 */
             const double t59 = (1.0/(rate_3));
-            const double tau1_by_z10 = -carried_v1_3_by_z10*t59;
-            const double tau1_by_z20 = -carried_v1_3_by_z20*t59;
+            const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t59;
+            const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t59;
             /* perturbation on the boundary after tau1 */
-            const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3;
-            const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3;
-            const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3;
-            const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3;
-            const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + tau1_by_z10*v2_3_by_tau1;
-            const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + tau1_by_z20*v2_3_by_tau1;
+            const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
+            const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
+            const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
+            const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
+            const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*v2_3_by_tau1;
+            const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*v2_3_by_tau1;
             /* Phi along tau2 */
             const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t52*z1_3_on_boundary_by_z20 + t53*v2_3_on_boundary_by_z20;
             const double t60 = omega3*sin_omega3_tau2;
@@ -8391,13 +8391,13 @@ void dry_friction_solution_ii_solve(
             const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t60*z1_3_on_boundary_by_z20 - t60*z2_3_on_boundary_by_z20;
             /* rate of the exit boundary after tau2 */
             const double rate_4 = h20*z2_4 + t39*z1_4;
-            /* derivatives of tau2 on the boundary */
+            /* derivatives of the time to the boundary after tau2 */
             const double t61 = (1.0/(rate_4));
-            const double tau2_by_z10 = -carried_v2_4_by_z10*t61;
-            const double tau2_by_z20 = -carried_v2_4_by_z20*t61;
+            const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t61;
+            const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t61;
             /* perturbation on the boundary after tau2 */
-            const double z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10;
-            const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4;
+            const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
+            const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
             result[0][lane] = z1_5;
             result[1][lane] = z2_5;
             result[2][lane] = tau;

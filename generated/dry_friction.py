@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 1651bd0fc05ede85
+# SymPy 1.14.0, derivation cd9e7cb19aadb051
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "1651bd0fc05ede85"
+DERIVATION = "cd9e7cb19aadb051"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -1604,18 +1604,18 @@ def symmetric_poincare_jacobian(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after tau
     t20 = chi*z2_1
     rate_1 = chi*eta*z1_1 - eta*t20
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t21 = 1/rate_1
-    tau_by_z20 = -carried_v2_1_by_z20*t21
-    tau_by_v10 = -carried_v2_1_by_v10*t21
+    delay_tau_by_z20 = -carried_v2_1_by_z20*t21
+    delay_tau_by_v10 = -carried_v2_1_by_v10*t21
     # perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1
-    z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1
-    z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1
-    z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1
+    z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1
+    z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1
+    z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1
+    z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1
     t22 = t20 - z1_1
-    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t22*tau_by_z20
-    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t22*tau_by_v10
+    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t22
+    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t22
     # Phi along tau1
     carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t18*z2_1_on_boundary_by_z20
     carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t18*z2_1_on_boundary_by_v10
@@ -1623,16 +1623,16 @@ def symmetric_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t19*z2_1_on_boundary_by_v10
     # rate of the exit boundary after tau1
     rate_2 = V*chi - chi*v1_2
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t23 = 1/rate_2
-    tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
-    tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
+    delay_tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    delay_tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
     # perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20
-    z2_2_on_boundary_by_v10 = V*tau1_by_v10 + z2_1_on_boundary_by_v10
+    z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20
+    z2_2_on_boundary_by_v10 = V*delay_tau1_by_v10 + z2_1_on_boundary_by_v10
     t24 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t24*tau1_by_z20
-    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + t24*tau1_by_v10
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t24
+    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t24
     return [[z2_2_on_boundary_by_z20, z2_2_on_boundary_by_v10], [v1_2_on_boundary_by_z20, v1_2_on_boundary_by_v10]]
 
 
@@ -1875,31 +1875,31 @@ def symmetric_trace(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after tau
     t20 = chi*z2_1
     rate_1 = chi*eta*z1_1 - eta*t20
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t21 = 1/rate_1
-    tau_by_z20 = -carried_v2_1_by_z20*t21
-    tau_by_v10 = -carried_v2_1_by_v10*t21
+    delay_tau_by_z20 = -carried_v2_1_by_z20*t21
+    delay_tau_by_v10 = -carried_v2_1_by_v10*t21
     # perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1
-    z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1
-    z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1
-    z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1
+    z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1
+    z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1
+    z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1
+    z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1
     t22 = t20 - z1_1
-    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t22*tau_by_z20
-    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t22*tau_by_v10
+    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t22
+    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t22
     # Phi along tau1
     carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t18*z2_1_on_boundary_by_z20
     carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t18*z2_1_on_boundary_by_v10
     carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t19*z2_1_on_boundary_by_v10
     # rate of the exit boundary after tau1
     rate_2 = V*chi - chi*v1_2
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t23 = 1/rate_2
-    tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
-    tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
+    delay_tau1_by_z20 = t23*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    delay_tau1_by_v10 = t23*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
     # perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20 = V*tau1_by_z20 + z2_1_on_boundary_by_z20
-    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + tau1_by_v10*(chi*z2_2 - z1_2)
+    z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20
+    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*(chi*z2_2 - z1_2)
     return v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20
 
 
@@ -1973,32 +1973,32 @@ def symmetric_trace_gradient(parameters, spectrum, spectrum_derivatives, unknown
     t36 = eta*z1_1
     t37 = chi*z2_1
     rate_1 = chi*t36 - eta*t37
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t38 = 1/rate_1
-    tau_by_z20 = -carried_v2_1_by_z20*t38
-    tau_by_v10 = -carried_v2_1_by_v10*t38
+    delay_tau_by_z20 = -carried_v2_1_by_z20*t38
+    delay_tau_by_v10 = -carried_v2_1_by_v10*t38
     # perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + tau_by_z20*v1_1
-    z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + tau_by_v10*v1_1
-    z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + tau_by_z20*v2_1
-    z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + tau_by_v10*v2_1
+    z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1
+    z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1
+    z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1
+    z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1
     t39 = t37 - z1_1
-    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + t39*tau_by_z20
-    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + t39*tau_by_v10
+    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t39
+    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t39
     # Phi along tau1
     carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20
     carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10
     # rate of the exit boundary after tau1
     t40 = V*chi
     rate_2 = -chi*v1_2 + t40
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t41 = 1/rate_2
     t42 = chi*z2_1_on_boundary_by_z20
     t43 = carried_z1_2_by_z20*chi - t42
-    tau1_by_z20 = t41*t43
+    delay_tau1_by_z20 = t41*t43
     t44 = chi*z2_1_on_boundary_by_v10
     t45 = carried_z1_2_by_v10*chi - t44
-    tau1_by_v10 = t41*t45
+    delay_tau1_by_v10 = t41*t45
     # d/dtau of: functions of tau in slip-slip
     cos_omega1_tau_by_tau = -omega1*sin_omega1_tau
     sin_omega1_tau_by_tau = cos_omega1_tau*omega1
@@ -2202,91 +2202,91 @@ def symmetric_trace_gradient(parameters, spectrum, spectrum_derivatives, unknown
     rate_1_by_eta = chi*z1_1 + t132*z1_1_by_eta - t132*z2_1_by_eta - t37
     # d/dV of: rate of the exit boundary after tau
     rate_1_by_V = t132*z1_1_by_V - t132*z2_1_by_V
-    # d/dz10 of: derivatives of tau on the boundary
+    # d/dz10 of: derivatives of the time to the boundary after tau
     t133 = 1/rate_1**2
     t134 = rate_1_by_z10*t133
-    tau_by_z20_by_z10 = carried_v2_1_by_z20*t134
-    tau_by_v10_by_z10 = carried_v2_1_by_v10*t134
-    # d/dz20 of: derivatives of tau on the boundary
+    delay_tau_by_z20_by_z10 = carried_v2_1_by_z20*t134
+    delay_tau_by_v10_by_z10 = carried_v2_1_by_v10*t134
+    # d/dz20 of: derivatives of the time to the boundary after tau
     t135 = rate_1_by_z20*t133
-    tau_by_z20_by_z20 = carried_v2_1_by_z20*t135
-    tau_by_v10_by_z20 = carried_v2_1_by_v10*t135
-    # d/dv10 of: derivatives of tau on the boundary
+    delay_tau_by_z20_by_z20 = carried_v2_1_by_z20*t135
+    delay_tau_by_v10_by_z20 = carried_v2_1_by_v10*t135
+    # d/dv10 of: derivatives of the time to the boundary after tau
     t136 = rate_1_by_v10*t133
-    tau_by_z20_by_v10 = carried_v2_1_by_z20*t136
-    tau_by_v10_by_v10 = carried_v2_1_by_v10*t136
-    # d/dtau of: derivatives of tau on the boundary
+    delay_tau_by_z20_by_v10 = carried_v2_1_by_z20*t136
+    delay_tau_by_v10_by_v10 = carried_v2_1_by_v10*t136
+    # d/dtau of: derivatives of the time to the boundary after tau
     t137 = rate_1_by_tau*t133
-    tau_by_z20_by_tau = carried_v2_1_by_z20*t137 - carried_v2_1_by_z20_by_tau*t38
-    tau_by_v10_by_tau = carried_v2_1_by_v10*t137 - carried_v2_1_by_v10_by_tau*t38
-    # d/dchi of: derivatives of tau on the boundary
+    delay_tau_by_z20_by_tau = carried_v2_1_by_z20*t137 - carried_v2_1_by_z20_by_tau*t38
+    delay_tau_by_v10_by_tau = carried_v2_1_by_v10*t137 - carried_v2_1_by_v10_by_tau*t38
+    # d/dchi of: derivatives of the time to the boundary after tau
     t138 = rate_1_by_chi*t133
-    tau_by_z20_by_chi = carried_v2_1_by_z20*t138 - carried_v2_1_by_z20_by_chi*t38
-    tau_by_v10_by_chi = carried_v2_1_by_v10*t138 - carried_v2_1_by_v10_by_chi*t38
-    # d/deta of: derivatives of tau on the boundary
+    delay_tau_by_z20_by_chi = carried_v2_1_by_z20*t138 - carried_v2_1_by_z20_by_chi*t38
+    delay_tau_by_v10_by_chi = carried_v2_1_by_v10*t138 - carried_v2_1_by_v10_by_chi*t38
+    # d/deta of: derivatives of the time to the boundary after tau
     t139 = rate_1_by_eta*t133
-    tau_by_z20_by_eta = carried_v2_1_by_z20*t139 - carried_v2_1_by_z20_by_eta*t38
-    tau_by_v10_by_eta = carried_v2_1_by_v10*t139 - carried_v2_1_by_v10_by_eta*t38
-    # d/dV of: derivatives of tau on the boundary
+    delay_tau_by_z20_by_eta = carried_v2_1_by_z20*t139 - carried_v2_1_by_z20_by_eta*t38
+    delay_tau_by_v10_by_eta = carried_v2_1_by_v10*t139 - carried_v2_1_by_v10_by_eta*t38
+    # d/dV of: derivatives of the time to the boundary after tau
     t140 = rate_1_by_V*t133
-    tau_by_z20_by_V = carried_v2_1_by_z20*t140
-    tau_by_v10_by_V = carried_v2_1_by_v10*t140
+    delay_tau_by_z20_by_V = carried_v2_1_by_z20*t140
+    delay_tau_by_v10_by_V = carried_v2_1_by_v10*t140
     # d/dz10 of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_z10 = tau_by_z20*v1_1_by_z10 + tau_by_z20_by_z10*v1_1
-    z1_1_on_boundary_by_v10_by_z10 = tau_by_v10*v1_1_by_z10 + tau_by_v10_by_z10*v1_1
-    z2_1_on_boundary_by_z20_by_z10 = tau_by_z20*v2_1_by_z10 + tau_by_z20_by_z10*v2_1
-    z2_1_on_boundary_by_v10_by_z10 = tau_by_v10*v2_1_by_z10 + tau_by_v10_by_z10*v2_1
+    z1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v1_1_by_z10 + delay_tau_by_z20_by_z10*v1_1
+    z1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v1_1_by_z10 + delay_tau_by_v10_by_z10*v1_1
+    z2_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v2_1_by_z10 + delay_tau_by_z20_by_z10*v2_1
+    z2_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v2_1_by_z10 + delay_tau_by_v10_by_z10*v2_1
     t141 = chi*z2_1_by_z10
-    v1_1_on_boundary_by_z20_by_z10 = t141*tau_by_z20 + t39*tau_by_z20_by_z10 - tau_by_z20*z1_1_by_z10
-    v1_1_on_boundary_by_v10_by_z10 = t141*tau_by_v10 + t39*tau_by_v10_by_z10 - tau_by_v10*z1_1_by_z10
+    v1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*t141 - delay_tau_by_z20*z1_1_by_z10 + delay_tau_by_z20_by_z10*t39
+    v1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*t141 - delay_tau_by_v10*z1_1_by_z10 + delay_tau_by_v10_by_z10*t39
     # d/dz20 of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_z20 = tau_by_z20*v1_1_by_z20 + tau_by_z20_by_z20*v1_1
-    z1_1_on_boundary_by_v10_by_z20 = tau_by_v10*v1_1_by_z20 + tau_by_v10_by_z20*v1_1
-    z2_1_on_boundary_by_z20_by_z20 = tau_by_z20*v2_1_by_z20 + tau_by_z20_by_z20*v2_1
-    z2_1_on_boundary_by_v10_by_z20 = tau_by_v10*v2_1_by_z20 + tau_by_v10_by_z20*v2_1
+    z1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v1_1_by_z20 + delay_tau_by_z20_by_z20*v1_1
+    z1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v1_1_by_z20 + delay_tau_by_v10_by_z20*v1_1
+    z2_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v2_1_by_z20 + delay_tau_by_z20_by_z20*v2_1
+    z2_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v2_1_by_z20 + delay_tau_by_v10_by_z20*v2_1
     t142 = chi*z2_1_by_z20
-    v1_1_on_boundary_by_z20_by_z20 = t142*tau_by_z20 + t39*tau_by_z20_by_z20 - tau_by_z20*z1_1_by_z20
-    v1_1_on_boundary_by_v10_by_z20 = t142*tau_by_v10 + t39*tau_by_v10_by_z20 - tau_by_v10*z1_1_by_z20
+    v1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*t142 - delay_tau_by_z20*z1_1_by_z20 + delay_tau_by_z20_by_z20*t39
+    v1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*t142 - delay_tau_by_v10*z1_1_by_z20 + delay_tau_by_v10_by_z20*t39
     # d/dv10 of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_v10 = tau_by_z20*v1_1_by_v10 + tau_by_z20_by_v10*v1_1
-    z1_1_on_boundary_by_v10_by_v10 = tau_by_v10*v1_1_by_v10 + tau_by_v10_by_v10*v1_1
-    z2_1_on_boundary_by_z20_by_v10 = tau_by_z20*v2_1_by_v10 + tau_by_z20_by_v10*v2_1
-    z2_1_on_boundary_by_v10_by_v10 = tau_by_v10*v2_1_by_v10 + tau_by_v10_by_v10*v2_1
+    z1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v1_1_by_v10 + delay_tau_by_z20_by_v10*v1_1
+    z1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v1_1_by_v10 + delay_tau_by_v10_by_v10*v1_1
+    z2_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v2_1_by_v10 + delay_tau_by_z20_by_v10*v2_1
+    z2_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v2_1_by_v10 + delay_tau_by_v10_by_v10*v2_1
     t143 = chi*z2_1_by_v10
-    v1_1_on_boundary_by_z20_by_v10 = t143*tau_by_z20 + t39*tau_by_z20_by_v10 - tau_by_z20*z1_1_by_v10
-    v1_1_on_boundary_by_v10_by_v10 = t143*tau_by_v10 + t39*tau_by_v10_by_v10 - tau_by_v10*z1_1_by_v10
+    v1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*t143 - delay_tau_by_z20*z1_1_by_v10 + delay_tau_by_z20_by_v10*t39
+    v1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*t143 - delay_tau_by_v10*z1_1_by_v10 + delay_tau_by_v10_by_v10*t39
     # d/dtau of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_tau = carried_z1_1_by_z20_by_tau + tau_by_z20*v1_1_by_tau + tau_by_z20_by_tau*v1_1
-    z1_1_on_boundary_by_v10_by_tau = carried_z1_1_by_v10_by_tau + tau_by_v10*v1_1_by_tau + tau_by_v10_by_tau*v1_1
-    z2_1_on_boundary_by_z20_by_tau = carried_z2_1_by_z20_by_tau + tau_by_z20*v2_1_by_tau + tau_by_z20_by_tau*v2_1
-    z2_1_on_boundary_by_v10_by_tau = carried_z2_1_by_v10_by_tau + tau_by_v10*v2_1_by_tau + tau_by_v10_by_tau*v2_1
+    z1_1_on_boundary_by_z20_by_tau = carried_z1_1_by_z20_by_tau + delay_tau_by_z20*v1_1_by_tau + delay_tau_by_z20_by_tau*v1_1
+    z1_1_on_boundary_by_v10_by_tau = carried_z1_1_by_v10_by_tau + delay_tau_by_v10*v1_1_by_tau + delay_tau_by_v10_by_tau*v1_1
+    z2_1_on_boundary_by_z20_by_tau = carried_z2_1_by_z20_by_tau + delay_tau_by_z20*v2_1_by_tau + delay_tau_by_z20_by_tau*v2_1
+    z2_1_on_boundary_by_v10_by_tau = carried_z2_1_by_v10_by_tau + delay_tau_by_v10*v2_1_by_tau + delay_tau_by_v10_by_tau*v2_1
     t144 = chi*z2_1_by_tau
-    v1_1_on_boundary_by_z20_by_tau = carried_v1_1_by_z20_by_tau + t144*tau_by_z20 + t39*tau_by_z20_by_tau - tau_by_z20*z1_1_by_tau
-    v1_1_on_boundary_by_v10_by_tau = carried_v1_1_by_v10_by_tau + t144*tau_by_v10 + t39*tau_by_v10_by_tau - tau_by_v10*z1_1_by_tau
+    v1_1_on_boundary_by_z20_by_tau = carried_v1_1_by_z20_by_tau + delay_tau_by_z20*t144 - delay_tau_by_z20*z1_1_by_tau + delay_tau_by_z20_by_tau*t39
+    v1_1_on_boundary_by_v10_by_tau = carried_v1_1_by_v10_by_tau + delay_tau_by_v10*t144 - delay_tau_by_v10*z1_1_by_tau + delay_tau_by_v10_by_tau*t39
     # d/dchi of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_chi = carried_z1_1_by_z20_by_chi + tau_by_z20*v1_1_by_chi + tau_by_z20_by_chi*v1_1
-    z1_1_on_boundary_by_v10_by_chi = carried_z1_1_by_v10_by_chi + tau_by_v10*v1_1_by_chi + tau_by_v10_by_chi*v1_1
-    z2_1_on_boundary_by_z20_by_chi = carried_z2_1_by_z20_by_chi + tau_by_z20*v2_1_by_chi + tau_by_z20_by_chi*v2_1
-    z2_1_on_boundary_by_v10_by_chi = carried_z2_1_by_v10_by_chi + tau_by_v10*v2_1_by_chi + tau_by_v10_by_chi*v2_1
+    z1_1_on_boundary_by_z20_by_chi = carried_z1_1_by_z20_by_chi + delay_tau_by_z20*v1_1_by_chi + delay_tau_by_z20_by_chi*v1_1
+    z1_1_on_boundary_by_v10_by_chi = carried_z1_1_by_v10_by_chi + delay_tau_by_v10*v1_1_by_chi + delay_tau_by_v10_by_chi*v1_1
+    z2_1_on_boundary_by_z20_by_chi = carried_z2_1_by_z20_by_chi + delay_tau_by_z20*v2_1_by_chi + delay_tau_by_z20_by_chi*v2_1
+    z2_1_on_boundary_by_v10_by_chi = carried_z2_1_by_v10_by_chi + delay_tau_by_v10*v2_1_by_chi + delay_tau_by_v10_by_chi*v2_1
     t145 = chi*z2_1_by_chi
-    v1_1_on_boundary_by_z20_by_chi = carried_v1_1_by_z20_by_chi + t145*tau_by_z20 + t39*tau_by_z20_by_chi - tau_by_z20*z1_1_by_chi + tau_by_z20*z2_1
-    v1_1_on_boundary_by_v10_by_chi = carried_v1_1_by_v10_by_chi + t145*tau_by_v10 + t39*tau_by_v10_by_chi - tau_by_v10*z1_1_by_chi + tau_by_v10*z2_1
+    v1_1_on_boundary_by_z20_by_chi = carried_v1_1_by_z20_by_chi + delay_tau_by_z20*t145 - delay_tau_by_z20*z1_1_by_chi + delay_tau_by_z20*z2_1 + delay_tau_by_z20_by_chi*t39
+    v1_1_on_boundary_by_v10_by_chi = carried_v1_1_by_v10_by_chi + delay_tau_by_v10*t145 - delay_tau_by_v10*z1_1_by_chi + delay_tau_by_v10*z2_1 + delay_tau_by_v10_by_chi*t39
     # d/deta of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_eta = carried_z1_1_by_z20_by_eta + tau_by_z20*v1_1_by_eta + tau_by_z20_by_eta*v1_1
-    z1_1_on_boundary_by_v10_by_eta = carried_z1_1_by_v10_by_eta + tau_by_v10*v1_1_by_eta + tau_by_v10_by_eta*v1_1
-    z2_1_on_boundary_by_z20_by_eta = carried_z2_1_by_z20_by_eta + tau_by_z20*v2_1_by_eta + tau_by_z20_by_eta*v2_1
-    z2_1_on_boundary_by_v10_by_eta = carried_z2_1_by_v10_by_eta + tau_by_v10*v2_1_by_eta + tau_by_v10_by_eta*v2_1
+    z1_1_on_boundary_by_z20_by_eta = carried_z1_1_by_z20_by_eta + delay_tau_by_z20*v1_1_by_eta + delay_tau_by_z20_by_eta*v1_1
+    z1_1_on_boundary_by_v10_by_eta = carried_z1_1_by_v10_by_eta + delay_tau_by_v10*v1_1_by_eta + delay_tau_by_v10_by_eta*v1_1
+    z2_1_on_boundary_by_z20_by_eta = carried_z2_1_by_z20_by_eta + delay_tau_by_z20*v2_1_by_eta + delay_tau_by_z20_by_eta*v2_1
+    z2_1_on_boundary_by_v10_by_eta = carried_z2_1_by_v10_by_eta + delay_tau_by_v10*v2_1_by_eta + delay_tau_by_v10_by_eta*v2_1
     t146 = chi*z2_1_by_eta
-    v1_1_on_boundary_by_z20_by_eta = carried_v1_1_by_z20_by_eta + t146*tau_by_z20 + t39*tau_by_z20_by_eta - tau_by_z20*z1_1_by_eta
-    v1_1_on_boundary_by_v10_by_eta = carried_v1_1_by_v10_by_eta + t146*tau_by_v10 + t39*tau_by_v10_by_eta - tau_by_v10*z1_1_by_eta
+    v1_1_on_boundary_by_z20_by_eta = carried_v1_1_by_z20_by_eta + delay_tau_by_z20*t146 - delay_tau_by_z20*z1_1_by_eta + delay_tau_by_z20_by_eta*t39
+    v1_1_on_boundary_by_v10_by_eta = carried_v1_1_by_v10_by_eta + delay_tau_by_v10*t146 - delay_tau_by_v10*z1_1_by_eta + delay_tau_by_v10_by_eta*t39
     # d/dV of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_V = tau_by_z20*v1_1_by_V + tau_by_z20_by_V*v1_1
-    z1_1_on_boundary_by_v10_by_V = tau_by_v10*v1_1_by_V + tau_by_v10_by_V*v1_1
-    z2_1_on_boundary_by_z20_by_V = tau_by_z20*v2_1_by_V + tau_by_z20_by_V*v2_1
-    z2_1_on_boundary_by_v10_by_V = tau_by_v10*v2_1_by_V + tau_by_v10_by_V*v2_1
+    z1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v1_1_by_V + delay_tau_by_z20_by_V*v1_1
+    z1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v1_1_by_V + delay_tau_by_v10_by_V*v1_1
+    z2_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v2_1_by_V + delay_tau_by_z20_by_V*v2_1
+    z2_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v2_1_by_V + delay_tau_by_v10_by_V*v2_1
     t147 = chi*z2_1_by_V
-    v1_1_on_boundary_by_z20_by_V = t147*tau_by_z20 + t39*tau_by_z20_by_V - tau_by_z20*z1_1_by_V
-    v1_1_on_boundary_by_v10_by_V = t147*tau_by_v10 + t39*tau_by_v10_by_V - tau_by_v10*z1_1_by_V
+    v1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*t147 - delay_tau_by_z20*z1_1_by_V + delay_tau_by_z20_by_V*t39
+    v1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*t147 - delay_tau_by_v10*z1_1_by_V + delay_tau_by_v10_by_V*t39
     # d/dz10 of: Phi along tau1
     carried_z1_2_by_z20_by_z10 = cos_tau1*z1_1_on_boundary_by_z20_by_z10 + sin_tau1*v1_1_on_boundary_by_z20_by_z10 + t34*z2_1_on_boundary_by_z20_by_z10
     carried_z1_2_by_v10_by_z10 = cos_tau1*z1_1_on_boundary_by_v10_by_z10 + sin_tau1*v1_1_on_boundary_by_v10_by_z10 + t34*z2_1_on_boundary_by_v10_by_z10
@@ -2336,65 +2336,65 @@ def symmetric_trace_gradient(parameters, spectrum, spectrum_derivatives, unknown
     rate_2_by_eta = -chi*v1_2_by_eta
     # d/dV of: rate of the exit boundary after tau1
     rate_2_by_V = -chi*v1_2_by_V + chi
-    # d/dz10 of: derivatives of tau1 on the boundary
+    # d/dz10 of: derivatives of the time to the boundary after tau1
     t149 = 1/rate_2**2
     t150 = rate_2_by_z10*t149
     t151 = chi*t41
-    tau1_by_z20_by_z10 = carried_z1_2_by_z20_by_z10*chi*t41 - t150*t43 - t151*z2_1_on_boundary_by_z20_by_z10
-    tau1_by_v10_by_z10 = carried_z1_2_by_v10_by_z10*chi*t41 - t150*t45 - t151*z2_1_on_boundary_by_v10_by_z10
-    # d/dz20 of: derivatives of tau1 on the boundary
+    delay_tau1_by_z20_by_z10 = carried_z1_2_by_z20_by_z10*chi*t41 - t150*t43 - t151*z2_1_on_boundary_by_z20_by_z10
+    delay_tau1_by_v10_by_z10 = carried_z1_2_by_v10_by_z10*chi*t41 - t150*t45 - t151*z2_1_on_boundary_by_v10_by_z10
+    # d/dz20 of: derivatives of the time to the boundary after tau1
     t152 = rate_2_by_z20*t149
-    tau1_by_z20_by_z20 = carried_z1_2_by_z20_by_z20*chi*t41 - t151*z2_1_on_boundary_by_z20_by_z20 - t152*t43
-    tau1_by_v10_by_z20 = carried_z1_2_by_v10_by_z20*chi*t41 - t151*z2_1_on_boundary_by_v10_by_z20 - t152*t45
-    # d/dv10 of: derivatives of tau1 on the boundary
+    delay_tau1_by_z20_by_z20 = carried_z1_2_by_z20_by_z20*chi*t41 - t151*z2_1_on_boundary_by_z20_by_z20 - t152*t43
+    delay_tau1_by_v10_by_z20 = carried_z1_2_by_v10_by_z20*chi*t41 - t151*z2_1_on_boundary_by_v10_by_z20 - t152*t45
+    # d/dv10 of: derivatives of the time to the boundary after tau1
     t153 = rate_2_by_v10*t149
-    tau1_by_z20_by_v10 = carried_z1_2_by_z20_by_v10*chi*t41 - t151*z2_1_on_boundary_by_z20_by_v10 - t153*t43
-    tau1_by_v10_by_v10 = carried_z1_2_by_v10_by_v10*chi*t41 - t151*z2_1_on_boundary_by_v10_by_v10 - t153*t45
-    # d/dtau of: derivatives of tau1 on the boundary
+    delay_tau1_by_z20_by_v10 = carried_z1_2_by_z20_by_v10*chi*t41 - t151*z2_1_on_boundary_by_z20_by_v10 - t153*t43
+    delay_tau1_by_v10_by_v10 = carried_z1_2_by_v10_by_v10*chi*t41 - t151*z2_1_on_boundary_by_v10_by_v10 - t153*t45
+    # d/dtau of: derivatives of the time to the boundary after tau1
     t154 = rate_2_by_tau*t149
-    tau1_by_z20_by_tau = carried_z1_2_by_z20_by_tau*chi*t41 - t151*z2_1_on_boundary_by_z20_by_tau - t154*t43
-    tau1_by_v10_by_tau = carried_z1_2_by_v10_by_tau*chi*t41 - t151*z2_1_on_boundary_by_v10_by_tau - t154*t45
-    # d/dtau1 of: derivatives of tau1 on the boundary
+    delay_tau1_by_z20_by_tau = carried_z1_2_by_z20_by_tau*chi*t41 - t151*z2_1_on_boundary_by_z20_by_tau - t154*t43
+    delay_tau1_by_v10_by_tau = carried_z1_2_by_v10_by_tau*chi*t41 - t151*z2_1_on_boundary_by_v10_by_tau - t154*t45
+    # d/dtau1 of: derivatives of the time to the boundary after tau1
     t155 = rate_2_by_tau1*t149
-    tau1_by_z20_by_tau1 = carried_z1_2_by_z20_by_tau1*t151 - t155*t43
-    tau1_by_v10_by_tau1 = carried_z1_2_by_v10_by_tau1*t151 - t155*t45
-    # d/dchi of: derivatives of tau1 on the boundary
+    delay_tau1_by_z20_by_tau1 = carried_z1_2_by_z20_by_tau1*t151 - t155*t43
+    delay_tau1_by_v10_by_tau1 = carried_z1_2_by_v10_by_tau1*t151 - t155*t45
+    # d/dchi of: derivatives of the time to the boundary after tau1
     t156 = rate_2_by_chi*t149
-    tau1_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t151 - t151*z2_1_on_boundary_by_z20_by_chi - t156*t43 + t41*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20)
-    tau1_by_v10_by_chi = carried_z1_2_by_v10_by_chi*t151 - t151*z2_1_on_boundary_by_v10_by_chi - t156*t45 + t41*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10)
-    # d/deta of: derivatives of tau1 on the boundary
+    delay_tau1_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t151 - t151*z2_1_on_boundary_by_z20_by_chi - t156*t43 + t41*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20)
+    delay_tau1_by_v10_by_chi = carried_z1_2_by_v10_by_chi*t151 - t151*z2_1_on_boundary_by_v10_by_chi - t156*t45 + t41*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10)
+    # d/deta of: derivatives of the time to the boundary after tau1
     t157 = rate_2_by_eta*t149
-    tau1_by_z20_by_eta = carried_z1_2_by_z20_by_eta*chi*t41 - t151*z2_1_on_boundary_by_z20_by_eta - t157*t43
-    tau1_by_v10_by_eta = carried_z1_2_by_v10_by_eta*chi*t41 - t151*z2_1_on_boundary_by_v10_by_eta - t157*t45
-    # d/dV of: derivatives of tau1 on the boundary
+    delay_tau1_by_z20_by_eta = carried_z1_2_by_z20_by_eta*chi*t41 - t151*z2_1_on_boundary_by_z20_by_eta - t157*t43
+    delay_tau1_by_v10_by_eta = carried_z1_2_by_v10_by_eta*chi*t41 - t151*z2_1_on_boundary_by_v10_by_eta - t157*t45
+    # d/dV of: derivatives of the time to the boundary after tau1
     t158 = rate_2_by_V*t149
-    tau1_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t41 - t151*z2_1_on_boundary_by_z20_by_V - t158*t43
-    tau1_by_v10_by_V = carried_z1_2_by_v10_by_V*chi*t41 - t151*z2_1_on_boundary_by_v10_by_V - t158*t45
+    delay_tau1_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t41 - t151*z2_1_on_boundary_by_z20_by_V - t158*t43
+    delay_tau1_by_v10_by_V = carried_z1_2_by_v10_by_V*chi*t41 - t151*z2_1_on_boundary_by_v10_by_V - t158*t45
     # d/dz10 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_z10 = V*tau1_by_z20_by_z10 + z2_1_on_boundary_by_z20_by_z10
+    z2_2_on_boundary_by_z20_by_z10 = V*delay_tau1_by_z20_by_z10 + z2_1_on_boundary_by_z20_by_z10
     t159 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_v10_by_z10 = carried_v1_2_by_v10_by_z10 + t141*tau1_by_v10 + t159*tau1_by_v10_by_z10 - tau1_by_v10*z1_2_by_z10
+    v1_2_on_boundary_by_v10_by_z10 = carried_v1_2_by_v10_by_z10 + delay_tau1_by_v10*t141 - delay_tau1_by_v10*z1_2_by_z10 + delay_tau1_by_v10_by_z10*t159
     # d/dz20 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_z20 = V*tau1_by_z20_by_z20 + z2_1_on_boundary_by_z20_by_z20
-    v1_2_on_boundary_by_v10_by_z20 = carried_v1_2_by_v10_by_z20 + t142*tau1_by_v10 + t159*tau1_by_v10_by_z20 - tau1_by_v10*z1_2_by_z20
+    z2_2_on_boundary_by_z20_by_z20 = V*delay_tau1_by_z20_by_z20 + z2_1_on_boundary_by_z20_by_z20
+    v1_2_on_boundary_by_v10_by_z20 = carried_v1_2_by_v10_by_z20 + delay_tau1_by_v10*t142 - delay_tau1_by_v10*z1_2_by_z20 + delay_tau1_by_v10_by_z20*t159
     # d/dv10 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_v10 = V*tau1_by_z20_by_v10 + z2_1_on_boundary_by_z20_by_v10
-    v1_2_on_boundary_by_v10_by_v10 = carried_v1_2_by_v10_by_v10 + t143*tau1_by_v10 + t159*tau1_by_v10_by_v10 - tau1_by_v10*z1_2_by_v10
+    z2_2_on_boundary_by_z20_by_v10 = V*delay_tau1_by_z20_by_v10 + z2_1_on_boundary_by_z20_by_v10
+    v1_2_on_boundary_by_v10_by_v10 = carried_v1_2_by_v10_by_v10 + delay_tau1_by_v10*t143 - delay_tau1_by_v10*z1_2_by_v10 + delay_tau1_by_v10_by_v10*t159
     # d/dtau of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_tau = V*tau1_by_z20_by_tau + z2_1_on_boundary_by_z20_by_tau
-    v1_2_on_boundary_by_v10_by_tau = carried_v1_2_by_v10_by_tau + t144*tau1_by_v10 + t159*tau1_by_v10_by_tau - tau1_by_v10*z1_2_by_tau
+    z2_2_on_boundary_by_z20_by_tau = V*delay_tau1_by_z20_by_tau + z2_1_on_boundary_by_z20_by_tau
+    v1_2_on_boundary_by_v10_by_tau = carried_v1_2_by_v10_by_tau + delay_tau1_by_v10*t144 - delay_tau1_by_v10*z1_2_by_tau + delay_tau1_by_v10_by_tau*t159
     # d/dtau1 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_tau1 = V*tau1_by_z20_by_tau1
-    v1_2_on_boundary_by_v10_by_tau1 = carried_v1_2_by_v10_by_tau1 + t159*tau1_by_v10_by_tau1 + t40*tau1_by_v10 - tau1_by_v10*z1_2_by_tau1
+    z2_2_on_boundary_by_z20_by_tau1 = V*delay_tau1_by_z20_by_tau1
+    v1_2_on_boundary_by_v10_by_tau1 = carried_v1_2_by_v10_by_tau1 + delay_tau1_by_v10*t40 - delay_tau1_by_v10*z1_2_by_tau1 + delay_tau1_by_v10_by_tau1*t159
     # d/dchi of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_chi = V*tau1_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi
-    v1_2_on_boundary_by_v10_by_chi = carried_v1_2_by_v10_by_chi + t145*tau1_by_v10 + t159*tau1_by_v10_by_chi - tau1_by_v10*z1_2_by_chi + tau1_by_v10*z2_2
+    z2_2_on_boundary_by_z20_by_chi = V*delay_tau1_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi
+    v1_2_on_boundary_by_v10_by_chi = carried_v1_2_by_v10_by_chi + delay_tau1_by_v10*t145 - delay_tau1_by_v10*z1_2_by_chi + delay_tau1_by_v10*z2_2 + delay_tau1_by_v10_by_chi*t159
     # d/deta of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_eta = V*tau1_by_z20_by_eta + z2_1_on_boundary_by_z20_by_eta
-    v1_2_on_boundary_by_v10_by_eta = carried_v1_2_by_v10_by_eta + t146*tau1_by_v10 + t159*tau1_by_v10_by_eta - tau1_by_v10*z1_2_by_eta
+    z2_2_on_boundary_by_z20_by_eta = V*delay_tau1_by_z20_by_eta + z2_1_on_boundary_by_z20_by_eta
+    v1_2_on_boundary_by_v10_by_eta = carried_v1_2_by_v10_by_eta + delay_tau1_by_v10*t146 - delay_tau1_by_v10*z1_2_by_eta + delay_tau1_by_v10_by_eta*t159
     # d/dV of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_V = V*tau1_by_z20_by_V + tau1_by_z20 + z2_1_on_boundary_by_z20_by_V
-    v1_2_on_boundary_by_v10_by_V = carried_v1_2_by_v10_by_V + chi*tau1_by_v10*z2_2_by_V + t159*tau1_by_v10_by_V - tau1_by_v10*z1_2_by_V
+    z2_2_on_boundary_by_z20_by_V = V*delay_tau1_by_z20_by_V + delay_tau1_by_z20 + z2_1_on_boundary_by_z20_by_V
+    v1_2_on_boundary_by_v10_by_V = carried_v1_2_by_v10_by_V + chi*delay_tau1_by_v10*z2_2_by_V - delay_tau1_by_v10*z1_2_by_V + delay_tau1_by_v10_by_V*t159
     return [v1_2_on_boundary_by_v10_by_z10 + z2_2_on_boundary_by_z20_by_z10, v1_2_on_boundary_by_v10_by_z20 + z2_2_on_boundary_by_z20_by_z20, v1_2_on_boundary_by_v10_by_v10 + z2_2_on_boundary_by_z20_by_v10, v1_2_on_boundary_by_v10_by_tau + z2_2_on_boundary_by_z20_by_tau, v1_2_on_boundary_by_v10_by_tau1 + z2_2_on_boundary_by_z20_by_tau1, v1_2_on_boundary_by_v10_by_chi + z2_2_on_boundary_by_z20_by_chi, v1_2_on_boundary_by_v10_by_eta + z2_2_on_boundary_by_z20_by_eta, v1_2_on_boundary_by_v10_by_V + z2_2_on_boundary_by_z20_by_V, 0]
 
 
@@ -3240,14 +3240,14 @@ def global_stick_poincare_jacobian(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after ta
     t25 = V*chi
     rate_1 = V - t25
-    # derivatives of ta on the boundary
+    # derivatives of the time to the boundary after ta
     t26 = 1/rate_1
-    ta_by_z10 = -t26
-    ta_by_z20 = chi*t26
+    delay_ta_by_z10 = -t26
+    delay_ta_by_z20 = chi*t26
     # perturbation on the boundary after ta
-    t27 = V*ta_by_z10
+    t27 = V*delay_ta_by_z10
     z1_1_on_boundary_by_z10 = t27 + 1
-    z1_1_on_boundary_by_z20 = V*ta_by_z20
+    z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
     z2_1_on_boundary_by_z10 = t27
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
@@ -3257,18 +3257,18 @@ def global_stick_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
     rate_2 = -chi*v1_2 + t25
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t29 = 1/rate_2
-    tau_by_z10 = t29*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
-    tau_by_z20 = t29*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    delay_tau_by_z10 = t29*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
+    delay_tau_by_z20 = t29*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
     # perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2
-    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2
-    z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10
-    z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20
+    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
+    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
+    z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
+    z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
     t30 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t30*tau_by_z10
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t30*tau_by_z20
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t30
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t30
     # Phi along tau1
     carried_z1_3_by_z10 = t10*z1_2_on_boundary_by_z10 + t11*z2_2_on_boundary_by_z10 + t9*v1_2_on_boundary_by_z10
     carried_z1_3_by_z20 = t10*z1_2_on_boundary_by_z20 + t11*z2_2_on_boundary_by_z20 + t9*v1_2_on_boundary_by_z20
@@ -3281,19 +3281,19 @@ def global_stick_poincare_jacobian(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after tau1
     t31 = chi*z2_3
     rate_3 = t31 - z1_3
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t32 = 1/rate_3
-    tau1_by_z10 = -carried_v1_3_by_z10*t32
-    tau1_by_z20 = -carried_v1_3_by_z20*t32
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t32
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t32
     # perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3
-    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3
-    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3
-    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3
+    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
+    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
+    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
+    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
     t33 = chi*eta
     t34 = -eta*t31 + t33*z1_3
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t34*tau1_by_z10
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t34*tau1_by_z20
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t34
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t34
     # Phi along tau2
     carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t22*z1_3_on_boundary_by_z10 + t23*v2_3_on_boundary_by_z10
     carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t22*z1_3_on_boundary_by_z20 + t23*v2_3_on_boundary_by_z20
@@ -3301,15 +3301,15 @@ def global_stick_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t24*z1_3_on_boundary_by_z20 - t24*z2_3_on_boundary_by_z20
     # rate of the exit boundary after tau2
     rate_4 = t33*z1_4 - t33*z2_4
-    # derivatives of tau2 on the boundary
+    # derivatives of the time to the boundary after tau2
     t35 = 1/rate_4
-    tau2_by_z10 = -carried_v2_4_by_z10*t35
-    tau2_by_z20 = -carried_v2_4_by_z20*t35
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t35
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t35
     # perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10
-    z1_4_on_boundary_by_z20 = V*tau2_by_z20 + z1_3_on_boundary_by_z20
-    z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + tau2_by_z10*v2_4
-    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4
+    z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
+    z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20
+    z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + delay_tau2_by_z10*v2_4
+    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4
     return [[z1_4_on_boundary_by_z10, z1_4_on_boundary_by_z20], [z2_4_on_boundary_by_z10, z2_4_on_boundary_by_z20]]
 
 
@@ -5065,14 +5065,14 @@ def solution_ii_poincare_jacobian(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after ta
     t24 = V*chi
     rate_1 = V - t24
-    # derivatives of ta on the boundary
+    # derivatives of the time to the boundary after ta
     t25 = 1/rate_1
-    ta_by_z10 = -t25
-    ta_by_z20 = chi*t25
+    delay_ta_by_z10 = -t25
+    delay_ta_by_z20 = chi*t25
     # perturbation on the boundary after ta
-    t26 = V*ta_by_z10
+    t26 = V*delay_ta_by_z10
     z1_1_on_boundary_by_z10 = t26 + 1
-    z1_1_on_boundary_by_z20 = V*ta_by_z20
+    z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
     z2_1_on_boundary_by_z10 = t26
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
@@ -5082,18 +5082,18 @@ def solution_ii_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
     rate_2 = -chi*v1_2 + t24
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t28 = 1/rate_2
-    tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
-    tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    delay_tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
+    delay_tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
     # perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2
-    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2
-    z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10
-    z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20
+    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
+    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
+    z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
+    z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
     t29 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t29*tau_by_z10
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t29*tau_by_z20
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t29
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t29
     # Phi along tau1
     carried_z1_3_by_z10 = t10*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10 + t9*z1_2_on_boundary_by_z10
     carried_z1_3_by_z20 = t10*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20 + t9*z1_2_on_boundary_by_z20
@@ -5106,19 +5106,19 @@ def solution_ii_poincare_jacobian(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after tau1
     t30 = chi*z2_3
     rate_3 = t30 - z1_3
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t31 = 1/rate_3
-    tau1_by_z10 = -carried_v1_3_by_z10*t31
-    tau1_by_z20 = -carried_v1_3_by_z20*t31
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t31
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t31
     # perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3
-    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3
-    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3
-    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3
+    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
+    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
+    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
+    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
     t32 = chi*eta
     t33 = -eta*t30 + t32*z1_3
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t33*tau1_by_z10
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t33*tau1_by_z20
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t33
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t33
     # Phi along tau2
     carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t21*z1_3_on_boundary_by_z10 + t22*v2_3_on_boundary_by_z10
     carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t21*z1_3_on_boundary_by_z20 + t22*v2_3_on_boundary_by_z20
@@ -5126,15 +5126,15 @@ def solution_ii_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t23*z1_3_on_boundary_by_z20 - t23*z2_3_on_boundary_by_z20
     # rate of the exit boundary after tau2
     rate_4 = t32*z1_4 - t32*z2_4
-    # derivatives of tau2 on the boundary
+    # derivatives of the time to the boundary after tau2
     t34 = 1/rate_4
-    tau2_by_z10 = -carried_v2_4_by_z10*t34
-    tau2_by_z20 = -carried_v2_4_by_z20*t34
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t34
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t34
     # perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10
-    z1_4_on_boundary_by_z20 = V*tau2_by_z20 + z1_3_on_boundary_by_z20
-    z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + tau2_by_z10*v2_4
-    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4
+    z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
+    z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20
+    z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + delay_tau2_by_z10*v2_4
+    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4
     return [[z1_4_on_boundary_by_z10, z1_4_on_boundary_by_z20], [z2_4_on_boundary_by_z10, z2_4_on_boundary_by_z20]]
 
 
@@ -5437,14 +5437,14 @@ def solution_ii_trace(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after ta
     t24 = V*chi
     rate_1 = V - t24
-    # derivatives of ta on the boundary
+    # derivatives of the time to the boundary after ta
     t25 = 1/rate_1
-    ta_by_z10 = -t25
-    ta_by_z20 = chi*t25
+    delay_ta_by_z10 = -t25
+    delay_ta_by_z20 = chi*t25
     # perturbation on the boundary after ta
-    t26 = V*ta_by_z10
+    t26 = V*delay_ta_by_z10
     z1_1_on_boundary_by_z10 = t26 + 1
-    z1_1_on_boundary_by_z20 = V*ta_by_z20
+    z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
     z2_1_on_boundary_by_z10 = t26
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
@@ -5454,18 +5454,18 @@ def solution_ii_trace(parameters, spectrum, unknowns, lib):
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
     rate_2 = -chi*v1_2 + t24
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t28 = 1/rate_2
-    tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
-    tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    delay_tau_by_z10 = t28*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
+    delay_tau_by_z20 = t28*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
     # perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2
-    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2
-    z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10
-    z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20
+    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
+    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
+    z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
+    z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
     t29 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t29*tau_by_z10
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t29*tau_by_z20
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t29
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t29
     # Phi along tau1
     carried_z1_3_by_z10 = t10*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10 + t9*z1_2_on_boundary_by_z10
     carried_z1_3_by_z20 = t10*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20 + t9*z1_2_on_boundary_by_z20
@@ -5478,32 +5478,32 @@ def solution_ii_trace(parameters, spectrum, unknowns, lib):
     # rate of the exit boundary after tau1
     t30 = chi*z2_3
     rate_3 = t30 - z1_3
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t31 = 1/rate_3
-    tau1_by_z10 = -carried_v1_3_by_z10*t31
-    tau1_by_z20 = -carried_v1_3_by_z20*t31
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t31
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t31
     # perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3
-    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3
-    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3
-    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3
+    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
+    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
+    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
+    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
     t32 = chi*eta
     t33 = -eta*t30 + t32*z1_3
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t33*tau1_by_z10
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t33*tau1_by_z20
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t33
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t33
     # Phi along tau2
     carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t21*z1_3_on_boundary_by_z20 + t22*v2_3_on_boundary_by_z20
     carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t23*z1_3_on_boundary_by_z10 - t23*z2_3_on_boundary_by_z10
     carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t23*z1_3_on_boundary_by_z20 - t23*z2_3_on_boundary_by_z20
     # rate of the exit boundary after tau2
     rate_4 = t32*z1_4 - t32*z2_4
-    # derivatives of tau2 on the boundary
+    # derivatives of the time to the boundary after tau2
     t34 = 1/rate_4
-    tau2_by_z10 = -carried_v2_4_by_z10*t34
-    tau2_by_z20 = -carried_v2_4_by_z20*t34
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t34
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t34
     # perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10 = V*tau2_by_z10 + z1_3_on_boundary_by_z10
-    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + tau2_by_z20*v2_4
+    z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
+    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4
     return z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20
 
 
@@ -5584,14 +5584,14 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     # rate of the exit boundary after ta
     t45 = V*chi
     rate_1 = V - t45
-    # derivatives of ta on the boundary
+    # derivatives of the time to the boundary after ta
     t47 = 1/rate_1
-    ta_by_z10 = -t47
-    ta_by_z20 = chi*t47
+    delay_ta_by_z10 = -t47
+    delay_ta_by_z20 = chi*t47
     # perturbation on the boundary after ta
-    t49 = V*ta_by_z10
+    t49 = V*delay_ta_by_z10
     z1_1_on_boundary_by_z10 = t49 + 1
-    z1_1_on_boundary_by_z20 = V*ta_by_z20
+    z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
     z2_1_on_boundary_by_z10 = t49
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
@@ -5601,22 +5601,22 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
     rate_2 = -chi*v1_2 + t45
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t51 = 1/rate_2
     t52 = chi*z2_1_on_boundary_by_z10
     t53 = carried_z1_2_by_z10*chi - t52
-    tau_by_z10 = t51*t53
+    delay_tau_by_z10 = t51*t53
     t54 = chi*z2_1_on_boundary_by_z20
     t55 = carried_z1_2_by_z20*chi - t54
-    tau_by_z20 = t51*t55
+    delay_tau_by_z20 = t51*t55
     # perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + tau_by_z10*v1_2
-    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + tau_by_z20*v1_2
-    z2_2_on_boundary_by_z10 = V*tau_by_z10 + z2_1_on_boundary_by_z10
-    z2_2_on_boundary_by_z20 = V*tau_by_z20 + z2_1_on_boundary_by_z20
+    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
+    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
+    z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
+    z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
     t56 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + t56*tau_by_z10
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + t56*tau_by_z20
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t56
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t56
     # Phi along tau1
     carried_z1_3_by_z10 = t17*v1_2_on_boundary_by_z10 + t18*z1_2_on_boundary_by_z10 + t19*z2_2_on_boundary_by_z10
     carried_z1_3_by_z20 = t17*v1_2_on_boundary_by_z20 + t18*z1_2_on_boundary_by_z20 + t19*z2_2_on_boundary_by_z20
@@ -5629,19 +5629,19 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     # rate of the exit boundary after tau1
     t57 = chi*z2_3
     rate_3 = t57 - z1_3
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t58 = 1/rate_3
-    tau1_by_z10 = -carried_v1_3_by_z10*t58
-    tau1_by_z20 = -carried_v1_3_by_z20*t58
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t58
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t58
     # perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + tau1_by_z10*v1_3
-    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + tau1_by_z20*v1_3
-    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + tau1_by_z10*v2_3
-    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + tau1_by_z20*v2_3
+    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
+    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
+    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
+    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
     t59 = eta*z1_3
     t60 = chi*t59 - eta*t57
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + t60*tau1_by_z10
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + t60*tau1_by_z20
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t60
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t60
     # Phi along tau2
     t61 = omega3*z1_3_on_boundary_by_z10
     t62 = omega3*z2_3_on_boundary_by_z10
@@ -5653,10 +5653,10 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t65 = eta*z1_4
     t66 = eta*z2_4
     rate_4 = chi*t65 - chi*t66
-    # derivatives of tau2 on the boundary
+    # derivatives of the time to the boundary after tau2
     t67 = 1/rate_4
-    tau2_by_z10 = -carried_v2_4_by_z10*t67
-    tau2_by_z20 = -carried_v2_4_by_z20*t67
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t67
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t67
     # d/dtau of: functions of tau in slip-stick
     cos_tau_by_tau = -sin_tau
     sin_tau_by_tau = cos_tau
@@ -5826,21 +5826,21 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     rate_1_by_chi = -V
     # d/dV of: rate of the exit boundary after ta
     rate_1_by_V = 1 - chi
-    # d/dchi of: derivatives of ta on the boundary
+    # d/dchi of: derivatives of the time to the boundary after ta
     t135 = 1/rate_1**2
-    ta_by_z10_by_chi = rate_1_by_chi*t135
-    ta_by_z20_by_chi = -chi*ta_by_z10_by_chi + t47
-    # d/dV of: derivatives of ta on the boundary
-    ta_by_z10_by_V = rate_1_by_V*t135
-    ta_by_z20_by_V = -chi*ta_by_z10_by_V
+    delay_ta_by_z10_by_chi = rate_1_by_chi*t135
+    delay_ta_by_z20_by_chi = -chi*delay_ta_by_z10_by_chi + t47
+    # d/dV of: derivatives of the time to the boundary after ta
+    delay_ta_by_z10_by_V = rate_1_by_V*t135
+    delay_ta_by_z20_by_V = -chi*delay_ta_by_z10_by_V
     # d/dchi of: perturbation on the boundary after ta
-    z1_1_on_boundary_by_z10_by_chi = V*ta_by_z10_by_chi
-    z1_1_on_boundary_by_z20_by_chi = V*ta_by_z20_by_chi
+    z1_1_on_boundary_by_z10_by_chi = V*delay_ta_by_z10_by_chi
+    z1_1_on_boundary_by_z20_by_chi = V*delay_ta_by_z20_by_chi
     z2_1_on_boundary_by_z10_by_chi = z1_1_on_boundary_by_z10_by_chi
     z2_1_on_boundary_by_z20_by_chi = z1_1_on_boundary_by_z20_by_chi
     # d/dV of: perturbation on the boundary after ta
-    z1_1_on_boundary_by_z10_by_V = V*ta_by_z10_by_V + ta_by_z10
-    z1_1_on_boundary_by_z20_by_V = V*ta_by_z20_by_V + ta_by_z20
+    z1_1_on_boundary_by_z10_by_V = V*delay_ta_by_z10_by_V + delay_ta_by_z10
+    z1_1_on_boundary_by_z20_by_V = V*delay_ta_by_z20_by_V + delay_ta_by_z20
     z2_1_on_boundary_by_z10_by_V = z1_1_on_boundary_by_z10_by_V
     z2_1_on_boundary_by_z20_by_V = z1_1_on_boundary_by_z20_by_V
     # d/dtau of: Phi along tau
@@ -5870,63 +5870,63 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     rate_2_by_chi = V - chi*v1_2_by_chi - v1_2
     # d/dV of: rate of the exit boundary after tau
     rate_2_by_V = -chi*v1_2_by_V + chi
-    # d/dz10 of: derivatives of tau on the boundary
+    # d/dz10 of: derivatives of the time to the boundary after tau
     t144 = 1/rate_2**2
     t145 = rate_2_by_z10*t144
-    tau_by_z10_by_z10 = -t145*t53
-    tau_by_z20_by_z10 = -t145*t55
-    # d/dz20 of: derivatives of tau on the boundary
+    delay_tau_by_z10_by_z10 = -t145*t53
+    delay_tau_by_z20_by_z10 = -t145*t55
+    # d/dz20 of: derivatives of the time to the boundary after tau
     t146 = rate_2_by_z20*t144
-    tau_by_z10_by_z20 = -t146*t53
-    tau_by_z20_by_z20 = -t146*t55
-    # d/dtau of: derivatives of tau on the boundary
+    delay_tau_by_z10_by_z20 = -t146*t53
+    delay_tau_by_z20_by_z20 = -t146*t55
+    # d/dtau of: derivatives of the time to the boundary after tau
     t147 = chi*t51
     t148 = rate_2_by_tau*t144
-    tau_by_z10_by_tau = carried_z1_2_by_z10_by_tau*t147 - t148*t53
-    tau_by_z20_by_tau = carried_z1_2_by_z20_by_tau*t147 - t148*t55
-    # d/dchi of: derivatives of tau on the boundary
+    delay_tau_by_z10_by_tau = carried_z1_2_by_z10_by_tau*t147 - t148*t53
+    delay_tau_by_z20_by_tau = carried_z1_2_by_z20_by_tau*t147 - t148*t55
+    # d/dchi of: derivatives of the time to the boundary after tau
     t149 = rate_2_by_chi*t144
-    tau_by_z10_by_chi = carried_z1_2_by_z10_by_chi*t147 - t147*z2_1_on_boundary_by_z10_by_chi - t149*t53 + t51*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10)
-    tau_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t147 - t147*z2_1_on_boundary_by_z20_by_chi - t149*t55 + t51*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20)
-    # d/dV of: derivatives of tau on the boundary
+    delay_tau_by_z10_by_chi = carried_z1_2_by_z10_by_chi*t147 - t147*z2_1_on_boundary_by_z10_by_chi - t149*t53 + t51*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10)
+    delay_tau_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t147 - t147*z2_1_on_boundary_by_z20_by_chi - t149*t55 + t51*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20)
+    # d/dV of: derivatives of the time to the boundary after tau
     t150 = rate_2_by_V*t144
-    tau_by_z10_by_V = carried_z1_2_by_z10_by_V*chi*t51 - t147*z2_1_on_boundary_by_z10_by_V - t150*t53
-    tau_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t51 - t147*z2_1_on_boundary_by_z20_by_V - t150*t55
+    delay_tau_by_z10_by_V = carried_z1_2_by_z10_by_V*chi*t51 - t147*z2_1_on_boundary_by_z10_by_V - t150*t53
+    delay_tau_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t51 - t147*z2_1_on_boundary_by_z20_by_V - t150*t55
     # d/dz10 of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_z10 = tau_by_z10*v1_2_by_z10 + tau_by_z10_by_z10*v1_2
-    z1_2_on_boundary_by_z20_by_z10 = tau_by_z20*v1_2_by_z10 + tau_by_z20_by_z10*v1_2
-    z2_2_on_boundary_by_z10_by_z10 = V*tau_by_z10_by_z10
-    z2_2_on_boundary_by_z20_by_z10 = V*tau_by_z20_by_z10
-    v1_2_on_boundary_by_z10_by_z10 = -cos_tau*tau_by_z10 + t56*tau_by_z10_by_z10
-    v1_2_on_boundary_by_z20_by_z10 = -cos_tau*tau_by_z20 + t56*tau_by_z20_by_z10
+    z1_2_on_boundary_by_z10_by_z10 = delay_tau_by_z10*v1_2_by_z10 + delay_tau_by_z10_by_z10*v1_2
+    z1_2_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v1_2_by_z10 + delay_tau_by_z20_by_z10*v1_2
+    z2_2_on_boundary_by_z10_by_z10 = V*delay_tau_by_z10_by_z10
+    z2_2_on_boundary_by_z20_by_z10 = V*delay_tau_by_z20_by_z10
+    v1_2_on_boundary_by_z10_by_z10 = -cos_tau*delay_tau_by_z10 + delay_tau_by_z10_by_z10*t56
+    v1_2_on_boundary_by_z20_by_z10 = -cos_tau*delay_tau_by_z20 + delay_tau_by_z20_by_z10*t56
     # d/dz20 of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_z20 = tau_by_z10*v1_2_by_z20 + tau_by_z10_by_z20*v1_2
-    z1_2_on_boundary_by_z20_by_z20 = tau_by_z20*v1_2_by_z20 + tau_by_z20_by_z20*v1_2
-    z2_2_on_boundary_by_z10_by_z20 = V*tau_by_z10_by_z20
-    z2_2_on_boundary_by_z20_by_z20 = V*tau_by_z20_by_z20
-    v1_2_on_boundary_by_z10_by_z20 = chi*tau_by_z10 + t56*tau_by_z10_by_z20 - tau_by_z10*z1_2_by_z20
-    v1_2_on_boundary_by_z20_by_z20 = chi*tau_by_z20 + t56*tau_by_z20_by_z20 - tau_by_z20*z1_2_by_z20
+    z1_2_on_boundary_by_z10_by_z20 = delay_tau_by_z10*v1_2_by_z20 + delay_tau_by_z10_by_z20*v1_2
+    z1_2_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v1_2_by_z20 + delay_tau_by_z20_by_z20*v1_2
+    z2_2_on_boundary_by_z10_by_z20 = V*delay_tau_by_z10_by_z20
+    z2_2_on_boundary_by_z20_by_z20 = V*delay_tau_by_z20_by_z20
+    v1_2_on_boundary_by_z10_by_z20 = chi*delay_tau_by_z10 - delay_tau_by_z10*z1_2_by_z20 + delay_tau_by_z10_by_z20*t56
+    v1_2_on_boundary_by_z20_by_z20 = chi*delay_tau_by_z20 - delay_tau_by_z20*z1_2_by_z20 + delay_tau_by_z20_by_z20*t56
     # d/dtau of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_tau = carried_z1_2_by_z10_by_tau + tau_by_z10*v1_2_by_tau + tau_by_z10_by_tau*v1_2
-    z1_2_on_boundary_by_z20_by_tau = carried_z1_2_by_z20_by_tau + tau_by_z20*v1_2_by_tau + tau_by_z20_by_tau*v1_2
-    z2_2_on_boundary_by_z10_by_tau = V*tau_by_z10_by_tau
-    z2_2_on_boundary_by_z20_by_tau = V*tau_by_z20_by_tau
-    v1_2_on_boundary_by_z10_by_tau = carried_v1_2_by_z10_by_tau + t45*tau_by_z10 + t56*tau_by_z10_by_tau - tau_by_z10*z1_2_by_tau
-    v1_2_on_boundary_by_z20_by_tau = carried_v1_2_by_z20_by_tau + t45*tau_by_z20 + t56*tau_by_z20_by_tau - tau_by_z20*z1_2_by_tau
+    z1_2_on_boundary_by_z10_by_tau = carried_z1_2_by_z10_by_tau + delay_tau_by_z10*v1_2_by_tau + delay_tau_by_z10_by_tau*v1_2
+    z1_2_on_boundary_by_z20_by_tau = carried_z1_2_by_z20_by_tau + delay_tau_by_z20*v1_2_by_tau + delay_tau_by_z20_by_tau*v1_2
+    z2_2_on_boundary_by_z10_by_tau = V*delay_tau_by_z10_by_tau
+    z2_2_on_boundary_by_z20_by_tau = V*delay_tau_by_z20_by_tau
+    v1_2_on_boundary_by_z10_by_tau = carried_v1_2_by_z10_by_tau + delay_tau_by_z10*t45 - delay_tau_by_z10*z1_2_by_tau + delay_tau_by_z10_by_tau*t56
+    v1_2_on_boundary_by_z20_by_tau = carried_v1_2_by_z20_by_tau + delay_tau_by_z20*t45 - delay_tau_by_z20*z1_2_by_tau + delay_tau_by_z20_by_tau*t56
     # d/dchi of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_chi = carried_z1_2_by_z10_by_chi + tau_by_z10*v1_2_by_chi + tau_by_z10_by_chi*v1_2
-    z1_2_on_boundary_by_z20_by_chi = carried_z1_2_by_z20_by_chi + tau_by_z20*v1_2_by_chi + tau_by_z20_by_chi*v1_2
-    z2_2_on_boundary_by_z10_by_chi = V*tau_by_z10_by_chi + z2_1_on_boundary_by_z10_by_chi
-    z2_2_on_boundary_by_z20_by_chi = V*tau_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi
-    v1_2_on_boundary_by_z10_by_chi = carried_v1_2_by_z10_by_chi + t56*tau_by_z10_by_chi - tau_by_z10*z1_2_by_chi + tau_by_z10*z2_2
-    v1_2_on_boundary_by_z20_by_chi = carried_v1_2_by_z20_by_chi + t56*tau_by_z20_by_chi - tau_by_z20*z1_2_by_chi + tau_by_z20*z2_2
+    z1_2_on_boundary_by_z10_by_chi = carried_z1_2_by_z10_by_chi + delay_tau_by_z10*v1_2_by_chi + delay_tau_by_z10_by_chi*v1_2
+    z1_2_on_boundary_by_z20_by_chi = carried_z1_2_by_z20_by_chi + delay_tau_by_z20*v1_2_by_chi + delay_tau_by_z20_by_chi*v1_2
+    z2_2_on_boundary_by_z10_by_chi = V*delay_tau_by_z10_by_chi + z2_1_on_boundary_by_z10_by_chi
+    z2_2_on_boundary_by_z20_by_chi = V*delay_tau_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi
+    v1_2_on_boundary_by_z10_by_chi = carried_v1_2_by_z10_by_chi - delay_tau_by_z10*z1_2_by_chi + delay_tau_by_z10*z2_2 + delay_tau_by_z10_by_chi*t56
+    v1_2_on_boundary_by_z20_by_chi = carried_v1_2_by_z20_by_chi - delay_tau_by_z20*z1_2_by_chi + delay_tau_by_z20*z2_2 + delay_tau_by_z20_by_chi*t56
     # d/dV of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_V = carried_z1_2_by_z10_by_V + tau_by_z10*v1_2_by_V + tau_by_z10_by_V*v1_2
-    z1_2_on_boundary_by_z20_by_V = carried_z1_2_by_z20_by_V + tau_by_z20*v1_2_by_V + tau_by_z20_by_V*v1_2
-    z2_2_on_boundary_by_z10_by_V = V*tau_by_z10_by_V + tau_by_z10 + z2_1_on_boundary_by_z10_by_V
-    z2_2_on_boundary_by_z20_by_V = V*tau_by_z20_by_V + tau_by_z20 + z2_1_on_boundary_by_z20_by_V
-    v1_2_on_boundary_by_z10_by_V = carried_v1_2_by_z10_by_V + t56*tau_by_z10_by_V + t70*tau_by_z10 - tau_by_z10*z1_2_by_V
-    v1_2_on_boundary_by_z20_by_V = carried_v1_2_by_z20_by_V + t56*tau_by_z20_by_V + t70*tau_by_z20 - tau_by_z20*z1_2_by_V
+    z1_2_on_boundary_by_z10_by_V = carried_z1_2_by_z10_by_V + delay_tau_by_z10*v1_2_by_V + delay_tau_by_z10_by_V*v1_2
+    z1_2_on_boundary_by_z20_by_V = carried_z1_2_by_z20_by_V + delay_tau_by_z20*v1_2_by_V + delay_tau_by_z20_by_V*v1_2
+    z2_2_on_boundary_by_z10_by_V = V*delay_tau_by_z10_by_V + delay_tau_by_z10 + z2_1_on_boundary_by_z10_by_V
+    z2_2_on_boundary_by_z20_by_V = V*delay_tau_by_z20_by_V + delay_tau_by_z20 + z2_1_on_boundary_by_z20_by_V
+    v1_2_on_boundary_by_z10_by_V = carried_v1_2_by_z10_by_V + delay_tau_by_z10*t70 - delay_tau_by_z10*z1_2_by_V + delay_tau_by_z10_by_V*t56
+    v1_2_on_boundary_by_z20_by_V = carried_v1_2_by_z20_by_V + delay_tau_by_z20*t70 - delay_tau_by_z20*z1_2_by_V + delay_tau_by_z20_by_V*t56
     # d/dz10 of: Phi along tau1
     carried_z1_3_by_z10_by_z10 = t17*v1_2_on_boundary_by_z10_by_z10 + t18*z1_2_on_boundary_by_z10_by_z10 + t19*z2_2_on_boundary_by_z10_by_z10
     carried_z1_3_by_z20_by_z10 = t17*v1_2_on_boundary_by_z20_by_z10 + t18*z1_2_on_boundary_by_z20_by_z10 + t19*z2_2_on_boundary_by_z20_by_z10
@@ -6081,101 +6081,101 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     # d/dV of: rate of the exit boundary after tau1
     t227 = chi*z2_3_by_V
     rate_3_by_V = t227 - z1_3_by_V
-    # d/dz10 of: derivatives of tau1 on the boundary
+    # d/dz10 of: derivatives of the time to the boundary after tau1
     t228 = 1/rate_3**2
     t229 = rate_3_by_z10*t228
-    tau1_by_z10_by_z10 = carried_v1_3_by_z10*t229 - carried_v1_3_by_z10_by_z10*t58
-    tau1_by_z20_by_z10 = carried_v1_3_by_z20*t229 - carried_v1_3_by_z20_by_z10*t58
-    # d/dz20 of: derivatives of tau1 on the boundary
+    delay_tau1_by_z10_by_z10 = carried_v1_3_by_z10*t229 - carried_v1_3_by_z10_by_z10*t58
+    delay_tau1_by_z20_by_z10 = carried_v1_3_by_z20*t229 - carried_v1_3_by_z20_by_z10*t58
+    # d/dz20 of: derivatives of the time to the boundary after tau1
     t230 = rate_3_by_z20*t228
-    tau1_by_z10_by_z20 = carried_v1_3_by_z10*t230 - carried_v1_3_by_z10_by_z20*t58
-    tau1_by_z20_by_z20 = carried_v1_3_by_z20*t230 - carried_v1_3_by_z20_by_z20*t58
-    # d/dtau of: derivatives of tau1 on the boundary
+    delay_tau1_by_z10_by_z20 = carried_v1_3_by_z10*t230 - carried_v1_3_by_z10_by_z20*t58
+    delay_tau1_by_z20_by_z20 = carried_v1_3_by_z20*t230 - carried_v1_3_by_z20_by_z20*t58
+    # d/dtau of: derivatives of the time to the boundary after tau1
     t231 = rate_3_by_tau*t228
-    tau1_by_z10_by_tau = carried_v1_3_by_z10*t231 - carried_v1_3_by_z10_by_tau*t58
-    tau1_by_z20_by_tau = carried_v1_3_by_z20*t231 - carried_v1_3_by_z20_by_tau*t58
-    # d/dtau1 of: derivatives of tau1 on the boundary
+    delay_tau1_by_z10_by_tau = carried_v1_3_by_z10*t231 - carried_v1_3_by_z10_by_tau*t58
+    delay_tau1_by_z20_by_tau = carried_v1_3_by_z20*t231 - carried_v1_3_by_z20_by_tau*t58
+    # d/dtau1 of: derivatives of the time to the boundary after tau1
     t232 = rate_3_by_tau1*t228
-    tau1_by_z10_by_tau1 = carried_v1_3_by_z10*t232 - carried_v1_3_by_z10_by_tau1*t58
-    tau1_by_z20_by_tau1 = carried_v1_3_by_z20*t232 - carried_v1_3_by_z20_by_tau1*t58
-    # d/dchi of: derivatives of tau1 on the boundary
+    delay_tau1_by_z10_by_tau1 = carried_v1_3_by_z10*t232 - carried_v1_3_by_z10_by_tau1*t58
+    delay_tau1_by_z20_by_tau1 = carried_v1_3_by_z20*t232 - carried_v1_3_by_z20_by_tau1*t58
+    # d/dchi of: derivatives of the time to the boundary after tau1
     t233 = rate_3_by_chi*t228
-    tau1_by_z10_by_chi = carried_v1_3_by_z10*t233 - carried_v1_3_by_z10_by_chi*t58
-    tau1_by_z20_by_chi = carried_v1_3_by_z20*t233 - carried_v1_3_by_z20_by_chi*t58
-    # d/deta of: derivatives of tau1 on the boundary
+    delay_tau1_by_z10_by_chi = carried_v1_3_by_z10*t233 - carried_v1_3_by_z10_by_chi*t58
+    delay_tau1_by_z20_by_chi = carried_v1_3_by_z20*t233 - carried_v1_3_by_z20_by_chi*t58
+    # d/deta of: derivatives of the time to the boundary after tau1
     t234 = rate_3_by_eta*t228
-    tau1_by_z10_by_eta = carried_v1_3_by_z10*t234 - carried_v1_3_by_z10_by_eta*t58
-    tau1_by_z20_by_eta = carried_v1_3_by_z20*t234 - carried_v1_3_by_z20_by_eta*t58
-    # d/dV of: derivatives of tau1 on the boundary
+    delay_tau1_by_z10_by_eta = carried_v1_3_by_z10*t234 - carried_v1_3_by_z10_by_eta*t58
+    delay_tau1_by_z20_by_eta = carried_v1_3_by_z20*t234 - carried_v1_3_by_z20_by_eta*t58
+    # d/dV of: derivatives of the time to the boundary after tau1
     t235 = rate_3_by_V*t228
-    tau1_by_z10_by_V = carried_v1_3_by_z10*t235 - carried_v1_3_by_z10_by_V*t58
-    tau1_by_z20_by_V = carried_v1_3_by_z20*t235 - carried_v1_3_by_z20_by_V*t58
+    delay_tau1_by_z10_by_V = carried_v1_3_by_z10*t235 - carried_v1_3_by_z10_by_V*t58
+    delay_tau1_by_z20_by_V = carried_v1_3_by_z20*t235 - carried_v1_3_by_z20_by_V*t58
     # d/dz10 of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_z10 = carried_z1_3_by_z10_by_z10 + tau1_by_z10*v1_3_by_z10 + tau1_by_z10_by_z10*v1_3
-    z1_3_on_boundary_by_z20_by_z10 = carried_z1_3_by_z20_by_z10 + tau1_by_z20*v1_3_by_z10 + tau1_by_z20_by_z10*v1_3
-    z2_3_on_boundary_by_z10_by_z10 = carried_z2_3_by_z10_by_z10 + tau1_by_z10*v2_3_by_z10 + tau1_by_z10_by_z10*v2_3
-    z2_3_on_boundary_by_z20_by_z10 = carried_z2_3_by_z20_by_z10 + tau1_by_z20*v2_3_by_z10 + tau1_by_z20_by_z10*v2_3
+    z1_3_on_boundary_by_z10_by_z10 = carried_z1_3_by_z10_by_z10 + delay_tau1_by_z10*v1_3_by_z10 + delay_tau1_by_z10_by_z10*v1_3
+    z1_3_on_boundary_by_z20_by_z10 = carried_z1_3_by_z20_by_z10 + delay_tau1_by_z20*v1_3_by_z10 + delay_tau1_by_z20_by_z10*v1_3
+    z2_3_on_boundary_by_z10_by_z10 = carried_z2_3_by_z10_by_z10 + delay_tau1_by_z10*v2_3_by_z10 + delay_tau1_by_z10_by_z10*v2_3
+    z2_3_on_boundary_by_z20_by_z10 = carried_z2_3_by_z20_by_z10 + delay_tau1_by_z20*v2_3_by_z10 + delay_tau1_by_z20_by_z10*v2_3
     t236 = chi*eta
     t237 = t236*z1_3_by_z10
     t238 = eta*t221
-    v2_3_on_boundary_by_z10_by_z10 = carried_v2_3_by_z10_by_z10 + t237*tau1_by_z10 - t238*tau1_by_z10 + t60*tau1_by_z10_by_z10
-    v2_3_on_boundary_by_z20_by_z10 = carried_v2_3_by_z20_by_z10 + t237*tau1_by_z20 - t238*tau1_by_z20 + t60*tau1_by_z20_by_z10
+    v2_3_on_boundary_by_z10_by_z10 = carried_v2_3_by_z10_by_z10 + delay_tau1_by_z10*t237 - delay_tau1_by_z10*t238 + delay_tau1_by_z10_by_z10*t60
+    v2_3_on_boundary_by_z20_by_z10 = carried_v2_3_by_z20_by_z10 + delay_tau1_by_z20*t237 - delay_tau1_by_z20*t238 + delay_tau1_by_z20_by_z10*t60
     # d/dz20 of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_z20 = carried_z1_3_by_z10_by_z20 + tau1_by_z10*v1_3_by_z20 + tau1_by_z10_by_z20*v1_3
-    z1_3_on_boundary_by_z20_by_z20 = carried_z1_3_by_z20_by_z20 + tau1_by_z20*v1_3_by_z20 + tau1_by_z20_by_z20*v1_3
-    z2_3_on_boundary_by_z10_by_z20 = carried_z2_3_by_z10_by_z20 + tau1_by_z10*v2_3_by_z20 + tau1_by_z10_by_z20*v2_3
-    z2_3_on_boundary_by_z20_by_z20 = carried_z2_3_by_z20_by_z20 + tau1_by_z20*v2_3_by_z20 + tau1_by_z20_by_z20*v2_3
+    z1_3_on_boundary_by_z10_by_z20 = carried_z1_3_by_z10_by_z20 + delay_tau1_by_z10*v1_3_by_z20 + delay_tau1_by_z10_by_z20*v1_3
+    z1_3_on_boundary_by_z20_by_z20 = carried_z1_3_by_z20_by_z20 + delay_tau1_by_z20*v1_3_by_z20 + delay_tau1_by_z20_by_z20*v1_3
+    z2_3_on_boundary_by_z10_by_z20 = carried_z2_3_by_z10_by_z20 + delay_tau1_by_z10*v2_3_by_z20 + delay_tau1_by_z10_by_z20*v2_3
+    z2_3_on_boundary_by_z20_by_z20 = carried_z2_3_by_z20_by_z20 + delay_tau1_by_z20*v2_3_by_z20 + delay_tau1_by_z20_by_z20*v2_3
     t239 = t236*z1_3_by_z20
     t240 = eta*t222
-    v2_3_on_boundary_by_z10_by_z20 = carried_v2_3_by_z10_by_z20 + t239*tau1_by_z10 - t240*tau1_by_z10 + t60*tau1_by_z10_by_z20
-    v2_3_on_boundary_by_z20_by_z20 = carried_v2_3_by_z20_by_z20 + t239*tau1_by_z20 - t240*tau1_by_z20 + t60*tau1_by_z20_by_z20
+    v2_3_on_boundary_by_z10_by_z20 = carried_v2_3_by_z10_by_z20 + delay_tau1_by_z10*t239 - delay_tau1_by_z10*t240 + delay_tau1_by_z10_by_z20*t60
+    v2_3_on_boundary_by_z20_by_z20 = carried_v2_3_by_z20_by_z20 + delay_tau1_by_z20*t239 - delay_tau1_by_z20*t240 + delay_tau1_by_z20_by_z20*t60
     # d/dtau of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_tau = carried_z1_3_by_z10_by_tau + tau1_by_z10*v1_3_by_tau + tau1_by_z10_by_tau*v1_3
-    z1_3_on_boundary_by_z20_by_tau = carried_z1_3_by_z20_by_tau + tau1_by_z20*v1_3_by_tau + tau1_by_z20_by_tau*v1_3
-    z2_3_on_boundary_by_z10_by_tau = carried_z2_3_by_z10_by_tau + tau1_by_z10*v2_3_by_tau + tau1_by_z10_by_tau*v2_3
-    z2_3_on_boundary_by_z20_by_tau = carried_z2_3_by_z20_by_tau + tau1_by_z20*v2_3_by_tau + tau1_by_z20_by_tau*v2_3
+    z1_3_on_boundary_by_z10_by_tau = carried_z1_3_by_z10_by_tau + delay_tau1_by_z10*v1_3_by_tau + delay_tau1_by_z10_by_tau*v1_3
+    z1_3_on_boundary_by_z20_by_tau = carried_z1_3_by_z20_by_tau + delay_tau1_by_z20*v1_3_by_tau + delay_tau1_by_z20_by_tau*v1_3
+    z2_3_on_boundary_by_z10_by_tau = carried_z2_3_by_z10_by_tau + delay_tau1_by_z10*v2_3_by_tau + delay_tau1_by_z10_by_tau*v2_3
+    z2_3_on_boundary_by_z20_by_tau = carried_z2_3_by_z20_by_tau + delay_tau1_by_z20*v2_3_by_tau + delay_tau1_by_z20_by_tau*v2_3
     t241 = t236*z1_3_by_tau
     t242 = eta*t223
-    v2_3_on_boundary_by_z10_by_tau = carried_v2_3_by_z10_by_tau + t241*tau1_by_z10 - t242*tau1_by_z10 + t60*tau1_by_z10_by_tau
-    v2_3_on_boundary_by_z20_by_tau = carried_v2_3_by_z20_by_tau + t241*tau1_by_z20 - t242*tau1_by_z20 + t60*tau1_by_z20_by_tau
+    v2_3_on_boundary_by_z10_by_tau = carried_v2_3_by_z10_by_tau + delay_tau1_by_z10*t241 - delay_tau1_by_z10*t242 + delay_tau1_by_z10_by_tau*t60
+    v2_3_on_boundary_by_z20_by_tau = carried_v2_3_by_z20_by_tau + delay_tau1_by_z20*t241 - delay_tau1_by_z20*t242 + delay_tau1_by_z20_by_tau*t60
     # d/dtau1 of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_tau1 = carried_z1_3_by_z10_by_tau1 + tau1_by_z10*v1_3_by_tau1 + tau1_by_z10_by_tau1*v1_3
-    z1_3_on_boundary_by_z20_by_tau1 = carried_z1_3_by_z20_by_tau1 + tau1_by_z20*v1_3_by_tau1 + tau1_by_z20_by_tau1*v1_3
-    z2_3_on_boundary_by_z10_by_tau1 = carried_z2_3_by_z10_by_tau1 + tau1_by_z10*v2_3_by_tau1 + tau1_by_z10_by_tau1*v2_3
-    z2_3_on_boundary_by_z20_by_tau1 = carried_z2_3_by_z20_by_tau1 + tau1_by_z20*v2_3_by_tau1 + tau1_by_z20_by_tau1*v2_3
+    z1_3_on_boundary_by_z10_by_tau1 = carried_z1_3_by_z10_by_tau1 + delay_tau1_by_z10*v1_3_by_tau1 + delay_tau1_by_z10_by_tau1*v1_3
+    z1_3_on_boundary_by_z20_by_tau1 = carried_z1_3_by_z20_by_tau1 + delay_tau1_by_z20*v1_3_by_tau1 + delay_tau1_by_z20_by_tau1*v1_3
+    z2_3_on_boundary_by_z10_by_tau1 = carried_z2_3_by_z10_by_tau1 + delay_tau1_by_z10*v2_3_by_tau1 + delay_tau1_by_z10_by_tau1*v2_3
+    z2_3_on_boundary_by_z20_by_tau1 = carried_z2_3_by_z20_by_tau1 + delay_tau1_by_z20*v2_3_by_tau1 + delay_tau1_by_z20_by_tau1*v2_3
     t243 = t236*z1_3_by_tau1
     t244 = eta*t224
-    v2_3_on_boundary_by_z10_by_tau1 = carried_v2_3_by_z10_by_tau1 + t243*tau1_by_z10 - t244*tau1_by_z10 + t60*tau1_by_z10_by_tau1
-    v2_3_on_boundary_by_z20_by_tau1 = carried_v2_3_by_z20_by_tau1 + t243*tau1_by_z20 - t244*tau1_by_z20 + t60*tau1_by_z20_by_tau1
+    v2_3_on_boundary_by_z10_by_tau1 = carried_v2_3_by_z10_by_tau1 + delay_tau1_by_z10*t243 - delay_tau1_by_z10*t244 + delay_tau1_by_z10_by_tau1*t60
+    v2_3_on_boundary_by_z20_by_tau1 = carried_v2_3_by_z20_by_tau1 + delay_tau1_by_z20*t243 - delay_tau1_by_z20*t244 + delay_tau1_by_z20_by_tau1*t60
     # d/dchi of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_chi = carried_z1_3_by_z10_by_chi + tau1_by_z10*v1_3_by_chi + tau1_by_z10_by_chi*v1_3
-    z1_3_on_boundary_by_z20_by_chi = carried_z1_3_by_z20_by_chi + tau1_by_z20*v1_3_by_chi + tau1_by_z20_by_chi*v1_3
-    z2_3_on_boundary_by_z10_by_chi = carried_z2_3_by_z10_by_chi + tau1_by_z10*v2_3_by_chi + tau1_by_z10_by_chi*v2_3
-    z2_3_on_boundary_by_z20_by_chi = carried_z2_3_by_z20_by_chi + tau1_by_z20*v2_3_by_chi + tau1_by_z20_by_chi*v2_3
+    z1_3_on_boundary_by_z10_by_chi = carried_z1_3_by_z10_by_chi + delay_tau1_by_z10*v1_3_by_chi + delay_tau1_by_z10_by_chi*v1_3
+    z1_3_on_boundary_by_z20_by_chi = carried_z1_3_by_z20_by_chi + delay_tau1_by_z20*v1_3_by_chi + delay_tau1_by_z20_by_chi*v1_3
+    z2_3_on_boundary_by_z10_by_chi = carried_z2_3_by_z10_by_chi + delay_tau1_by_z10*v2_3_by_chi + delay_tau1_by_z10_by_chi*v2_3
+    z2_3_on_boundary_by_z20_by_chi = carried_z2_3_by_z20_by_chi + delay_tau1_by_z20*v2_3_by_chi + delay_tau1_by_z20_by_chi*v2_3
     t245 = -eta*z2_3 + t59
     t246 = t236*z1_3_by_chi
     t247 = eta*t225
-    v2_3_on_boundary_by_z10_by_chi = carried_v2_3_by_z10_by_chi + t245*tau1_by_z10 + t246*tau1_by_z10 - t247*tau1_by_z10 + t60*tau1_by_z10_by_chi
-    v2_3_on_boundary_by_z20_by_chi = carried_v2_3_by_z20_by_chi + t245*tau1_by_z20 + t246*tau1_by_z20 - t247*tau1_by_z20 + t60*tau1_by_z20_by_chi
+    v2_3_on_boundary_by_z10_by_chi = carried_v2_3_by_z10_by_chi + delay_tau1_by_z10*t245 + delay_tau1_by_z10*t246 - delay_tau1_by_z10*t247 + delay_tau1_by_z10_by_chi*t60
+    v2_3_on_boundary_by_z20_by_chi = carried_v2_3_by_z20_by_chi + delay_tau1_by_z20*t245 + delay_tau1_by_z20*t246 - delay_tau1_by_z20*t247 + delay_tau1_by_z20_by_chi*t60
     # d/deta of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_eta = carried_z1_3_by_z10_by_eta + tau1_by_z10*v1_3_by_eta + tau1_by_z10_by_eta*v1_3
-    z1_3_on_boundary_by_z20_by_eta = carried_z1_3_by_z20_by_eta + tau1_by_z20*v1_3_by_eta + tau1_by_z20_by_eta*v1_3
-    z2_3_on_boundary_by_z10_by_eta = carried_z2_3_by_z10_by_eta + tau1_by_z10*v2_3_by_eta + tau1_by_z10_by_eta*v2_3
-    z2_3_on_boundary_by_z20_by_eta = carried_z2_3_by_z20_by_eta + tau1_by_z20*v2_3_by_eta + tau1_by_z20_by_eta*v2_3
+    z1_3_on_boundary_by_z10_by_eta = carried_z1_3_by_z10_by_eta + delay_tau1_by_z10*v1_3_by_eta + delay_tau1_by_z10_by_eta*v1_3
+    z1_3_on_boundary_by_z20_by_eta = carried_z1_3_by_z20_by_eta + delay_tau1_by_z20*v1_3_by_eta + delay_tau1_by_z20_by_eta*v1_3
+    z2_3_on_boundary_by_z10_by_eta = carried_z2_3_by_z10_by_eta + delay_tau1_by_z10*v2_3_by_eta + delay_tau1_by_z10_by_eta*v2_3
+    z2_3_on_boundary_by_z20_by_eta = carried_z2_3_by_z20_by_eta + delay_tau1_by_z20*v2_3_by_eta + delay_tau1_by_z20_by_eta*v2_3
     t248 = chi*z1_3 - t57
     t249 = t236*z1_3_by_eta
     t250 = eta*t226
-    v2_3_on_boundary_by_z10_by_eta = carried_v2_3_by_z10_by_eta + t248*tau1_by_z10 + t249*tau1_by_z10 - t250*tau1_by_z10 + t60*tau1_by_z10_by_eta
-    v2_3_on_boundary_by_z20_by_eta = carried_v2_3_by_z20_by_eta + t248*tau1_by_z20 + t249*tau1_by_z20 - t250*tau1_by_z20 + t60*tau1_by_z20_by_eta
+    v2_3_on_boundary_by_z10_by_eta = carried_v2_3_by_z10_by_eta + delay_tau1_by_z10*t248 + delay_tau1_by_z10*t249 - delay_tau1_by_z10*t250 + delay_tau1_by_z10_by_eta*t60
+    v2_3_on_boundary_by_z20_by_eta = carried_v2_3_by_z20_by_eta + delay_tau1_by_z20*t248 + delay_tau1_by_z20*t249 - delay_tau1_by_z20*t250 + delay_tau1_by_z20_by_eta*t60
     # d/dV of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_V = carried_z1_3_by_z10_by_V + tau1_by_z10*v1_3_by_V + tau1_by_z10_by_V*v1_3
-    z1_3_on_boundary_by_z20_by_V = carried_z1_3_by_z20_by_V + tau1_by_z20*v1_3_by_V + tau1_by_z20_by_V*v1_3
-    z2_3_on_boundary_by_z10_by_V = carried_z2_3_by_z10_by_V + tau1_by_z10*v2_3_by_V + tau1_by_z10_by_V*v2_3
-    z2_3_on_boundary_by_z20_by_V = carried_z2_3_by_z20_by_V + tau1_by_z20*v2_3_by_V + tau1_by_z20_by_V*v2_3
+    z1_3_on_boundary_by_z10_by_V = carried_z1_3_by_z10_by_V + delay_tau1_by_z10*v1_3_by_V + delay_tau1_by_z10_by_V*v1_3
+    z1_3_on_boundary_by_z20_by_V = carried_z1_3_by_z20_by_V + delay_tau1_by_z20*v1_3_by_V + delay_tau1_by_z20_by_V*v1_3
+    z2_3_on_boundary_by_z10_by_V = carried_z2_3_by_z10_by_V + delay_tau1_by_z10*v2_3_by_V + delay_tau1_by_z10_by_V*v2_3
+    z2_3_on_boundary_by_z20_by_V = carried_z2_3_by_z20_by_V + delay_tau1_by_z20*v2_3_by_V + delay_tau1_by_z20_by_V*v2_3
     t251 = t236*z1_3_by_V
     t252 = eta*t227
-    v2_3_on_boundary_by_z10_by_V = carried_v2_3_by_z10_by_V + t251*tau1_by_z10 - t252*tau1_by_z10 + t60*tau1_by_z10_by_V
-    v2_3_on_boundary_by_z20_by_V = carried_v2_3_by_z20_by_V + t251*tau1_by_z20 - t252*tau1_by_z20 + t60*tau1_by_z20_by_V
+    v2_3_on_boundary_by_z10_by_V = carried_v2_3_by_z10_by_V + delay_tau1_by_z10*t251 - delay_tau1_by_z10*t252 + delay_tau1_by_z10_by_V*t60
+    v2_3_on_boundary_by_z20_by_V = carried_v2_3_by_z20_by_V + delay_tau1_by_z20*t251 - delay_tau1_by_z20*t252 + delay_tau1_by_z20_by_V*t60
     # d/dz10 of: Phi along tau2
     carried_z2_4_by_z20_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_z10 + t38*z1_3_on_boundary_by_z20_by_z10 + t40*v2_3_on_boundary_by_z20_by_z10
     carried_v2_4_by_z10_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_z10 + t127*z1_3_on_boundary_by_z10_by_z10 - t127*z2_3_on_boundary_by_z10_by_z10
@@ -6231,63 +6231,63 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     rate_4_by_eta = chi*z1_4 - chi*z2_4 - t236*z2_4_by_eta + t249
     # d/dV of: rate of the exit boundary after tau2
     rate_4_by_V = t236*z1_4_by_V - t236*z2_4_by_V
-    # d/dz10 of: derivatives of tau2 on the boundary
+    # d/dz10 of: derivatives of the time to the boundary after tau2
     t260 = 1/rate_4**2
     t261 = rate_4_by_z10*t260
-    tau2_by_z10_by_z10 = carried_v2_4_by_z10*t261 - carried_v2_4_by_z10_by_z10*t67
-    tau2_by_z20_by_z10 = carried_v2_4_by_z20*t261 - carried_v2_4_by_z20_by_z10*t67
-    # d/dz20 of: derivatives of tau2 on the boundary
+    delay_tau2_by_z10_by_z10 = carried_v2_4_by_z10*t261 - carried_v2_4_by_z10_by_z10*t67
+    delay_tau2_by_z20_by_z10 = carried_v2_4_by_z20*t261 - carried_v2_4_by_z20_by_z10*t67
+    # d/dz20 of: derivatives of the time to the boundary after tau2
     t262 = rate_4_by_z20*t260
-    tau2_by_z10_by_z20 = carried_v2_4_by_z10*t262 - carried_v2_4_by_z10_by_z20*t67
-    tau2_by_z20_by_z20 = carried_v2_4_by_z20*t262 - carried_v2_4_by_z20_by_z20*t67
-    # d/dtau of: derivatives of tau2 on the boundary
+    delay_tau2_by_z10_by_z20 = carried_v2_4_by_z10*t262 - carried_v2_4_by_z10_by_z20*t67
+    delay_tau2_by_z20_by_z20 = carried_v2_4_by_z20*t262 - carried_v2_4_by_z20_by_z20*t67
+    # d/dtau of: derivatives of the time to the boundary after tau2
     t263 = rate_4_by_tau*t260
-    tau2_by_z10_by_tau = carried_v2_4_by_z10*t263 - carried_v2_4_by_z10_by_tau*t67
-    tau2_by_z20_by_tau = carried_v2_4_by_z20*t263 - carried_v2_4_by_z20_by_tau*t67
-    # d/dtau1 of: derivatives of tau2 on the boundary
+    delay_tau2_by_z10_by_tau = carried_v2_4_by_z10*t263 - carried_v2_4_by_z10_by_tau*t67
+    delay_tau2_by_z20_by_tau = carried_v2_4_by_z20*t263 - carried_v2_4_by_z20_by_tau*t67
+    # d/dtau1 of: derivatives of the time to the boundary after tau2
     t264 = rate_4_by_tau1*t260
-    tau2_by_z10_by_tau1 = carried_v2_4_by_z10*t264 - carried_v2_4_by_z10_by_tau1*t67
-    tau2_by_z20_by_tau1 = carried_v2_4_by_z20*t264 - carried_v2_4_by_z20_by_tau1*t67
-    # d/dtau2 of: derivatives of tau2 on the boundary
+    delay_tau2_by_z10_by_tau1 = carried_v2_4_by_z10*t264 - carried_v2_4_by_z10_by_tau1*t67
+    delay_tau2_by_z20_by_tau1 = carried_v2_4_by_z20*t264 - carried_v2_4_by_z20_by_tau1*t67
+    # d/dtau2 of: derivatives of the time to the boundary after tau2
     t265 = rate_4_by_tau2*t260
-    tau2_by_z10_by_tau2 = carried_v2_4_by_z10*t265 - carried_v2_4_by_z10_by_tau2*t67
-    tau2_by_z20_by_tau2 = carried_v2_4_by_z20*t265 - carried_v2_4_by_z20_by_tau2*t67
-    # d/dchi of: derivatives of tau2 on the boundary
+    delay_tau2_by_z10_by_tau2 = carried_v2_4_by_z10*t265 - carried_v2_4_by_z10_by_tau2*t67
+    delay_tau2_by_z20_by_tau2 = carried_v2_4_by_z20*t265 - carried_v2_4_by_z20_by_tau2*t67
+    # d/dchi of: derivatives of the time to the boundary after tau2
     t266 = rate_4_by_chi*t260
-    tau2_by_z10_by_chi = carried_v2_4_by_z10*t266 - carried_v2_4_by_z10_by_chi*t67
-    tau2_by_z20_by_chi = carried_v2_4_by_z20*t266 - carried_v2_4_by_z20_by_chi*t67
-    # d/deta of: derivatives of tau2 on the boundary
+    delay_tau2_by_z10_by_chi = carried_v2_4_by_z10*t266 - carried_v2_4_by_z10_by_chi*t67
+    delay_tau2_by_z20_by_chi = carried_v2_4_by_z20*t266 - carried_v2_4_by_z20_by_chi*t67
+    # d/deta of: derivatives of the time to the boundary after tau2
     t267 = rate_4_by_eta*t260
-    tau2_by_z10_by_eta = carried_v2_4_by_z10*t267 - carried_v2_4_by_z10_by_eta*t67
-    tau2_by_z20_by_eta = carried_v2_4_by_z20*t267 - carried_v2_4_by_z20_by_eta*t67
-    # d/dV of: derivatives of tau2 on the boundary
+    delay_tau2_by_z10_by_eta = carried_v2_4_by_z10*t267 - carried_v2_4_by_z10_by_eta*t67
+    delay_tau2_by_z20_by_eta = carried_v2_4_by_z20*t267 - carried_v2_4_by_z20_by_eta*t67
+    # d/dV of: derivatives of the time to the boundary after tau2
     t268 = rate_4_by_V*t260
-    tau2_by_z10_by_V = carried_v2_4_by_z10*t268 - carried_v2_4_by_z10_by_V*t67
-    tau2_by_z20_by_V = carried_v2_4_by_z20*t268 - carried_v2_4_by_z20_by_V*t67
+    delay_tau2_by_z10_by_V = carried_v2_4_by_z10*t268 - carried_v2_4_by_z10_by_V*t67
+    delay_tau2_by_z20_by_V = carried_v2_4_by_z20*t268 - carried_v2_4_by_z20_by_V*t67
     # d/dz10 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_z10 = V*tau2_by_z10_by_z10 + z1_3_on_boundary_by_z10_by_z10
-    z2_4_on_boundary_by_z20_by_z10 = carried_z2_4_by_z20_by_z10 + tau2_by_z20*v2_4_by_z10 + tau2_by_z20_by_z10*v2_4
+    z1_4_on_boundary_by_z10_by_z10 = V*delay_tau2_by_z10_by_z10 + z1_3_on_boundary_by_z10_by_z10
+    z2_4_on_boundary_by_z20_by_z10 = carried_z2_4_by_z20_by_z10 + delay_tau2_by_z20*v2_4_by_z10 + delay_tau2_by_z20_by_z10*v2_4
     # d/dz20 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_z20 = V*tau2_by_z10_by_z20 + z1_3_on_boundary_by_z10_by_z20
-    z2_4_on_boundary_by_z20_by_z20 = carried_z2_4_by_z20_by_z20 + tau2_by_z20*v2_4_by_z20 + tau2_by_z20_by_z20*v2_4
+    z1_4_on_boundary_by_z10_by_z20 = V*delay_tau2_by_z10_by_z20 + z1_3_on_boundary_by_z10_by_z20
+    z2_4_on_boundary_by_z20_by_z20 = carried_z2_4_by_z20_by_z20 + delay_tau2_by_z20*v2_4_by_z20 + delay_tau2_by_z20_by_z20*v2_4
     # d/dtau of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_tau = V*tau2_by_z10_by_tau + z1_3_on_boundary_by_z10_by_tau
-    z2_4_on_boundary_by_z20_by_tau = carried_z2_4_by_z20_by_tau + tau2_by_z20*v2_4_by_tau + tau2_by_z20_by_tau*v2_4
+    z1_4_on_boundary_by_z10_by_tau = V*delay_tau2_by_z10_by_tau + z1_3_on_boundary_by_z10_by_tau
+    z2_4_on_boundary_by_z20_by_tau = carried_z2_4_by_z20_by_tau + delay_tau2_by_z20*v2_4_by_tau + delay_tau2_by_z20_by_tau*v2_4
     # d/dtau1 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_tau1 = V*tau2_by_z10_by_tau1 + z1_3_on_boundary_by_z10_by_tau1
-    z2_4_on_boundary_by_z20_by_tau1 = carried_z2_4_by_z20_by_tau1 + tau2_by_z20*v2_4_by_tau1 + tau2_by_z20_by_tau1*v2_4
+    z1_4_on_boundary_by_z10_by_tau1 = V*delay_tau2_by_z10_by_tau1 + z1_3_on_boundary_by_z10_by_tau1
+    z2_4_on_boundary_by_z20_by_tau1 = carried_z2_4_by_z20_by_tau1 + delay_tau2_by_z20*v2_4_by_tau1 + delay_tau2_by_z20_by_tau1*v2_4
     # d/dtau2 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_tau2 = V*tau2_by_z10_by_tau2
-    z2_4_on_boundary_by_z20_by_tau2 = carried_z2_4_by_z20_by_tau2 + tau2_by_z20*v2_4_by_tau2 + tau2_by_z20_by_tau2*v2_4
+    z1_4_on_boundary_by_z10_by_tau2 = V*delay_tau2_by_z10_by_tau2
+    z2_4_on_boundary_by_z20_by_tau2 = carried_z2_4_by_z20_by_tau2 + delay_tau2_by_z20*v2_4_by_tau2 + delay_tau2_by_z20_by_tau2*v2_4
     # d/dchi of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_chi = V*tau2_by_z10_by_chi + z1_3_on_boundary_by_z10_by_chi
-    z2_4_on_boundary_by_z20_by_chi = carried_z2_4_by_z20_by_chi + tau2_by_z20*v2_4_by_chi + tau2_by_z20_by_chi*v2_4
+    z1_4_on_boundary_by_z10_by_chi = V*delay_tau2_by_z10_by_chi + z1_3_on_boundary_by_z10_by_chi
+    z2_4_on_boundary_by_z20_by_chi = carried_z2_4_by_z20_by_chi + delay_tau2_by_z20*v2_4_by_chi + delay_tau2_by_z20_by_chi*v2_4
     # d/deta of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_eta = V*tau2_by_z10_by_eta + z1_3_on_boundary_by_z10_by_eta
-    z2_4_on_boundary_by_z20_by_eta = carried_z2_4_by_z20_by_eta + tau2_by_z20*v2_4_by_eta + tau2_by_z20_by_eta*v2_4
+    z1_4_on_boundary_by_z10_by_eta = V*delay_tau2_by_z10_by_eta + z1_3_on_boundary_by_z10_by_eta
+    z2_4_on_boundary_by_z20_by_eta = carried_z2_4_by_z20_by_eta + delay_tau2_by_z20*v2_4_by_eta + delay_tau2_by_z20_by_eta*v2_4
     # d/dV of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_V = V*tau2_by_z10_by_V + tau2_by_z10 + z1_3_on_boundary_by_z10_by_V
-    z2_4_on_boundary_by_z20_by_V = carried_z2_4_by_z20_by_V + tau2_by_z20*v2_4_by_V + tau2_by_z20_by_V*v2_4
+    z1_4_on_boundary_by_z10_by_V = V*delay_tau2_by_z10_by_V + delay_tau2_by_z10 + z1_3_on_boundary_by_z10_by_V
+    z2_4_on_boundary_by_z20_by_V = carried_z2_4_by_z20_by_V + delay_tau2_by_z20*v2_4_by_V + delay_tau2_by_z20_by_V*v2_4
     return [z1_4_on_boundary_by_z10_by_z10 + z2_4_on_boundary_by_z20_by_z10, z1_4_on_boundary_by_z10_by_z20 + z2_4_on_boundary_by_z20_by_z20, z1_4_on_boundary_by_z10_by_tau + z2_4_on_boundary_by_z20_by_tau, z1_4_on_boundary_by_z10_by_tau1 + z2_4_on_boundary_by_z20_by_tau1, z1_4_on_boundary_by_z10_by_tau2 + z2_4_on_boundary_by_z20_by_tau2, 0, z1_4_on_boundary_by_z10_by_chi + z2_4_on_boundary_by_z20_by_chi, z1_4_on_boundary_by_z10_by_eta + z2_4_on_boundary_by_z20_by_eta, z1_4_on_boundary_by_z10_by_V + z2_4_on_boundary_by_z20_by_V, 0]
 
 

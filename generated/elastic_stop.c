@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation bcfa33b48bcb8129 */
+ * SymPy 1.14.0, derivation 5ccf098ea3736887 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -1035,31 +1035,31 @@ void elastic_stop_one_contact_poincare_jacobian(
     const double carried_v2_1_by_w = t23;
     /* rate of the exit boundary after tau */
     const double rate_1 = -v1_1;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t49 = (1.0/(rate_1));
-    const double tau_by_y = carried_x1_1_by_y*t49;
-    const double tau_by_u = carried_x1_1_by_u*t49;
-    const double tau_by_w = carried_x1_1_by_w*t49;
+    const double delay_tau_by_y = carried_x1_1_by_y*t49;
+    const double delay_tau_by_u = carried_x1_1_by_u*t49;
+    const double delay_tau_by_w = carried_x1_1_by_w*t49;
     /* perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + tau_by_y*v1_1;
-    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + tau_by_u*v1_1;
-    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + tau_by_w*v1_1;
-    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + tau_by_y*v2_1;
-    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + tau_by_u*v2_1;
-    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + tau_by_w*v2_1;
+    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
+    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
+    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
+    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
+    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
     const double t50 = (1.0/(m1));
     const double t51 = k1*t50;
     const double t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1;
-    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + t52*tau_by_y;
-    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + t52*tau_by_u;
-    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + t52*tau_by_w;
+    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52;
+    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52;
+    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52;
     const double t53 = (1.0/(m2));
     const double t54 = k1*t53;
     const double t55 = t53*(k1 + k2);
     const double t56 = t54*x1_1 - t55*x2_1;
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + t56*tau_by_y;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + t56*tau_by_u;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + t56*tau_by_w;
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56;
     /* Phi along tau1 */
     const double carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y;
     const double carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u;
@@ -1073,23 +1073,23 @@ void elastic_stop_one_contact_poincare_jacobian(
     const double carried_v2_2_by_y = t41*v1_1_on_boundary_by_y + t42*v2_1_on_boundary_by_y + t47*x1_1_on_boundary_by_y + t48*x2_1_on_boundary_by_y;
     const double carried_v2_2_by_u = t41*v1_1_on_boundary_by_u + t42*v2_1_on_boundary_by_u + t47*x1_1_on_boundary_by_u + t48*x2_1_on_boundary_by_u;
     const double carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t57 = (1.0/(v1_2));
-    const double tau1_by_y = -carried_x1_2_by_y*t57;
-    const double tau1_by_u = -carried_x1_2_by_u*t57;
-    const double tau1_by_w = -carried_x1_2_by_w*t57;
+    const double delay_tau1_by_y = -carried_x1_2_by_y*t57;
+    const double delay_tau1_by_u = -carried_x1_2_by_u*t57;
+    const double delay_tau1_by_w = -carried_x1_2_by_w*t57;
     /* perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + tau1_by_y*v2_2;
-    const double x2_2_on_boundary_by_u = carried_x2_2_by_u + tau1_by_u*v2_2;
-    const double x2_2_on_boundary_by_w = carried_x2_2_by_w + tau1_by_w*v2_2;
+    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
+    const double x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2;
+    const double x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2;
     const double t58 = k1*t50*x2_2 - t51*x1_2;
-    const double v1_2_on_boundary_by_y = carried_v1_2_by_y + t58*tau1_by_y;
-    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + t58*tau1_by_u;
-    const double v1_2_on_boundary_by_w = carried_v1_2_by_w + t58*tau1_by_w;
+    const double v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t58;
+    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t58;
+    const double v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t58;
     const double t59 = t54*x1_2 - t55*x2_2;
-    const double v2_2_on_boundary_by_y = carried_v2_2_by_y + t59*tau1_by_y;
-    const double v2_2_on_boundary_by_u = carried_v2_2_by_u + t59*tau1_by_u;
-    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + t59*tau1_by_w;
+    const double v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t59;
+    const double v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t59;
+    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t59;
     poincare_jacobian[0] = x2_2_on_boundary_by_y;
     poincare_jacobian[1] = x2_2_on_boundary_by_u;
     poincare_jacobian[2] = x2_2_on_boundary_by_w;
@@ -1532,31 +1532,31 @@ void elastic_stop_one_contact_trace(
     const double carried_v2_1_by_w = t23;
     /* rate of the exit boundary after tau */
     const double rate_1 = -v1_1;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t49 = (1.0/(rate_1));
-    const double tau_by_y = carried_x1_1_by_y*t49;
-    const double tau_by_u = carried_x1_1_by_u*t49;
-    const double tau_by_w = carried_x1_1_by_w*t49;
+    const double delay_tau_by_y = carried_x1_1_by_y*t49;
+    const double delay_tau_by_u = carried_x1_1_by_u*t49;
+    const double delay_tau_by_w = carried_x1_1_by_w*t49;
     /* perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + tau_by_y*v1_1;
-    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + tau_by_u*v1_1;
-    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + tau_by_w*v1_1;
-    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + tau_by_y*v2_1;
-    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + tau_by_u*v2_1;
-    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + tau_by_w*v2_1;
+    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
+    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
+    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
+    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
+    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
     const double t50 = (1.0/(m1));
     const double t51 = k1*t50;
     const double t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1;
-    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + t52*tau_by_y;
-    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + t52*tau_by_u;
-    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + t52*tau_by_w;
+    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52;
+    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52;
+    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52;
     const double t53 = (1.0/(m2));
     const double t54 = k1*t53;
     const double t55 = t53*(k1 + k2);
     const double t56 = t54*x1_1 - t55*x2_1;
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + t56*tau_by_y;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + t56*tau_by_u;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + t56*tau_by_w;
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56;
     /* Phi along tau1 */
     const double carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y;
     const double carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u;
@@ -1564,21 +1564,21 @@ void elastic_stop_one_contact_trace(
     const double carried_x2_2_by_y = t39*v1_1_on_boundary_by_y + t40*v2_1_on_boundary_by_y + t41*x1_1_on_boundary_by_y + t42*x2_1_on_boundary_by_y;
     const double carried_v1_2_by_u = t37*v1_1_on_boundary_by_u + t38*v2_1_on_boundary_by_u + t45*x1_1_on_boundary_by_u + t46*x2_1_on_boundary_by_u;
     const double carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t57 = (1.0/(v1_2));
-    const double tau1_by_y = -carried_x1_2_by_y*t57;
-    const double tau1_by_u = -carried_x1_2_by_u*t57;
-    const double tau1_by_w = -carried_x1_2_by_w*t57;
+    const double delay_tau1_by_y = -carried_x1_2_by_y*t57;
+    const double delay_tau1_by_u = -carried_x1_2_by_u*t57;
+    const double delay_tau1_by_w = -carried_x1_2_by_w*t57;
     /* perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + tau1_by_y*v2_2;
-    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + tau1_by_u*(k1*t50*x2_2 - t51*x1_2);
-    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + tau1_by_w*(t54*x1_2 - t55*x2_2);
+    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
+    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(k1*t50*x2_2 - t51*x1_2);
+    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(t54*x1_2 - t55*x2_2);
     *trace = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y;
 }
 
 /* Derivatives of the trace by the unknowns, then in total by the parameters.
  * Takes parameters (6), spectrum (12), spectrum_derivatives (12, 5), unknowns (4); gives trace_gradient (10), row by row.
- * Operations: 4665. Intermediate terms: 969. */
+ * Operations: 4407. Intermediate terms: 955. */
 void elastic_stop_one_contact_trace_gradient(
     const double parameters[6], const double spectrum[12], const double spectrum_derivatives[60], const double unknowns[4], double trace_gradient[10])
 {
@@ -1751,42 +1751,42 @@ void elastic_stop_one_contact_trace_gradient(
     const double carried_v2_1_by_w = t32;
     /* rate of the exit boundary after tau */
     const double rate_1 = -v1_1;
-    /* derivatives of tau on the boundary */
+    /* derivatives of the time to the boundary after tau */
     const double t72 = (1.0/(rate_1));
-    const double tau_by_y = carried_x1_1_by_y*t72;
-    const double tau_by_u = carried_x1_1_by_u*t72;
-    const double tau_by_w = carried_x1_1_by_w*t72;
+    const double delay_tau_by_y = carried_x1_1_by_y*t72;
+    const double delay_tau_by_u = carried_x1_1_by_u*t72;
+    const double delay_tau_by_w = carried_x1_1_by_w*t72;
     /* perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + tau_by_y*v1_1;
-    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + tau_by_u*v1_1;
-    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + tau_by_w*v1_1;
-    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + tau_by_y*v2_1;
-    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + tau_by_u*v2_1;
-    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + tau_by_w*v2_1;
+    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
+    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
+    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
+    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
+    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
     const double t73 = (1.0/(m1));
     const double t74 = k1 + k3;
     const double t75 = t73*x1_1;
     const double t76 = k1*t73*x2_1 + k3*t73 - t74*t75;
-    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + t76*tau_by_y;
-    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + t76*tau_by_u;
-    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + t76*tau_by_w;
+    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t76;
+    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t76;
+    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t76;
     const double t77 = (1.0/(m2));
     const double t78 = t77*x1_1;
     const double t79 = k1 + k2;
     const double t80 = t77*x2_1;
     const double t81 = k1*t78 - t79*t80;
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + t81*tau_by_y;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + t81*tau_by_u;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + t81*tau_by_w;
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t81;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t81;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t81;
     /* Phi along tau1 */
     const double carried_x1_2_by_y = t58*v1_1_on_boundary_by_y + t59*v2_1_on_boundary_by_y + t60*x1_1_on_boundary_by_y + t61*x2_1_on_boundary_by_y;
     const double carried_x1_2_by_u = t58*v1_1_on_boundary_by_u + t59*v2_1_on_boundary_by_u + t60*x1_1_on_boundary_by_u + t61*x2_1_on_boundary_by_u;
     const double carried_x1_2_by_w = t58*v1_1_on_boundary_by_w + t59*v2_1_on_boundary_by_w + t60*x1_1_on_boundary_by_w + t61*x2_1_on_boundary_by_w;
-    /* derivatives of tau1 on the boundary */
+    /* derivatives of the time to the boundary after tau1 */
     const double t82 = (1.0/(v1_2));
-    const double tau1_by_y = -carried_x1_2_by_y*t82;
-    const double tau1_by_u = -carried_x1_2_by_u*t82;
-    const double tau1_by_w = -carried_x1_2_by_w*t82;
+    const double delay_tau1_by_y = -carried_x1_2_by_y*t82;
+    const double delay_tau1_by_u = -carried_x1_2_by_u*t82;
+    const double delay_tau1_by_w = -carried_x1_2_by_w*t82;
     /* d/dtau of: functions of tau in contact */
     const double cos_omega1_tau_by_tau = -omega1*sin_omega1_tau;
     const double sin_omega1_tau_by_tau = cos_omega1_tau*omega1;
@@ -1959,29 +1959,12 @@ void elastic_stop_one_contact_trace_gradient(
     const double x2_1_by_k3 = cos_omega1_tau*(t14*t177 + t14*t179 + t182) + cos_omega1_tau_by_k3*t102 + cos_omega2_tau*(-t182 - t183 - t184) + cos_omega2_tau_by_k3*t103 + omega1_by_k3*t131 + omega2_by_k3*t132 + p1_by_k3*t134 + p3_by_k3*t127 + sin_omega1_tau_by_k3*t106 + sin_omega2_tau_by_k3*t108 + t177 + t179;
     const double v1_1_by_k3 = cos_omega1_tau_by_k3*t109 + cos_omega2_tau_by_k3*t110 + omega1_by_k3*t136 + omega2_by_k3*t138 + p1_by_k3*t139 + p2_by_k3*t144 + sin_omega1_tau*(omega1*t178 + omega1*t180 + t174*t34 + t176*t34) + sin_omega1_tau_by_k3*t111 + sin_omega2_tau*(omega2*t14*t153*t7*t79 - omega2*t14*t79*t9 - omega2*t178 - omega2*t180) + sin_omega2_tau_by_k3*t112;
     const double v2_1_by_k3 = cos_omega1_tau_by_k3*t113 + cos_omega2_tau_by_k3*t114 + omega1_by_k3*t146 + omega2_by_k3*t148 + p1_by_k3*t149 + p3_by_k3*t139 + sin_omega1_tau*(t167*t177 + t167*t179 + t174*t40 + t176*t40) + sin_omega1_tau_by_k3*t115 + sin_omega2_tau*(omega2*t183 + omega2*t184 - t174*t43 - t176*t43) + sin_omega2_tau_by_k3*t117;
-    /* d/dy of: functions of tau1 in free */
-    const double t185 = omega3*sin_omega3_tau1;
-    const double cos_omega3_tau1_by_y = -t185*tau1_by_y;
-    const double t186 = cos_omega3_tau1*omega3;
-    const double sin_omega3_tau1_by_y = t186*tau1_by_y;
-    const double t187 = omega4*sin_omega4_tau1;
-    const double cos_omega4_tau1_by_y = -t187*tau1_by_y;
-    const double t188 = cos_omega4_tau1*omega4;
-    const double sin_omega4_tau1_by_y = t188*tau1_by_y;
-    /* d/du of: functions of tau1 in free */
-    const double cos_omega3_tau1_by_u = -t185*tau1_by_u;
-    const double sin_omega3_tau1_by_u = t186*tau1_by_u;
-    const double cos_omega4_tau1_by_u = -t187*tau1_by_u;
-    const double sin_omega4_tau1_by_u = t188*tau1_by_u;
-    /* d/dw of: functions of tau1 in free */
-    const double cos_omega3_tau1_by_w = -t185*tau1_by_w;
-    const double sin_omega3_tau1_by_w = t186*tau1_by_w;
-    const double cos_omega4_tau1_by_w = -t187*tau1_by_w;
-    const double sin_omega4_tau1_by_w = t188*tau1_by_w;
     /* d/dtau of: functions of tau1 in free */
-    const double cos_omega3_tau1_by_tau = t185;
+    const double cos_omega3_tau1_by_tau = omega3*sin_omega3_tau1;
+    const double t186 = cos_omega3_tau1*omega3;
     const double sin_omega3_tau1_by_tau = -t186;
-    const double cos_omega4_tau1_by_tau = t187;
+    const double cos_omega4_tau1_by_tau = omega4*sin_omega4_tau1;
+    const double t188 = cos_omega4_tau1*omega4;
     const double sin_omega4_tau1_by_tau = -t188;
     /* d/dm1 of: functions of tau1 in free */
     const double t189 = omega3_by_m1*tau1;
@@ -2019,11 +2002,26 @@ void elastic_stop_one_contact_trace_gradient(
     const double cos_omega4_tau1_by_k3 = -sin_omega4_tau1*t198;
     const double sin_omega4_tau1_by_k3 = cos_omega4_tau1*t198;
     /* d/dT of: functions of tau1 in free */
-    const double cos_omega3_tau1_by_T = -t185;
+    const double cos_omega3_tau1_by_T = -cos_omega3_tau1_by_tau;
     const double sin_omega3_tau1_by_T = t186;
-    const double cos_omega4_tau1_by_T = -t187;
+    const double cos_omega4_tau1_by_T = -cos_omega4_tau1_by_tau;
     const double sin_omega4_tau1_by_T = t188;
     /* d/dy of: free for tau1, until first-reaches-stop */
+    const double x1_2_by_y = t58*v1_1_by_y + t59*v2_1_by_y + t60*x1_1_by_y + t61*x2_1_by_y;
+    const double x2_2_by_y = t62*v1_1_by_y + t63*v2_1_by_y + t64*x1_1_by_y + t65*x2_1_by_y;
+    const double v1_2_by_y = t60*v1_1_by_y + t61*v2_1_by_y + t68*x1_1_by_y + t69*x2_1_by_y;
+    const double v2_2_by_y = t64*v1_1_by_y + t65*v2_1_by_y + t70*x1_1_by_y + t71*x2_1_by_y;
+    /* d/du of: free for tau1, until first-reaches-stop */
+    const double x1_2_by_u = t58*v1_1_by_u + t59*v2_1_by_u + t60*x1_1_by_u + t61*x2_1_by_u;
+    const double x2_2_by_u = t62*v1_1_by_u + t63*v2_1_by_u + t64*x1_1_by_u + t65*x2_1_by_u;
+    const double v1_2_by_u = t60*v1_1_by_u + t61*v2_1_by_u + t68*x1_1_by_u + t69*x2_1_by_u;
+    const double v2_2_by_u = t64*v1_1_by_u + t65*v2_1_by_u + t70*x1_1_by_u + t71*x2_1_by_u;
+    /* d/dw of: free for tau1, until first-reaches-stop */
+    const double x1_2_by_w = t58*v1_1_by_w + t59*v2_1_by_w + t60*x1_1_by_w + t61*x2_1_by_w;
+    const double x2_2_by_w = t62*v1_1_by_w + t63*v2_1_by_w + t64*x1_1_by_w + t65*x2_1_by_w;
+    const double v1_2_by_w = t60*v1_1_by_w + t61*v2_1_by_w + t68*x1_1_by_w + t69*x2_1_by_w;
+    const double v2_2_by_w = t64*v1_1_by_w + t65*v2_1_by_w + t70*x1_1_by_w + t71*x2_1_by_w;
+    /* d/dtau of: free for tau1, until first-reaches-stop */
     const double t199 = p4*x1_1;
     const double t200 = p5*x2_1;
     const double t201 = t199 + t200;
@@ -2032,7 +2030,7 @@ void elastic_stop_one_contact_trace_gradient(
     const double t204 = p5*v2_1;
     const double t205 = t203*t53 + t204*t53;
     const double t206 = -t204*t56 + t55*t56*v1_1;
-    const double x1_2_by_y = cos_omega3_tau1_by_y*t201 + cos_omega4_tau1_by_y*t202 + sin_omega3_tau1_by_y*t205 + sin_omega4_tau1_by_y*t206 + t58*v1_1_by_y + t59*v2_1_by_y + t60*x1_1_by_y + t61*x2_1_by_y;
+    const double x1_2_by_tau = cos_omega3_tau1_by_tau*t201 + cos_omega4_tau1_by_tau*t202 + sin_omega3_tau1_by_tau*t205 + sin_omega4_tau1_by_tau*t206 + t58*v1_1_by_tau + t59*v2_1_by_tau + t60*x1_1_by_tau + t61*x2_1_by_tau;
     const double t207 = p6*x1_1;
     const double t208 = t55*x2_1;
     const double t209 = t207 + t208;
@@ -2043,32 +2041,17 @@ void elastic_stop_one_contact_trace_gradient(
     const double t214 = t212*t53 + t213*t53;
     const double t215 = p4*v2_1;
     const double t216 = -t212*t56 + t215*t56;
-    const double x2_2_by_y = cos_omega3_tau1_by_y*t209 + cos_omega4_tau1_by_y*t211 + sin_omega3_tau1_by_y*t214 + sin_omega4_tau1_by_y*t216 + t62*v1_1_by_y + t63*v2_1_by_y + t64*x1_1_by_y + t65*x2_1_by_y;
+    const double x2_2_by_tau = cos_omega3_tau1_by_tau*t209 + cos_omega4_tau1_by_tau*t211 + sin_omega3_tau1_by_tau*t214 + sin_omega4_tau1_by_tau*t216 + t62*v1_1_by_tau + t63*v2_1_by_tau + t64*x1_1_by_tau + t65*x2_1_by_tau;
     const double t217 = t203 + t204;
     const double t218 = -t204 + t55*v1_1;
     const double t219 = -omega3*t199 - omega3*t200;
     const double t220 = t55*x1_1;
     const double t221 = omega4*t200 - omega4*t220;
-    const double v1_2_by_y = cos_omega3_tau1_by_y*t217 + cos_omega4_tau1_by_y*t218 + sin_omega3_tau1_by_y*t219 + sin_omega4_tau1_by_y*t221 + t60*v1_1_by_y + t61*v2_1_by_y + t68*x1_1_by_y + t69*x2_1_by_y;
+    const double v1_2_by_tau = cos_omega3_tau1_by_tau*t217 + cos_omega4_tau1_by_tau*t218 + sin_omega3_tau1_by_tau*t219 + sin_omega4_tau1_by_tau*t221 + t60*v1_1_by_tau + t61*v2_1_by_tau + t68*x1_1_by_tau + t69*x2_1_by_tau;
     const double t222 = t212 + t213;
     const double t223 = -t212 + t215;
     const double t224 = -omega3*t207 - omega3*t208;
     const double t225 = omega4*p6*x1_1 - omega4*t210;
-    const double v2_2_by_y = cos_omega3_tau1_by_y*t222 + cos_omega4_tau1_by_y*t223 + sin_omega3_tau1_by_y*t224 + sin_omega4_tau1_by_y*t225 + t64*v1_1_by_y + t65*v2_1_by_y + t70*x1_1_by_y + t71*x2_1_by_y;
-    /* d/du of: free for tau1, until first-reaches-stop */
-    const double x1_2_by_u = cos_omega3_tau1_by_u*t201 + cos_omega4_tau1_by_u*t202 + sin_omega3_tau1_by_u*t205 + sin_omega4_tau1_by_u*t206 + t58*v1_1_by_u + t59*v2_1_by_u + t60*x1_1_by_u + t61*x2_1_by_u;
-    const double x2_2_by_u = cos_omega3_tau1_by_u*t209 + cos_omega4_tau1_by_u*t211 + sin_omega3_tau1_by_u*t214 + sin_omega4_tau1_by_u*t216 + t62*v1_1_by_u + t63*v2_1_by_u + t64*x1_1_by_u + t65*x2_1_by_u;
-    const double v1_2_by_u = cos_omega3_tau1_by_u*t217 + cos_omega4_tau1_by_u*t218 + sin_omega3_tau1_by_u*t219 + sin_omega4_tau1_by_u*t221 + t60*v1_1_by_u + t61*v2_1_by_u + t68*x1_1_by_u + t69*x2_1_by_u;
-    const double v2_2_by_u = cos_omega3_tau1_by_u*t222 + cos_omega4_tau1_by_u*t223 + sin_omega3_tau1_by_u*t224 + sin_omega4_tau1_by_u*t225 + t64*v1_1_by_u + t65*v2_1_by_u + t70*x1_1_by_u + t71*x2_1_by_u;
-    /* d/dw of: free for tau1, until first-reaches-stop */
-    const double x1_2_by_w = cos_omega3_tau1_by_w*t201 + cos_omega4_tau1_by_w*t202 + sin_omega3_tau1_by_w*t205 + sin_omega4_tau1_by_w*t206 + t58*v1_1_by_w + t59*v2_1_by_w + t60*x1_1_by_w + t61*x2_1_by_w;
-    const double x2_2_by_w = cos_omega3_tau1_by_w*t209 + cos_omega4_tau1_by_w*t211 + sin_omega3_tau1_by_w*t214 + sin_omega4_tau1_by_w*t216 + t62*v1_1_by_w + t63*v2_1_by_w + t64*x1_1_by_w + t65*x2_1_by_w;
-    const double v1_2_by_w = cos_omega3_tau1_by_w*t217 + cos_omega4_tau1_by_w*t218 + sin_omega3_tau1_by_w*t219 + sin_omega4_tau1_by_w*t221 + t60*v1_1_by_w + t61*v2_1_by_w + t68*x1_1_by_w + t69*x2_1_by_w;
-    const double v2_2_by_w = cos_omega3_tau1_by_w*t222 + cos_omega4_tau1_by_w*t223 + sin_omega3_tau1_by_w*t224 + sin_omega4_tau1_by_w*t225 + t64*v1_1_by_w + t65*v2_1_by_w + t70*x1_1_by_w + t71*x2_1_by_w;
-    /* d/dtau of: free for tau1, until first-reaches-stop */
-    const double x1_2_by_tau = cos_omega3_tau1_by_tau*t201 + cos_omega4_tau1_by_tau*t202 + sin_omega3_tau1_by_tau*t205 + sin_omega4_tau1_by_tau*t206 + t58*v1_1_by_tau + t59*v2_1_by_tau + t60*x1_1_by_tau + t61*x2_1_by_tau;
-    const double x2_2_by_tau = cos_omega3_tau1_by_tau*t209 + cos_omega4_tau1_by_tau*t211 + sin_omega3_tau1_by_tau*t214 + sin_omega4_tau1_by_tau*t216 + t62*v1_1_by_tau + t63*v2_1_by_tau + t64*x1_1_by_tau + t65*x2_1_by_tau;
-    const double v1_2_by_tau = cos_omega3_tau1_by_tau*t217 + cos_omega4_tau1_by_tau*t218 + sin_omega3_tau1_by_tau*t219 + sin_omega4_tau1_by_tau*t221 + t60*v1_1_by_tau + t61*v2_1_by_tau + t68*x1_1_by_tau + t69*x2_1_by_tau;
     const double v2_2_by_tau = cos_omega3_tau1_by_tau*t222 + cos_omega4_tau1_by_tau*t223 + sin_omega3_tau1_by_tau*t224 + sin_omega4_tau1_by_tau*t225 + t64*v1_1_by_tau + t65*v2_1_by_tau + t70*x1_1_by_tau + t71*x2_1_by_tau;
     /* d/dm1 of: free for tau1, until first-reaches-stop */
     const double t226 = sin_omega3_tau1/(omega3*omega3);
@@ -2279,221 +2262,242 @@ void elastic_stop_one_contact_trace_gradient(
     const double rate_1_by_k2 = -v1_1_by_k2;
     /* d/dk3 of: rate of the exit boundary after tau */
     const double rate_1_by_k3 = -v1_1_by_k3;
-    /* d/dy of: derivatives of tau on the boundary */
+    /* d/dy of: derivatives of the time to the boundary after tau */
     const double t324 = (1.0/(rate_1*rate_1));
     const double t325 = rate_1_by_y*t324;
-    const double tau_by_y_by_y = -carried_x1_1_by_y*t325;
-    const double tau_by_u_by_y = -carried_x1_1_by_u*t325;
-    const double tau_by_w_by_y = -carried_x1_1_by_w*t325;
-    /* d/du of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_y = -carried_x1_1_by_y*t325;
+    const double delay_tau_by_u_by_y = -carried_x1_1_by_u*t325;
+    const double delay_tau_by_w_by_y = -carried_x1_1_by_w*t325;
+    /* d/du of: derivatives of the time to the boundary after tau */
     const double t326 = rate_1_by_u*t324;
-    const double tau_by_y_by_u = -carried_x1_1_by_y*t326;
-    const double tau_by_u_by_u = -carried_x1_1_by_u*t326;
-    const double tau_by_w_by_u = -carried_x1_1_by_w*t326;
-    /* d/dw of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_u = -carried_x1_1_by_y*t326;
+    const double delay_tau_by_u_by_u = -carried_x1_1_by_u*t326;
+    const double delay_tau_by_w_by_u = -carried_x1_1_by_w*t326;
+    /* d/dw of: derivatives of the time to the boundary after tau */
     const double t327 = rate_1_by_w*t324;
-    const double tau_by_y_by_w = -carried_x1_1_by_y*t327;
-    const double tau_by_u_by_w = -carried_x1_1_by_u*t327;
-    const double tau_by_w_by_w = -carried_x1_1_by_w*t327;
-    /* d/dtau of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_w = -carried_x1_1_by_y*t327;
+    const double delay_tau_by_u_by_w = -carried_x1_1_by_u*t327;
+    const double delay_tau_by_w_by_w = -carried_x1_1_by_w*t327;
+    /* d/dtau of: derivatives of the time to the boundary after tau */
     const double t328 = rate_1_by_tau*t324;
-    const double tau_by_y_by_tau = -carried_x1_1_by_y*t328 + carried_x1_1_by_y_by_tau*t72;
-    const double tau_by_u_by_tau = -carried_x1_1_by_u*t328 + carried_x1_1_by_u_by_tau*t72;
-    const double tau_by_w_by_tau = -carried_x1_1_by_w*t328 + carried_x1_1_by_w_by_tau*t72;
-    /* d/dm1 of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_tau = -carried_x1_1_by_y*t328 + carried_x1_1_by_y_by_tau*t72;
+    const double delay_tau_by_u_by_tau = -carried_x1_1_by_u*t328 + carried_x1_1_by_u_by_tau*t72;
+    const double delay_tau_by_w_by_tau = -carried_x1_1_by_w*t328 + carried_x1_1_by_w_by_tau*t72;
+    /* d/dm1 of: derivatives of the time to the boundary after tau */
     const double t329 = rate_1_by_m1*t324;
-    const double tau_by_y_by_m1 = -carried_x1_1_by_y*t329 + carried_x1_1_by_y_by_m1*t72;
-    const double tau_by_u_by_m1 = -carried_x1_1_by_u*t329 + carried_x1_1_by_u_by_m1*t72;
-    const double tau_by_w_by_m1 = -carried_x1_1_by_w*t329 + carried_x1_1_by_w_by_m1*t72;
-    /* d/dm2 of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_m1 = -carried_x1_1_by_y*t329 + carried_x1_1_by_y_by_m1*t72;
+    const double delay_tau_by_u_by_m1 = -carried_x1_1_by_u*t329 + carried_x1_1_by_u_by_m1*t72;
+    const double delay_tau_by_w_by_m1 = -carried_x1_1_by_w*t329 + carried_x1_1_by_w_by_m1*t72;
+    /* d/dm2 of: derivatives of the time to the boundary after tau */
     const double t330 = rate_1_by_m2*t324;
-    const double tau_by_y_by_m2 = -carried_x1_1_by_y*t330 + carried_x1_1_by_y_by_m2*t72;
-    const double tau_by_u_by_m2 = -carried_x1_1_by_u*t330 + carried_x1_1_by_u_by_m2*t72;
-    const double tau_by_w_by_m2 = -carried_x1_1_by_w*t330 + carried_x1_1_by_w_by_m2*t72;
-    /* d/dk1 of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_m2 = -carried_x1_1_by_y*t330 + carried_x1_1_by_y_by_m2*t72;
+    const double delay_tau_by_u_by_m2 = -carried_x1_1_by_u*t330 + carried_x1_1_by_u_by_m2*t72;
+    const double delay_tau_by_w_by_m2 = -carried_x1_1_by_w*t330 + carried_x1_1_by_w_by_m2*t72;
+    /* d/dk1 of: derivatives of the time to the boundary after tau */
     const double t331 = rate_1_by_k1*t324;
-    const double tau_by_y_by_k1 = -carried_x1_1_by_y*t331 + carried_x1_1_by_y_by_k1*t72;
-    const double tau_by_u_by_k1 = -carried_x1_1_by_u*t331 + carried_x1_1_by_u_by_k1*t72;
-    const double tau_by_w_by_k1 = -carried_x1_1_by_w*t331 + carried_x1_1_by_w_by_k1*t72;
-    /* d/dk2 of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_k1 = -carried_x1_1_by_y*t331 + carried_x1_1_by_y_by_k1*t72;
+    const double delay_tau_by_u_by_k1 = -carried_x1_1_by_u*t331 + carried_x1_1_by_u_by_k1*t72;
+    const double delay_tau_by_w_by_k1 = -carried_x1_1_by_w*t331 + carried_x1_1_by_w_by_k1*t72;
+    /* d/dk2 of: derivatives of the time to the boundary after tau */
     const double t332 = rate_1_by_k2*t324;
-    const double tau_by_y_by_k2 = -carried_x1_1_by_y*t332 + carried_x1_1_by_y_by_k2*t72;
-    const double tau_by_u_by_k2 = -carried_x1_1_by_u*t332 + carried_x1_1_by_u_by_k2*t72;
-    const double tau_by_w_by_k2 = -carried_x1_1_by_w*t332 + carried_x1_1_by_w_by_k2*t72;
-    /* d/dk3 of: derivatives of tau on the boundary */
+    const double delay_tau_by_y_by_k2 = -carried_x1_1_by_y*t332 + carried_x1_1_by_y_by_k2*t72;
+    const double delay_tau_by_u_by_k2 = -carried_x1_1_by_u*t332 + carried_x1_1_by_u_by_k2*t72;
+    const double delay_tau_by_w_by_k2 = -carried_x1_1_by_w*t332 + carried_x1_1_by_w_by_k2*t72;
+    /* d/dk3 of: derivatives of the time to the boundary after tau */
     const double t333 = rate_1_by_k3*t324;
-    const double tau_by_y_by_k3 = -carried_x1_1_by_y*t333 + carried_x1_1_by_y_by_k3*t72;
-    const double tau_by_u_by_k3 = -carried_x1_1_by_u*t333 + carried_x1_1_by_u_by_k3*t72;
-    const double tau_by_w_by_k3 = -carried_x1_1_by_w*t333 + carried_x1_1_by_w_by_k3*t72;
+    const double delay_tau_by_y_by_k3 = -carried_x1_1_by_y*t333 + carried_x1_1_by_y_by_k3*t72;
+    const double delay_tau_by_u_by_k3 = -carried_x1_1_by_u*t333 + carried_x1_1_by_u_by_k3*t72;
+    const double delay_tau_by_w_by_k3 = -carried_x1_1_by_w*t333 + carried_x1_1_by_w_by_k3*t72;
     /* d/dy of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_y = tau_by_y*v1_1_by_y + tau_by_y_by_y*v1_1;
-    const double x1_1_on_boundary_by_u_by_y = tau_by_u*v1_1_by_y + tau_by_u_by_y*v1_1;
-    const double x1_1_on_boundary_by_w_by_y = tau_by_w*v1_1_by_y + tau_by_w_by_y*v1_1;
-    const double x2_1_on_boundary_by_y_by_y = tau_by_y*v2_1_by_y + tau_by_y_by_y*v2_1;
-    const double x2_1_on_boundary_by_u_by_y = tau_by_u*v2_1_by_y + tau_by_u_by_y*v2_1;
-    const double x2_1_on_boundary_by_w_by_y = tau_by_w*v2_1_by_y + tau_by_w_by_y*v2_1;
-    const double t334 = t73*tau_by_y;
+    const double x1_1_on_boundary_by_y_by_y = delay_tau_by_y*v1_1_by_y + delay_tau_by_y_by_y*v1_1;
+    const double x1_1_on_boundary_by_u_by_y = delay_tau_by_u*v1_1_by_y + delay_tau_by_u_by_y*v1_1;
+    const double x1_1_on_boundary_by_w_by_y = delay_tau_by_w*v1_1_by_y + delay_tau_by_w_by_y*v1_1;
+    const double x2_1_on_boundary_by_y_by_y = delay_tau_by_y*v2_1_by_y + delay_tau_by_y_by_y*v2_1;
+    const double x2_1_on_boundary_by_u_by_y = delay_tau_by_u*v2_1_by_y + delay_tau_by_u_by_y*v2_1;
+    const double x2_1_on_boundary_by_w_by_y = delay_tau_by_w*v2_1_by_y + delay_tau_by_w_by_y*v2_1;
+    const double t334 = delay_tau_by_y*t73;
     const double t335 = k1*x2_1_by_y;
     const double t336 = t74*x1_1_by_y;
-    const double v1_1_on_boundary_by_y_by_y = t334*t335 - t334*t336 + t76*tau_by_y_by_y;
-    const double t337 = t73*tau_by_u;
-    const double v1_1_on_boundary_by_u_by_y = t335*t337 - t336*t337 + t76*tau_by_u_by_y;
-    const double t338 = t73*tau_by_w;
-    const double v1_1_on_boundary_by_w_by_y = t335*t338 - t336*t338 + t76*tau_by_w_by_y;
-    const double t339 = t77*tau_by_y;
+    const double v1_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t76 + t334*t335 - t334*t336;
+    const double t337 = delay_tau_by_u*t73;
+    const double v1_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t76 + t335*t337 - t336*t337;
+    const double t338 = delay_tau_by_w*t73;
+    const double v1_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t76 + t335*t338 - t336*t338;
+    const double t339 = delay_tau_by_y*t77;
     const double t340 = k1*x1_1_by_y;
     const double t341 = t79*x2_1_by_y;
-    const double v2_1_on_boundary_by_y_by_y = t339*t340 - t339*t341 + t81*tau_by_y_by_y;
-    const double t342 = t77*tau_by_u;
-    const double v2_1_on_boundary_by_u_by_y = t340*t342 - t341*t342 + t81*tau_by_u_by_y;
-    const double t343 = t77*tau_by_w;
-    const double v2_1_on_boundary_by_w_by_y = t340*t343 - t341*t343 + t81*tau_by_w_by_y;
+    const double v2_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t81 + t339*t340 - t339*t341;
+    const double t342 = delay_tau_by_u*t77;
+    const double v2_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t81 + t340*t342 - t341*t342;
+    const double t343 = delay_tau_by_w*t77;
+    const double v2_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t81 + t340*t343 - t341*t343;
     /* d/du of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_u = tau_by_y*v1_1_by_u + tau_by_y_by_u*v1_1;
-    const double x1_1_on_boundary_by_u_by_u = tau_by_u*v1_1_by_u + tau_by_u_by_u*v1_1;
-    const double x1_1_on_boundary_by_w_by_u = tau_by_w*v1_1_by_u + tau_by_w_by_u*v1_1;
-    const double x2_1_on_boundary_by_y_by_u = tau_by_y*v2_1_by_u + tau_by_y_by_u*v2_1;
-    const double x2_1_on_boundary_by_u_by_u = tau_by_u*v2_1_by_u + tau_by_u_by_u*v2_1;
-    const double x2_1_on_boundary_by_w_by_u = tau_by_w*v2_1_by_u + tau_by_w_by_u*v2_1;
+    const double x1_1_on_boundary_by_y_by_u = delay_tau_by_y*v1_1_by_u + delay_tau_by_y_by_u*v1_1;
+    const double x1_1_on_boundary_by_u_by_u = delay_tau_by_u*v1_1_by_u + delay_tau_by_u_by_u*v1_1;
+    const double x1_1_on_boundary_by_w_by_u = delay_tau_by_w*v1_1_by_u + delay_tau_by_w_by_u*v1_1;
+    const double x2_1_on_boundary_by_y_by_u = delay_tau_by_y*v2_1_by_u + delay_tau_by_y_by_u*v2_1;
+    const double x2_1_on_boundary_by_u_by_u = delay_tau_by_u*v2_1_by_u + delay_tau_by_u_by_u*v2_1;
+    const double x2_1_on_boundary_by_w_by_u = delay_tau_by_w*v2_1_by_u + delay_tau_by_w_by_u*v2_1;
     const double t344 = k1*x2_1_by_u;
     const double t345 = t74*x1_1_by_u;
-    const double v1_1_on_boundary_by_y_by_u = t334*t344 - t334*t345 + t76*tau_by_y_by_u;
-    const double v1_1_on_boundary_by_u_by_u = t337*t344 - t337*t345 + t76*tau_by_u_by_u;
-    const double v1_1_on_boundary_by_w_by_u = t338*t344 - t338*t345 + t76*tau_by_w_by_u;
+    const double v1_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t76 + t334*t344 - t334*t345;
+    const double v1_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t76 + t337*t344 - t337*t345;
+    const double v1_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t76 + t338*t344 - t338*t345;
     const double t346 = k1*x1_1_by_u;
     const double t347 = t79*x2_1_by_u;
-    const double v2_1_on_boundary_by_y_by_u = t339*t346 - t339*t347 + t81*tau_by_y_by_u;
-    const double v2_1_on_boundary_by_u_by_u = t342*t346 - t342*t347 + t81*tau_by_u_by_u;
-    const double v2_1_on_boundary_by_w_by_u = t343*t346 - t343*t347 + t81*tau_by_w_by_u;
+    const double v2_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t81 + t339*t346 - t339*t347;
+    const double v2_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t81 + t342*t346 - t342*t347;
+    const double v2_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t81 + t343*t346 - t343*t347;
     /* d/dw of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_w = tau_by_y*v1_1_by_w + tau_by_y_by_w*v1_1;
-    const double x1_1_on_boundary_by_u_by_w = tau_by_u*v1_1_by_w + tau_by_u_by_w*v1_1;
-    const double x1_1_on_boundary_by_w_by_w = tau_by_w*v1_1_by_w + tau_by_w_by_w*v1_1;
-    const double x2_1_on_boundary_by_y_by_w = tau_by_y*v2_1_by_w + tau_by_y_by_w*v2_1;
-    const double x2_1_on_boundary_by_u_by_w = tau_by_u*v2_1_by_w + tau_by_u_by_w*v2_1;
-    const double x2_1_on_boundary_by_w_by_w = tau_by_w*v2_1_by_w + tau_by_w_by_w*v2_1;
+    const double x1_1_on_boundary_by_y_by_w = delay_tau_by_y*v1_1_by_w + delay_tau_by_y_by_w*v1_1;
+    const double x1_1_on_boundary_by_u_by_w = delay_tau_by_u*v1_1_by_w + delay_tau_by_u_by_w*v1_1;
+    const double x1_1_on_boundary_by_w_by_w = delay_tau_by_w*v1_1_by_w + delay_tau_by_w_by_w*v1_1;
+    const double x2_1_on_boundary_by_y_by_w = delay_tau_by_y*v2_1_by_w + delay_tau_by_y_by_w*v2_1;
+    const double x2_1_on_boundary_by_u_by_w = delay_tau_by_u*v2_1_by_w + delay_tau_by_u_by_w*v2_1;
+    const double x2_1_on_boundary_by_w_by_w = delay_tau_by_w*v2_1_by_w + delay_tau_by_w_by_w*v2_1;
     const double t348 = k1*x2_1_by_w;
     const double t349 = t74*x1_1_by_w;
-    const double v1_1_on_boundary_by_y_by_w = t334*t348 - t334*t349 + t76*tau_by_y_by_w;
-    const double v1_1_on_boundary_by_u_by_w = t337*t348 - t337*t349 + t76*tau_by_u_by_w;
-    const double v1_1_on_boundary_by_w_by_w = t338*t348 - t338*t349 + t76*tau_by_w_by_w;
+    const double v1_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t76 + t334*t348 - t334*t349;
+    const double v1_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t76 + t337*t348 - t337*t349;
+    const double v1_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t76 + t338*t348 - t338*t349;
     const double t350 = k1*x1_1_by_w;
     const double t351 = t79*x2_1_by_w;
-    const double v2_1_on_boundary_by_y_by_w = t339*t350 - t339*t351 + t81*tau_by_y_by_w;
-    const double v2_1_on_boundary_by_u_by_w = t342*t350 - t342*t351 + t81*tau_by_u_by_w;
-    const double v2_1_on_boundary_by_w_by_w = t343*t350 - t343*t351 + t81*tau_by_w_by_w;
+    const double v2_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t81 + t339*t350 - t339*t351;
+    const double v2_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t81 + t342*t350 - t342*t351;
+    const double v2_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t81 + t343*t350 - t343*t351;
     /* d/dtau of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_tau = carried_x1_1_by_y_by_tau + tau_by_y*v1_1_by_tau + tau_by_y_by_tau*v1_1;
-    const double x1_1_on_boundary_by_u_by_tau = carried_x1_1_by_u_by_tau + tau_by_u*v1_1_by_tau + tau_by_u_by_tau*v1_1;
-    const double x1_1_on_boundary_by_w_by_tau = carried_x1_1_by_w_by_tau + tau_by_w*v1_1_by_tau + tau_by_w_by_tau*v1_1;
-    const double x2_1_on_boundary_by_y_by_tau = carried_x2_1_by_y_by_tau + tau_by_y*v2_1_by_tau + tau_by_y_by_tau*v2_1;
-    const double x2_1_on_boundary_by_u_by_tau = carried_x2_1_by_u_by_tau + tau_by_u*v2_1_by_tau + tau_by_u_by_tau*v2_1;
-    const double x2_1_on_boundary_by_w_by_tau = carried_x2_1_by_w_by_tau + tau_by_w*v2_1_by_tau + tau_by_w_by_tau*v2_1;
+    const double x1_1_on_boundary_by_y_by_tau = carried_x1_1_by_y_by_tau + delay_tau_by_y*v1_1_by_tau + delay_tau_by_y_by_tau*v1_1;
+    const double x1_1_on_boundary_by_u_by_tau = carried_x1_1_by_u_by_tau + delay_tau_by_u*v1_1_by_tau + delay_tau_by_u_by_tau*v1_1;
+    const double x1_1_on_boundary_by_w_by_tau = carried_x1_1_by_w_by_tau + delay_tau_by_w*v1_1_by_tau + delay_tau_by_w_by_tau*v1_1;
+    const double x2_1_on_boundary_by_y_by_tau = carried_x2_1_by_y_by_tau + delay_tau_by_y*v2_1_by_tau + delay_tau_by_y_by_tau*v2_1;
+    const double x2_1_on_boundary_by_u_by_tau = carried_x2_1_by_u_by_tau + delay_tau_by_u*v2_1_by_tau + delay_tau_by_u_by_tau*v2_1;
+    const double x2_1_on_boundary_by_w_by_tau = carried_x2_1_by_w_by_tau + delay_tau_by_w*v2_1_by_tau + delay_tau_by_w_by_tau*v2_1;
     const double t352 = k1*x2_1_by_tau;
     const double t353 = t74*x1_1_by_tau;
-    const double v1_1_on_boundary_by_y_by_tau = carried_v1_1_by_y_by_tau + t334*t352 - t334*t353 + t76*tau_by_y_by_tau;
-    const double v1_1_on_boundary_by_u_by_tau = carried_v1_1_by_u_by_tau + t337*t352 - t337*t353 + t76*tau_by_u_by_tau;
-    const double v1_1_on_boundary_by_w_by_tau = carried_v1_1_by_w_by_tau + t338*t352 - t338*t353 + t76*tau_by_w_by_tau;
+    const double v1_1_on_boundary_by_y_by_tau = carried_v1_1_by_y_by_tau + delay_tau_by_y_by_tau*t76 + t334*t352 - t334*t353;
+    const double v1_1_on_boundary_by_u_by_tau = carried_v1_1_by_u_by_tau + delay_tau_by_u_by_tau*t76 + t337*t352 - t337*t353;
+    const double v1_1_on_boundary_by_w_by_tau = carried_v1_1_by_w_by_tau + delay_tau_by_w_by_tau*t76 + t338*t352 - t338*t353;
     const double t354 = k1*x1_1_by_tau;
     const double t355 = t79*x2_1_by_tau;
-    const double v2_1_on_boundary_by_y_by_tau = carried_v2_1_by_y_by_tau + t339*t354 - t339*t355 + t81*tau_by_y_by_tau;
-    const double v2_1_on_boundary_by_u_by_tau = carried_v2_1_by_u_by_tau + t342*t354 - t342*t355 + t81*tau_by_u_by_tau;
-    const double v2_1_on_boundary_by_w_by_tau = carried_v2_1_by_w_by_tau + t343*t354 - t343*t355 + t81*tau_by_w_by_tau;
+    const double v2_1_on_boundary_by_y_by_tau = carried_v2_1_by_y_by_tau + delay_tau_by_y_by_tau*t81 + t339*t354 - t339*t355;
+    const double v2_1_on_boundary_by_u_by_tau = carried_v2_1_by_u_by_tau + delay_tau_by_u_by_tau*t81 + t342*t354 - t342*t355;
+    const double v2_1_on_boundary_by_w_by_tau = carried_v2_1_by_w_by_tau + delay_tau_by_w_by_tau*t81 + t343*t354 - t343*t355;
     /* d/dm1 of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_m1 = carried_x1_1_by_y_by_m1 + tau_by_y*v1_1_by_m1 + tau_by_y_by_m1*v1_1;
-    const double x1_1_on_boundary_by_u_by_m1 = carried_x1_1_by_u_by_m1 + tau_by_u*v1_1_by_m1 + tau_by_u_by_m1*v1_1;
-    const double x1_1_on_boundary_by_w_by_m1 = carried_x1_1_by_w_by_m1 + tau_by_w*v1_1_by_m1 + tau_by_w_by_m1*v1_1;
-    const double x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + tau_by_y*v2_1_by_m1 + tau_by_y_by_m1*v2_1;
-    const double x2_1_on_boundary_by_u_by_m1 = carried_x2_1_by_u_by_m1 + tau_by_u*v2_1_by_m1 + tau_by_u_by_m1*v2_1;
-    const double x2_1_on_boundary_by_w_by_m1 = carried_x2_1_by_w_by_m1 + tau_by_w*v2_1_by_m1 + tau_by_w_by_m1*v2_1;
+    const double x1_1_on_boundary_by_y_by_m1 = carried_x1_1_by_y_by_m1 + delay_tau_by_y*v1_1_by_m1 + delay_tau_by_y_by_m1*v1_1;
+    const double x1_1_on_boundary_by_u_by_m1 = carried_x1_1_by_u_by_m1 + delay_tau_by_u*v1_1_by_m1 + delay_tau_by_u_by_m1*v1_1;
+    const double x1_1_on_boundary_by_w_by_m1 = carried_x1_1_by_w_by_m1 + delay_tau_by_w*v1_1_by_m1 + delay_tau_by_w_by_m1*v1_1;
+    const double x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_tau_by_y*v2_1_by_m1 + delay_tau_by_y_by_m1*v2_1;
+    const double x2_1_on_boundary_by_u_by_m1 = carried_x2_1_by_u_by_m1 + delay_tau_by_u*v2_1_by_m1 + delay_tau_by_u_by_m1*v2_1;
+    const double x2_1_on_boundary_by_w_by_m1 = carried_x2_1_by_w_by_m1 + delay_tau_by_w*v2_1_by_m1 + delay_tau_by_w_by_m1*v2_1;
     const double t356 = (1.0/(m1*m1));
     const double t357 = k1*t356;
     const double t358 = -k3*t356 + t356*t74*x1_1 - t357*x2_1;
     const double t359 = k1*x2_1_by_m1;
     const double t360 = t74*x1_1_by_m1;
-    const double v1_1_on_boundary_by_y_by_m1 = carried_v1_1_by_y_by_m1 + t334*t359 - t334*t360 + t358*tau_by_y + t76*tau_by_y_by_m1;
-    const double v1_1_on_boundary_by_u_by_m1 = carried_v1_1_by_u_by_m1 + t337*t359 - t337*t360 + t358*tau_by_u + t76*tau_by_u_by_m1;
-    const double v1_1_on_boundary_by_w_by_m1 = carried_v1_1_by_w_by_m1 + t338*t359 - t338*t360 + t358*tau_by_w + t76*tau_by_w_by_m1;
+    const double v1_1_on_boundary_by_y_by_m1 = carried_v1_1_by_y_by_m1 + delay_tau_by_y*t358 + delay_tau_by_y_by_m1*t76 + t334*t359 - t334*t360;
+    const double v1_1_on_boundary_by_u_by_m1 = carried_v1_1_by_u_by_m1 + delay_tau_by_u*t358 + delay_tau_by_u_by_m1*t76 + t337*t359 - t337*t360;
+    const double v1_1_on_boundary_by_w_by_m1 = carried_v1_1_by_w_by_m1 + delay_tau_by_w*t358 + delay_tau_by_w_by_m1*t76 + t338*t359 - t338*t360;
     const double t361 = k1*x1_1_by_m1;
     const double t362 = t79*x2_1_by_m1;
-    const double v2_1_on_boundary_by_y_by_m1 = carried_v2_1_by_y_by_m1 + t339*t361 - t339*t362 + t81*tau_by_y_by_m1;
-    const double v2_1_on_boundary_by_u_by_m1 = carried_v2_1_by_u_by_m1 + t342*t361 - t342*t362 + t81*tau_by_u_by_m1;
-    const double v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + t343*t361 - t343*t362 + t81*tau_by_w_by_m1;
+    const double v2_1_on_boundary_by_y_by_m1 = carried_v2_1_by_y_by_m1 + delay_tau_by_y_by_m1*t81 + t339*t361 - t339*t362;
+    const double v2_1_on_boundary_by_u_by_m1 = carried_v2_1_by_u_by_m1 + delay_tau_by_u_by_m1*t81 + t342*t361 - t342*t362;
+    const double v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_tau_by_w_by_m1*t81 + t343*t361 - t343*t362;
     /* d/dm2 of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_m2 = carried_x1_1_by_y_by_m2 + tau_by_y*v1_1_by_m2 + tau_by_y_by_m2*v1_1;
-    const double x1_1_on_boundary_by_u_by_m2 = carried_x1_1_by_u_by_m2 + tau_by_u*v1_1_by_m2 + tau_by_u_by_m2*v1_1;
-    const double x1_1_on_boundary_by_w_by_m2 = carried_x1_1_by_w_by_m2 + tau_by_w*v1_1_by_m2 + tau_by_w_by_m2*v1_1;
-    const double x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + tau_by_y*v2_1_by_m2 + tau_by_y_by_m2*v2_1;
-    const double x2_1_on_boundary_by_u_by_m2 = carried_x2_1_by_u_by_m2 + tau_by_u*v2_1_by_m2 + tau_by_u_by_m2*v2_1;
-    const double x2_1_on_boundary_by_w_by_m2 = carried_x2_1_by_w_by_m2 + tau_by_w*v2_1_by_m2 + tau_by_w_by_m2*v2_1;
+    const double x1_1_on_boundary_by_y_by_m2 = carried_x1_1_by_y_by_m2 + delay_tau_by_y*v1_1_by_m2 + delay_tau_by_y_by_m2*v1_1;
+    const double x1_1_on_boundary_by_u_by_m2 = carried_x1_1_by_u_by_m2 + delay_tau_by_u*v1_1_by_m2 + delay_tau_by_u_by_m2*v1_1;
+    const double x1_1_on_boundary_by_w_by_m2 = carried_x1_1_by_w_by_m2 + delay_tau_by_w*v1_1_by_m2 + delay_tau_by_w_by_m2*v1_1;
+    const double x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_tau_by_y*v2_1_by_m2 + delay_tau_by_y_by_m2*v2_1;
+    const double x2_1_on_boundary_by_u_by_m2 = carried_x2_1_by_u_by_m2 + delay_tau_by_u*v2_1_by_m2 + delay_tau_by_u_by_m2*v2_1;
+    const double x2_1_on_boundary_by_w_by_m2 = carried_x2_1_by_w_by_m2 + delay_tau_by_w*v2_1_by_m2 + delay_tau_by_w_by_m2*v2_1;
     const double t363 = k1*x2_1_by_m2;
     const double t364 = t74*x1_1_by_m2;
-    const double v1_1_on_boundary_by_y_by_m2 = carried_v1_1_by_y_by_m2 + t334*t363 - t334*t364 + t76*tau_by_y_by_m2;
-    const double v1_1_on_boundary_by_u_by_m2 = carried_v1_1_by_u_by_m2 + t337*t363 - t337*t364 + t76*tau_by_u_by_m2;
-    const double v1_1_on_boundary_by_w_by_m2 = carried_v1_1_by_w_by_m2 + t338*t363 - t338*t364 + t76*tau_by_w_by_m2;
+    const double v1_1_on_boundary_by_y_by_m2 = carried_v1_1_by_y_by_m2 + delay_tau_by_y_by_m2*t76 + t334*t363 - t334*t364;
+    const double v1_1_on_boundary_by_u_by_m2 = carried_v1_1_by_u_by_m2 + delay_tau_by_u_by_m2*t76 + t337*t363 - t337*t364;
+    const double v1_1_on_boundary_by_w_by_m2 = carried_v1_1_by_w_by_m2 + delay_tau_by_w_by_m2*t76 + t338*t363 - t338*t364;
     const double t365 = (1.0/(m2*m2));
     const double t366 = k1*t365;
     const double t367 = t365*t79*x2_1 - t366*x1_1;
     const double t368 = k1*x1_1_by_m2;
     const double t369 = t79*x2_1_by_m2;
-    const double v2_1_on_boundary_by_y_by_m2 = carried_v2_1_by_y_by_m2 + t339*t368 - t339*t369 + t367*tau_by_y + t81*tau_by_y_by_m2;
-    const double v2_1_on_boundary_by_u_by_m2 = carried_v2_1_by_u_by_m2 + t342*t368 - t342*t369 + t367*tau_by_u + t81*tau_by_u_by_m2;
-    const double v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + t343*t368 - t343*t369 + t367*tau_by_w + t81*tau_by_w_by_m2;
+    const double v2_1_on_boundary_by_y_by_m2 = carried_v2_1_by_y_by_m2 + delay_tau_by_y*t367 + delay_tau_by_y_by_m2*t81 + t339*t368 - t339*t369;
+    const double v2_1_on_boundary_by_u_by_m2 = carried_v2_1_by_u_by_m2 + delay_tau_by_u*t367 + delay_tau_by_u_by_m2*t81 + t342*t368 - t342*t369;
+    const double v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_tau_by_w*t367 + delay_tau_by_w_by_m2*t81 + t343*t368 - t343*t369;
     /* d/dk1 of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_k1 = carried_x1_1_by_y_by_k1 + tau_by_y*v1_1_by_k1 + tau_by_y_by_k1*v1_1;
-    const double x1_1_on_boundary_by_u_by_k1 = carried_x1_1_by_u_by_k1 + tau_by_u*v1_1_by_k1 + tau_by_u_by_k1*v1_1;
-    const double x1_1_on_boundary_by_w_by_k1 = carried_x1_1_by_w_by_k1 + tau_by_w*v1_1_by_k1 + tau_by_w_by_k1*v1_1;
-    const double x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + tau_by_y*v2_1_by_k1 + tau_by_y_by_k1*v2_1;
-    const double x2_1_on_boundary_by_u_by_k1 = carried_x2_1_by_u_by_k1 + tau_by_u*v2_1_by_k1 + tau_by_u_by_k1*v2_1;
-    const double x2_1_on_boundary_by_w_by_k1 = carried_x2_1_by_w_by_k1 + tau_by_w*v2_1_by_k1 + tau_by_w_by_k1*v2_1;
+    const double x1_1_on_boundary_by_y_by_k1 = carried_x1_1_by_y_by_k1 + delay_tau_by_y*v1_1_by_k1 + delay_tau_by_y_by_k1*v1_1;
+    const double x1_1_on_boundary_by_u_by_k1 = carried_x1_1_by_u_by_k1 + delay_tau_by_u*v1_1_by_k1 + delay_tau_by_u_by_k1*v1_1;
+    const double x1_1_on_boundary_by_w_by_k1 = carried_x1_1_by_w_by_k1 + delay_tau_by_w*v1_1_by_k1 + delay_tau_by_w_by_k1*v1_1;
+    const double x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_tau_by_y*v2_1_by_k1 + delay_tau_by_y_by_k1*v2_1;
+    const double x2_1_on_boundary_by_u_by_k1 = carried_x2_1_by_u_by_k1 + delay_tau_by_u*v2_1_by_k1 + delay_tau_by_u_by_k1*v2_1;
+    const double x2_1_on_boundary_by_w_by_k1 = carried_x2_1_by_w_by_k1 + delay_tau_by_w*v2_1_by_k1 + delay_tau_by_w_by_k1*v2_1;
     const double t370 = t73*x2_1 - t75;
     const double t371 = k1*x2_1_by_k1;
     const double t372 = t74*x1_1_by_k1;
-    const double v1_1_on_boundary_by_y_by_k1 = carried_v1_1_by_y_by_k1 + t334*t371 - t334*t372 + t370*tau_by_y + t76*tau_by_y_by_k1;
-    const double v1_1_on_boundary_by_u_by_k1 = carried_v1_1_by_u_by_k1 + t337*t371 - t337*t372 + t370*tau_by_u + t76*tau_by_u_by_k1;
-    const double v1_1_on_boundary_by_w_by_k1 = carried_v1_1_by_w_by_k1 + t338*t371 - t338*t372 + t370*tau_by_w + t76*tau_by_w_by_k1;
+    const double v1_1_on_boundary_by_y_by_k1 = carried_v1_1_by_y_by_k1 + delay_tau_by_y*t370 + delay_tau_by_y_by_k1*t76 + t334*t371 - t334*t372;
+    const double v1_1_on_boundary_by_u_by_k1 = carried_v1_1_by_u_by_k1 + delay_tau_by_u*t370 + delay_tau_by_u_by_k1*t76 + t337*t371 - t337*t372;
+    const double v1_1_on_boundary_by_w_by_k1 = carried_v1_1_by_w_by_k1 + delay_tau_by_w*t370 + delay_tau_by_w_by_k1*t76 + t338*t371 - t338*t372;
     const double t373 = t78 - t80;
     const double t374 = k1*x1_1_by_k1;
     const double t375 = t79*x2_1_by_k1;
-    const double v2_1_on_boundary_by_y_by_k1 = carried_v2_1_by_y_by_k1 + t339*t374 - t339*t375 + t373*tau_by_y + t81*tau_by_y_by_k1;
-    const double v2_1_on_boundary_by_u_by_k1 = carried_v2_1_by_u_by_k1 + t342*t374 - t342*t375 + t373*tau_by_u + t81*tau_by_u_by_k1;
-    const double v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + t343*t374 - t343*t375 + t373*tau_by_w + t81*tau_by_w_by_k1;
+    const double v2_1_on_boundary_by_y_by_k1 = carried_v2_1_by_y_by_k1 + delay_tau_by_y*t373 + delay_tau_by_y_by_k1*t81 + t339*t374 - t339*t375;
+    const double v2_1_on_boundary_by_u_by_k1 = carried_v2_1_by_u_by_k1 + delay_tau_by_u*t373 + delay_tau_by_u_by_k1*t81 + t342*t374 - t342*t375;
+    const double v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_tau_by_w*t373 + delay_tau_by_w_by_k1*t81 + t343*t374 - t343*t375;
     /* d/dk2 of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_k2 = carried_x1_1_by_y_by_k2 + tau_by_y*v1_1_by_k2 + tau_by_y_by_k2*v1_1;
-    const double x1_1_on_boundary_by_u_by_k2 = carried_x1_1_by_u_by_k2 + tau_by_u*v1_1_by_k2 + tau_by_u_by_k2*v1_1;
-    const double x1_1_on_boundary_by_w_by_k2 = carried_x1_1_by_w_by_k2 + tau_by_w*v1_1_by_k2 + tau_by_w_by_k2*v1_1;
-    const double x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + tau_by_y*v2_1_by_k2 + tau_by_y_by_k2*v2_1;
-    const double x2_1_on_boundary_by_u_by_k2 = carried_x2_1_by_u_by_k2 + tau_by_u*v2_1_by_k2 + tau_by_u_by_k2*v2_1;
-    const double x2_1_on_boundary_by_w_by_k2 = carried_x2_1_by_w_by_k2 + tau_by_w*v2_1_by_k2 + tau_by_w_by_k2*v2_1;
+    const double x1_1_on_boundary_by_y_by_k2 = carried_x1_1_by_y_by_k2 + delay_tau_by_y*v1_1_by_k2 + delay_tau_by_y_by_k2*v1_1;
+    const double x1_1_on_boundary_by_u_by_k2 = carried_x1_1_by_u_by_k2 + delay_tau_by_u*v1_1_by_k2 + delay_tau_by_u_by_k2*v1_1;
+    const double x1_1_on_boundary_by_w_by_k2 = carried_x1_1_by_w_by_k2 + delay_tau_by_w*v1_1_by_k2 + delay_tau_by_w_by_k2*v1_1;
+    const double x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_tau_by_y*v2_1_by_k2 + delay_tau_by_y_by_k2*v2_1;
+    const double x2_1_on_boundary_by_u_by_k2 = carried_x2_1_by_u_by_k2 + delay_tau_by_u*v2_1_by_k2 + delay_tau_by_u_by_k2*v2_1;
+    const double x2_1_on_boundary_by_w_by_k2 = carried_x2_1_by_w_by_k2 + delay_tau_by_w*v2_1_by_k2 + delay_tau_by_w_by_k2*v2_1;
     const double t376 = k1*x2_1_by_k2;
     const double t377 = t74*x1_1_by_k2;
-    const double v1_1_on_boundary_by_y_by_k2 = carried_v1_1_by_y_by_k2 + t334*t376 - t334*t377 + t76*tau_by_y_by_k2;
-    const double v1_1_on_boundary_by_u_by_k2 = carried_v1_1_by_u_by_k2 + t337*t376 - t337*t377 + t76*tau_by_u_by_k2;
-    const double v1_1_on_boundary_by_w_by_k2 = carried_v1_1_by_w_by_k2 + t338*t376 - t338*t377 + t76*tau_by_w_by_k2;
+    const double v1_1_on_boundary_by_y_by_k2 = carried_v1_1_by_y_by_k2 + delay_tau_by_y_by_k2*t76 + t334*t376 - t334*t377;
+    const double v1_1_on_boundary_by_u_by_k2 = carried_v1_1_by_u_by_k2 + delay_tau_by_u_by_k2*t76 + t337*t376 - t337*t377;
+    const double v1_1_on_boundary_by_w_by_k2 = carried_v1_1_by_w_by_k2 + delay_tau_by_w_by_k2*t76 + t338*t376 - t338*t377;
     const double t378 = k1*x1_1_by_k2;
     const double t379 = t79*x2_1_by_k2;
-    const double v2_1_on_boundary_by_y_by_k2 = carried_v2_1_by_y_by_k2 + t339*t378 - t339*t379 - t80*tau_by_y + t81*tau_by_y_by_k2;
-    const double v2_1_on_boundary_by_u_by_k2 = carried_v2_1_by_u_by_k2 + t342*t378 - t342*t379 - t80*tau_by_u + t81*tau_by_u_by_k2;
-    const double v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 + t343*t378 - t343*t379 - t80*tau_by_w + t81*tau_by_w_by_k2;
+    const double v2_1_on_boundary_by_y_by_k2 = carried_v2_1_by_y_by_k2 - delay_tau_by_y*t80 + delay_tau_by_y_by_k2*t81 + t339*t378 - t339*t379;
+    const double v2_1_on_boundary_by_u_by_k2 = carried_v2_1_by_u_by_k2 - delay_tau_by_u*t80 + delay_tau_by_u_by_k2*t81 + t342*t378 - t342*t379;
+    const double v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_tau_by_w*t80 + delay_tau_by_w_by_k2*t81 + t343*t378 - t343*t379;
     /* d/dk3 of: perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y_by_k3 = carried_x1_1_by_y_by_k3 + tau_by_y*v1_1_by_k3 + tau_by_y_by_k3*v1_1;
-    const double x1_1_on_boundary_by_u_by_k3 = carried_x1_1_by_u_by_k3 + tau_by_u*v1_1_by_k3 + tau_by_u_by_k3*v1_1;
-    const double x1_1_on_boundary_by_w_by_k3 = carried_x1_1_by_w_by_k3 + tau_by_w*v1_1_by_k3 + tau_by_w_by_k3*v1_1;
-    const double x2_1_on_boundary_by_y_by_k3 = carried_x2_1_by_y_by_k3 + tau_by_y*v2_1_by_k3 + tau_by_y_by_k3*v2_1;
-    const double x2_1_on_boundary_by_u_by_k3 = carried_x2_1_by_u_by_k3 + tau_by_u*v2_1_by_k3 + tau_by_u_by_k3*v2_1;
-    const double x2_1_on_boundary_by_w_by_k3 = carried_x2_1_by_w_by_k3 + tau_by_w*v2_1_by_k3 + tau_by_w_by_k3*v2_1;
+    const double x1_1_on_boundary_by_y_by_k3 = carried_x1_1_by_y_by_k3 + delay_tau_by_y*v1_1_by_k3 + delay_tau_by_y_by_k3*v1_1;
+    const double x1_1_on_boundary_by_u_by_k3 = carried_x1_1_by_u_by_k3 + delay_tau_by_u*v1_1_by_k3 + delay_tau_by_u_by_k3*v1_1;
+    const double x1_1_on_boundary_by_w_by_k3 = carried_x1_1_by_w_by_k3 + delay_tau_by_w*v1_1_by_k3 + delay_tau_by_w_by_k3*v1_1;
+    const double x2_1_on_boundary_by_y_by_k3 = carried_x2_1_by_y_by_k3 + delay_tau_by_y*v2_1_by_k3 + delay_tau_by_y_by_k3*v2_1;
+    const double x2_1_on_boundary_by_u_by_k3 = carried_x2_1_by_u_by_k3 + delay_tau_by_u*v2_1_by_k3 + delay_tau_by_u_by_k3*v2_1;
+    const double x2_1_on_boundary_by_w_by_k3 = carried_x2_1_by_w_by_k3 + delay_tau_by_w*v2_1_by_k3 + delay_tau_by_w_by_k3*v2_1;
     const double t380 = t73 - t75;
     const double t381 = k1*x2_1_by_k3;
     const double t382 = t74*x1_1_by_k3;
-    const double v1_1_on_boundary_by_y_by_k3 = carried_v1_1_by_y_by_k3 + t334*t381 - t334*t382 + t380*tau_by_y + t76*tau_by_y_by_k3;
-    const double v1_1_on_boundary_by_u_by_k3 = carried_v1_1_by_u_by_k3 + t337*t381 - t337*t382 + t380*tau_by_u + t76*tau_by_u_by_k3;
-    const double v1_1_on_boundary_by_w_by_k3 = carried_v1_1_by_w_by_k3 + t338*t381 - t338*t382 + t380*tau_by_w + t76*tau_by_w_by_k3;
+    const double v1_1_on_boundary_by_y_by_k3 = carried_v1_1_by_y_by_k3 + delay_tau_by_y*t380 + delay_tau_by_y_by_k3*t76 + t334*t381 - t334*t382;
+    const double v1_1_on_boundary_by_u_by_k3 = carried_v1_1_by_u_by_k3 + delay_tau_by_u*t380 + delay_tau_by_u_by_k3*t76 + t337*t381 - t337*t382;
+    const double v1_1_on_boundary_by_w_by_k3 = carried_v1_1_by_w_by_k3 + delay_tau_by_w*t380 + delay_tau_by_w_by_k3*t76 + t338*t381 - t338*t382;
     const double t383 = k1*x1_1_by_k3;
     const double t384 = t79*x2_1_by_k3;
-    const double v2_1_on_boundary_by_y_by_k3 = carried_v2_1_by_y_by_k3 + t339*t383 - t339*t384 + t81*tau_by_y_by_k3;
-    const double v2_1_on_boundary_by_u_by_k3 = carried_v2_1_by_u_by_k3 + t342*t383 - t342*t384 + t81*tau_by_u_by_k3;
-    const double v2_1_on_boundary_by_w_by_k3 = carried_v2_1_by_w_by_k3 + t343*t383 - t343*t384 + t81*tau_by_w_by_k3;
+    const double v2_1_on_boundary_by_y_by_k3 = carried_v2_1_by_y_by_k3 + delay_tau_by_y_by_k3*t81 + t339*t383 - t339*t384;
+    const double v2_1_on_boundary_by_u_by_k3 = carried_v2_1_by_u_by_k3 + delay_tau_by_u_by_k3*t81 + t342*t383 - t342*t384;
+    const double v2_1_on_boundary_by_w_by_k3 = carried_v2_1_by_w_by_k3 + delay_tau_by_w_by_k3*t81 + t343*t383 - t343*t384;
     /* d/dy of: Phi along tau1 */
+    const double carried_x1_2_by_y_by_y = t58*v1_1_on_boundary_by_y_by_y + t59*v2_1_on_boundary_by_y_by_y + t60*x1_1_on_boundary_by_y_by_y + t61*x2_1_on_boundary_by_y_by_y;
+    const double carried_x1_2_by_u_by_y = t58*v1_1_on_boundary_by_u_by_y + t59*v2_1_on_boundary_by_u_by_y + t60*x1_1_on_boundary_by_u_by_y + t61*x2_1_on_boundary_by_u_by_y;
+    const double carried_x1_2_by_w_by_y = t58*v1_1_on_boundary_by_w_by_y + t59*v2_1_on_boundary_by_w_by_y + t60*x1_1_on_boundary_by_w_by_y + t61*x2_1_on_boundary_by_w_by_y;
+    const double carried_x2_2_by_y_by_y = t62*v1_1_on_boundary_by_y_by_y + t63*v2_1_on_boundary_by_y_by_y + t64*x1_1_on_boundary_by_y_by_y + t65*x2_1_on_boundary_by_y_by_y;
+    const double carried_v1_2_by_u_by_y = t60*v1_1_on_boundary_by_u_by_y + t61*v2_1_on_boundary_by_u_by_y + t68*x1_1_on_boundary_by_u_by_y + t69*x2_1_on_boundary_by_u_by_y;
+    const double carried_v2_2_by_w_by_y = t64*v1_1_on_boundary_by_w_by_y + t65*v2_1_on_boundary_by_w_by_y + t70*x1_1_on_boundary_by_w_by_y + t71*x2_1_on_boundary_by_w_by_y;
+    /* d/du of: Phi along tau1 */
+    const double carried_x1_2_by_y_by_u = t58*v1_1_on_boundary_by_y_by_u + t59*v2_1_on_boundary_by_y_by_u + t60*x1_1_on_boundary_by_y_by_u + t61*x2_1_on_boundary_by_y_by_u;
+    const double carried_x1_2_by_u_by_u = t58*v1_1_on_boundary_by_u_by_u + t59*v2_1_on_boundary_by_u_by_u + t60*x1_1_on_boundary_by_u_by_u + t61*x2_1_on_boundary_by_u_by_u;
+    const double carried_x1_2_by_w_by_u = t58*v1_1_on_boundary_by_w_by_u + t59*v2_1_on_boundary_by_w_by_u + t60*x1_1_on_boundary_by_w_by_u + t61*x2_1_on_boundary_by_w_by_u;
+    const double carried_x2_2_by_y_by_u = t62*v1_1_on_boundary_by_y_by_u + t63*v2_1_on_boundary_by_y_by_u + t64*x1_1_on_boundary_by_y_by_u + t65*x2_1_on_boundary_by_y_by_u;
+    const double carried_v1_2_by_u_by_u = t60*v1_1_on_boundary_by_u_by_u + t61*v2_1_on_boundary_by_u_by_u + t68*x1_1_on_boundary_by_u_by_u + t69*x2_1_on_boundary_by_u_by_u;
+    const double carried_v2_2_by_w_by_u = t64*v1_1_on_boundary_by_w_by_u + t65*v2_1_on_boundary_by_w_by_u + t70*x1_1_on_boundary_by_w_by_u + t71*x2_1_on_boundary_by_w_by_u;
+    /* d/dw of: Phi along tau1 */
+    const double carried_x1_2_by_y_by_w = t58*v1_1_on_boundary_by_y_by_w + t59*v2_1_on_boundary_by_y_by_w + t60*x1_1_on_boundary_by_y_by_w + t61*x2_1_on_boundary_by_y_by_w;
+    const double carried_x1_2_by_u_by_w = t58*v1_1_on_boundary_by_u_by_w + t59*v2_1_on_boundary_by_u_by_w + t60*x1_1_on_boundary_by_u_by_w + t61*x2_1_on_boundary_by_u_by_w;
+    const double carried_x1_2_by_w_by_w = t58*v1_1_on_boundary_by_w_by_w + t59*v2_1_on_boundary_by_w_by_w + t60*x1_1_on_boundary_by_w_by_w + t61*x2_1_on_boundary_by_w_by_w;
+    const double carried_x2_2_by_y_by_w = t62*v1_1_on_boundary_by_y_by_w + t63*v2_1_on_boundary_by_y_by_w + t64*x1_1_on_boundary_by_y_by_w + t65*x2_1_on_boundary_by_y_by_w;
+    const double carried_v1_2_by_u_by_w = t60*v1_1_on_boundary_by_u_by_w + t61*v2_1_on_boundary_by_u_by_w + t68*x1_1_on_boundary_by_u_by_w + t69*x2_1_on_boundary_by_u_by_w;
+    const double carried_v2_2_by_w_by_w = t64*v1_1_on_boundary_by_w_by_w + t65*v2_1_on_boundary_by_w_by_w + t70*x1_1_on_boundary_by_w_by_w + t71*x2_1_on_boundary_by_w_by_w;
+    /* d/dtau of: Phi along tau1 */
     const double t385 = p5*x2_1_on_boundary_by_y;
     const double t386 = p4*x1_1_on_boundary_by_y + t385;
     const double t387 = -t385 + t55*x1_1_on_boundary_by_y;
@@ -2501,7 +2505,7 @@ void elastic_stop_one_contact_trace_gradient(
     const double t389 = p5*v2_1_on_boundary_by_y;
     const double t390 = t388*v1_1_on_boundary_by_y + t389*t53;
     const double t391 = -t389*t56 + t55*t56*v1_1_on_boundary_by_y;
-    const double carried_x1_2_by_y_by_y = cos_omega3_tau1_by_y*t386 + cos_omega4_tau1_by_y*t387 + sin_omega3_tau1_by_y*t390 + sin_omega4_tau1_by_y*t391 + t58*v1_1_on_boundary_by_y_by_y + t59*v2_1_on_boundary_by_y_by_y + t60*x1_1_on_boundary_by_y_by_y + t61*x2_1_on_boundary_by_y_by_y;
+    const double carried_x1_2_by_y_by_tau = cos_omega3_tau1_by_tau*t386 + cos_omega4_tau1_by_tau*t387 + sin_omega3_tau1_by_tau*t390 + sin_omega4_tau1_by_tau*t391 + t58*v1_1_on_boundary_by_y_by_tau + t59*v2_1_on_boundary_by_y_by_tau + t60*x1_1_on_boundary_by_y_by_tau + t61*x2_1_on_boundary_by_y_by_tau;
     const double t392 = p4*x1_1_on_boundary_by_u;
     const double t393 = p5*x2_1_on_boundary_by_u;
     const double t394 = t392 + t393;
@@ -2510,14 +2514,14 @@ void elastic_stop_one_contact_trace_gradient(
     const double t397 = p5*v2_1_on_boundary_by_u;
     const double t398 = t396*t53 + t397*t53;
     const double t399 = -t397*t56 + t55*t56*v1_1_on_boundary_by_u;
-    const double carried_x1_2_by_u_by_y = cos_omega3_tau1_by_y*t394 + cos_omega4_tau1_by_y*t395 + sin_omega3_tau1_by_y*t398 + sin_omega4_tau1_by_y*t399 + t58*v1_1_on_boundary_by_u_by_y + t59*v2_1_on_boundary_by_u_by_y + t60*x1_1_on_boundary_by_u_by_y + t61*x2_1_on_boundary_by_u_by_y;
+    const double carried_x1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t394 + cos_omega4_tau1_by_tau*t395 + sin_omega3_tau1_by_tau*t398 + sin_omega4_tau1_by_tau*t399 + t58*v1_1_on_boundary_by_u_by_tau + t59*v2_1_on_boundary_by_u_by_tau + t60*x1_1_on_boundary_by_u_by_tau + t61*x2_1_on_boundary_by_u_by_tau;
     const double t400 = p5*x2_1_on_boundary_by_w;
     const double t401 = p4*x1_1_on_boundary_by_w + t400;
     const double t402 = -t400 + t55*x1_1_on_boundary_by_w;
     const double t403 = p5*v2_1_on_boundary_by_w;
     const double t404 = t388*v1_1_on_boundary_by_w + t403*t53;
     const double t405 = -t403*t56 + t55*t56*v1_1_on_boundary_by_w;
-    const double carried_x1_2_by_w_by_y = cos_omega3_tau1_by_y*t401 + cos_omega4_tau1_by_y*t402 + sin_omega3_tau1_by_y*t404 + sin_omega4_tau1_by_y*t405 + t58*v1_1_on_boundary_by_w_by_y + t59*v2_1_on_boundary_by_w_by_y + t60*x1_1_on_boundary_by_w_by_y + t61*x2_1_on_boundary_by_w_by_y;
+    const double carried_x1_2_by_w_by_tau = cos_omega3_tau1_by_tau*t401 + cos_omega4_tau1_by_tau*t402 + sin_omega3_tau1_by_tau*t404 + sin_omega4_tau1_by_tau*t405 + t58*v1_1_on_boundary_by_w_by_tau + t59*v2_1_on_boundary_by_w_by_tau + t60*x1_1_on_boundary_by_w_by_tau + t61*x2_1_on_boundary_by_w_by_tau;
     const double t406 = p6*x1_1_on_boundary_by_y;
     const double t407 = t406 + t55*x2_1_on_boundary_by_y;
     const double t408 = p4*x2_1_on_boundary_by_y - t406;
@@ -2526,13 +2530,13 @@ void elastic_stop_one_contact_trace_gradient(
     const double t411 = t409*t53 + t410*t53;
     const double t412 = p4*v2_1_on_boundary_by_y;
     const double t413 = -t409*t56 + t412*t56;
-    const double carried_x2_2_by_y_by_y = cos_omega3_tau1_by_y*t407 + cos_omega4_tau1_by_y*t408 + sin_omega3_tau1_by_y*t411 + sin_omega4_tau1_by_y*t413 + t62*v1_1_on_boundary_by_y_by_y + t63*v2_1_on_boundary_by_y_by_y + t64*x1_1_on_boundary_by_y_by_y + t65*x2_1_on_boundary_by_y_by_y;
+    const double carried_x2_2_by_y_by_tau = cos_omega3_tau1_by_tau*t407 + cos_omega4_tau1_by_tau*t408 + sin_omega3_tau1_by_tau*t411 + sin_omega4_tau1_by_tau*t413 + t62*v1_1_on_boundary_by_y_by_tau + t63*v2_1_on_boundary_by_y_by_tau + t64*x1_1_on_boundary_by_y_by_tau + t65*x2_1_on_boundary_by_y_by_tau;
     const double t414 = t396 + t397;
     const double t415 = -t397 + t55*v1_1_on_boundary_by_u;
     const double t416 = -omega3*t392 - omega3*t393;
     const double t417 = t55*x1_1_on_boundary_by_u;
     const double t418 = omega4*t393 - omega4*t417;
-    const double carried_v1_2_by_u_by_y = cos_omega3_tau1_by_y*t414 + cos_omega4_tau1_by_y*t415 + sin_omega3_tau1_by_y*t416 + sin_omega4_tau1_by_y*t418 + t60*v1_1_on_boundary_by_u_by_y + t61*v2_1_on_boundary_by_u_by_y + t68*x1_1_on_boundary_by_u_by_y + t69*x2_1_on_boundary_by_u_by_y;
+    const double carried_v1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t414 + cos_omega4_tau1_by_tau*t415 + sin_omega3_tau1_by_tau*t416 + sin_omega4_tau1_by_tau*t418 + t60*v1_1_on_boundary_by_u_by_tau + t61*v2_1_on_boundary_by_u_by_tau + t68*x1_1_on_boundary_by_u_by_tau + t69*x2_1_on_boundary_by_u_by_tau;
     const double t419 = p6*v1_1_on_boundary_by_w;
     const double t420 = t419 + t55*v2_1_on_boundary_by_w;
     const double t421 = p4*v2_1_on_boundary_by_w - t419;
@@ -2541,27 +2545,6 @@ void elastic_stop_one_contact_trace_gradient(
     const double t424 = -omega3*t422 - omega3*t423;
     const double t425 = p4*x2_1_on_boundary_by_w;
     const double t426 = omega4*p6*x1_1_on_boundary_by_w - omega4*t425;
-    const double carried_v2_2_by_w_by_y = cos_omega3_tau1_by_y*t420 + cos_omega4_tau1_by_y*t421 + sin_omega3_tau1_by_y*t424 + sin_omega4_tau1_by_y*t426 + t64*v1_1_on_boundary_by_w_by_y + t65*v2_1_on_boundary_by_w_by_y + t70*x1_1_on_boundary_by_w_by_y + t71*x2_1_on_boundary_by_w_by_y;
-    /* d/du of: Phi along tau1 */
-    const double carried_x1_2_by_y_by_u = cos_omega3_tau1_by_u*t386 + cos_omega4_tau1_by_u*t387 + sin_omega3_tau1_by_u*t390 + sin_omega4_tau1_by_u*t391 + t58*v1_1_on_boundary_by_y_by_u + t59*v2_1_on_boundary_by_y_by_u + t60*x1_1_on_boundary_by_y_by_u + t61*x2_1_on_boundary_by_y_by_u;
-    const double carried_x1_2_by_u_by_u = cos_omega3_tau1_by_u*t394 + cos_omega4_tau1_by_u*t395 + sin_omega3_tau1_by_u*t398 + sin_omega4_tau1_by_u*t399 + t58*v1_1_on_boundary_by_u_by_u + t59*v2_1_on_boundary_by_u_by_u + t60*x1_1_on_boundary_by_u_by_u + t61*x2_1_on_boundary_by_u_by_u;
-    const double carried_x1_2_by_w_by_u = cos_omega3_tau1_by_u*t401 + cos_omega4_tau1_by_u*t402 + sin_omega3_tau1_by_u*t404 + sin_omega4_tau1_by_u*t405 + t58*v1_1_on_boundary_by_w_by_u + t59*v2_1_on_boundary_by_w_by_u + t60*x1_1_on_boundary_by_w_by_u + t61*x2_1_on_boundary_by_w_by_u;
-    const double carried_x2_2_by_y_by_u = cos_omega3_tau1_by_u*t407 + cos_omega4_tau1_by_u*t408 + sin_omega3_tau1_by_u*t411 + sin_omega4_tau1_by_u*t413 + t62*v1_1_on_boundary_by_y_by_u + t63*v2_1_on_boundary_by_y_by_u + t64*x1_1_on_boundary_by_y_by_u + t65*x2_1_on_boundary_by_y_by_u;
-    const double carried_v1_2_by_u_by_u = cos_omega3_tau1_by_u*t414 + cos_omega4_tau1_by_u*t415 + sin_omega3_tau1_by_u*t416 + sin_omega4_tau1_by_u*t418 + t60*v1_1_on_boundary_by_u_by_u + t61*v2_1_on_boundary_by_u_by_u + t68*x1_1_on_boundary_by_u_by_u + t69*x2_1_on_boundary_by_u_by_u;
-    const double carried_v2_2_by_w_by_u = cos_omega3_tau1_by_u*t420 + cos_omega4_tau1_by_u*t421 + sin_omega3_tau1_by_u*t424 + sin_omega4_tau1_by_u*t426 + t64*v1_1_on_boundary_by_w_by_u + t65*v2_1_on_boundary_by_w_by_u + t70*x1_1_on_boundary_by_w_by_u + t71*x2_1_on_boundary_by_w_by_u;
-    /* d/dw of: Phi along tau1 */
-    const double carried_x1_2_by_y_by_w = cos_omega3_tau1_by_w*t386 + cos_omega4_tau1_by_w*t387 + sin_omega3_tau1_by_w*t390 + sin_omega4_tau1_by_w*t391 + t58*v1_1_on_boundary_by_y_by_w + t59*v2_1_on_boundary_by_y_by_w + t60*x1_1_on_boundary_by_y_by_w + t61*x2_1_on_boundary_by_y_by_w;
-    const double carried_x1_2_by_u_by_w = cos_omega3_tau1_by_w*t394 + cos_omega4_tau1_by_w*t395 + sin_omega3_tau1_by_w*t398 + sin_omega4_tau1_by_w*t399 + t58*v1_1_on_boundary_by_u_by_w + t59*v2_1_on_boundary_by_u_by_w + t60*x1_1_on_boundary_by_u_by_w + t61*x2_1_on_boundary_by_u_by_w;
-    const double carried_x1_2_by_w_by_w = cos_omega3_tau1_by_w*t401 + cos_omega4_tau1_by_w*t402 + sin_omega3_tau1_by_w*t404 + sin_omega4_tau1_by_w*t405 + t58*v1_1_on_boundary_by_w_by_w + t59*v2_1_on_boundary_by_w_by_w + t60*x1_1_on_boundary_by_w_by_w + t61*x2_1_on_boundary_by_w_by_w;
-    const double carried_x2_2_by_y_by_w = cos_omega3_tau1_by_w*t407 + cos_omega4_tau1_by_w*t408 + sin_omega3_tau1_by_w*t411 + sin_omega4_tau1_by_w*t413 + t62*v1_1_on_boundary_by_y_by_w + t63*v2_1_on_boundary_by_y_by_w + t64*x1_1_on_boundary_by_y_by_w + t65*x2_1_on_boundary_by_y_by_w;
-    const double carried_v1_2_by_u_by_w = cos_omega3_tau1_by_w*t414 + cos_omega4_tau1_by_w*t415 + sin_omega3_tau1_by_w*t416 + sin_omega4_tau1_by_w*t418 + t60*v1_1_on_boundary_by_u_by_w + t61*v2_1_on_boundary_by_u_by_w + t68*x1_1_on_boundary_by_u_by_w + t69*x2_1_on_boundary_by_u_by_w;
-    const double carried_v2_2_by_w_by_w = cos_omega3_tau1_by_w*t420 + cos_omega4_tau1_by_w*t421 + sin_omega3_tau1_by_w*t424 + sin_omega4_tau1_by_w*t426 + t64*v1_1_on_boundary_by_w_by_w + t65*v2_1_on_boundary_by_w_by_w + t70*x1_1_on_boundary_by_w_by_w + t71*x2_1_on_boundary_by_w_by_w;
-    /* d/dtau of: Phi along tau1 */
-    const double carried_x1_2_by_y_by_tau = cos_omega3_tau1_by_tau*t386 + cos_omega4_tau1_by_tau*t387 + sin_omega3_tau1_by_tau*t390 + sin_omega4_tau1_by_tau*t391 + t58*v1_1_on_boundary_by_y_by_tau + t59*v2_1_on_boundary_by_y_by_tau + t60*x1_1_on_boundary_by_y_by_tau + t61*x2_1_on_boundary_by_y_by_tau;
-    const double carried_x1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t394 + cos_omega4_tau1_by_tau*t395 + sin_omega3_tau1_by_tau*t398 + sin_omega4_tau1_by_tau*t399 + t58*v1_1_on_boundary_by_u_by_tau + t59*v2_1_on_boundary_by_u_by_tau + t60*x1_1_on_boundary_by_u_by_tau + t61*x2_1_on_boundary_by_u_by_tau;
-    const double carried_x1_2_by_w_by_tau = cos_omega3_tau1_by_tau*t401 + cos_omega4_tau1_by_tau*t402 + sin_omega3_tau1_by_tau*t404 + sin_omega4_tau1_by_tau*t405 + t58*v1_1_on_boundary_by_w_by_tau + t59*v2_1_on_boundary_by_w_by_tau + t60*x1_1_on_boundary_by_w_by_tau + t61*x2_1_on_boundary_by_w_by_tau;
-    const double carried_x2_2_by_y_by_tau = cos_omega3_tau1_by_tau*t407 + cos_omega4_tau1_by_tau*t408 + sin_omega3_tau1_by_tau*t411 + sin_omega4_tau1_by_tau*t413 + t62*v1_1_on_boundary_by_y_by_tau + t63*v2_1_on_boundary_by_y_by_tau + t64*x1_1_on_boundary_by_y_by_tau + t65*x2_1_on_boundary_by_y_by_tau;
-    const double carried_v1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t414 + cos_omega4_tau1_by_tau*t415 + sin_omega3_tau1_by_tau*t416 + sin_omega4_tau1_by_tau*t418 + t60*v1_1_on_boundary_by_u_by_tau + t61*v2_1_on_boundary_by_u_by_tau + t68*x1_1_on_boundary_by_u_by_tau + t69*x2_1_on_boundary_by_u_by_tau;
     const double carried_v2_2_by_w_by_tau = cos_omega3_tau1_by_tau*t420 + cos_omega4_tau1_by_tau*t421 + sin_omega3_tau1_by_tau*t424 + sin_omega4_tau1_by_tau*t426 + t64*v1_1_on_boundary_by_w_by_tau + t65*v2_1_on_boundary_by_w_by_tau + t70*x1_1_on_boundary_by_w_by_tau + t71*x2_1_on_boundary_by_w_by_tau;
     /* d/dm1 of: Phi along tau1 */
     const double t427 = p4*t226;
@@ -2630,106 +2613,106 @@ void elastic_stop_one_contact_trace_gradient(
     const double carried_x2_2_by_y_by_T = cos_omega3_tau1_by_T*t407 + cos_omega4_tau1_by_T*t408 + sin_omega3_tau1_by_T*t411 + sin_omega4_tau1_by_T*t413;
     const double carried_v1_2_by_u_by_T = cos_omega3_tau1_by_T*t414 + cos_omega4_tau1_by_T*t415 + sin_omega3_tau1_by_T*t416 + sin_omega4_tau1_by_T*t418;
     const double carried_v2_2_by_w_by_T = cos_omega3_tau1_by_T*t420 + cos_omega4_tau1_by_T*t421 + sin_omega3_tau1_by_T*t424 + sin_omega4_tau1_by_T*t426;
-    /* d/dy of: derivatives of tau1 on the boundary */
+    /* d/dy of: derivatives of the time to the boundary after tau1 */
     const double t452 = (1.0/(v1_2*v1_2));
     const double t453 = t452*v1_2_by_y;
-    const double tau1_by_y_by_y = carried_x1_2_by_y*t453 - carried_x1_2_by_y_by_y*t82;
-    const double tau1_by_u_by_y = carried_x1_2_by_u*t453 - carried_x1_2_by_u_by_y*t82;
-    const double tau1_by_w_by_y = carried_x1_2_by_w*t453 - carried_x1_2_by_w_by_y*t82;
-    /* d/du of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_y = carried_x1_2_by_y*t453 - carried_x1_2_by_y_by_y*t82;
+    const double delay_tau1_by_u_by_y = carried_x1_2_by_u*t453 - carried_x1_2_by_u_by_y*t82;
+    const double delay_tau1_by_w_by_y = carried_x1_2_by_w*t453 - carried_x1_2_by_w_by_y*t82;
+    /* d/du of: derivatives of the time to the boundary after tau1 */
     const double t454 = t452*v1_2_by_u;
-    const double tau1_by_y_by_u = carried_x1_2_by_y*t454 - carried_x1_2_by_y_by_u*t82;
-    const double tau1_by_u_by_u = carried_x1_2_by_u*t454 - carried_x1_2_by_u_by_u*t82;
-    const double tau1_by_w_by_u = carried_x1_2_by_w*t454 - carried_x1_2_by_w_by_u*t82;
-    /* d/dw of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_u = carried_x1_2_by_y*t454 - carried_x1_2_by_y_by_u*t82;
+    const double delay_tau1_by_u_by_u = carried_x1_2_by_u*t454 - carried_x1_2_by_u_by_u*t82;
+    const double delay_tau1_by_w_by_u = carried_x1_2_by_w*t454 - carried_x1_2_by_w_by_u*t82;
+    /* d/dw of: derivatives of the time to the boundary after tau1 */
     const double t455 = t452*v1_2_by_w;
-    const double tau1_by_y_by_w = carried_x1_2_by_y*t455 - carried_x1_2_by_y_by_w*t82;
-    const double tau1_by_u_by_w = carried_x1_2_by_u*t455 - carried_x1_2_by_u_by_w*t82;
-    const double tau1_by_w_by_w = carried_x1_2_by_w*t455 - carried_x1_2_by_w_by_w*t82;
-    /* d/dtau of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_w = carried_x1_2_by_y*t455 - carried_x1_2_by_y_by_w*t82;
+    const double delay_tau1_by_u_by_w = carried_x1_2_by_u*t455 - carried_x1_2_by_u_by_w*t82;
+    const double delay_tau1_by_w_by_w = carried_x1_2_by_w*t455 - carried_x1_2_by_w_by_w*t82;
+    /* d/dtau of: derivatives of the time to the boundary after tau1 */
     const double t456 = t452*v1_2_by_tau;
-    const double tau1_by_y_by_tau = carried_x1_2_by_y*t456 - carried_x1_2_by_y_by_tau*t82;
-    const double tau1_by_u_by_tau = carried_x1_2_by_u*t456 - carried_x1_2_by_u_by_tau*t82;
-    const double tau1_by_w_by_tau = carried_x1_2_by_w*t456 - carried_x1_2_by_w_by_tau*t82;
-    /* d/dm1 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_tau = carried_x1_2_by_y*t456 - carried_x1_2_by_y_by_tau*t82;
+    const double delay_tau1_by_u_by_tau = carried_x1_2_by_u*t456 - carried_x1_2_by_u_by_tau*t82;
+    const double delay_tau1_by_w_by_tau = carried_x1_2_by_w*t456 - carried_x1_2_by_w_by_tau*t82;
+    /* d/dm1 of: derivatives of the time to the boundary after tau1 */
     const double t457 = t452*v1_2_by_m1;
-    const double tau1_by_y_by_m1 = carried_x1_2_by_y*t457 - carried_x1_2_by_y_by_m1*t82;
-    const double tau1_by_u_by_m1 = carried_x1_2_by_u*t457 - carried_x1_2_by_u_by_m1*t82;
-    const double tau1_by_w_by_m1 = carried_x1_2_by_w*t457 - carried_x1_2_by_w_by_m1*t82;
-    /* d/dm2 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_m1 = carried_x1_2_by_y*t457 - carried_x1_2_by_y_by_m1*t82;
+    const double delay_tau1_by_u_by_m1 = carried_x1_2_by_u*t457 - carried_x1_2_by_u_by_m1*t82;
+    const double delay_tau1_by_w_by_m1 = carried_x1_2_by_w*t457 - carried_x1_2_by_w_by_m1*t82;
+    /* d/dm2 of: derivatives of the time to the boundary after tau1 */
     const double t458 = t452*v1_2_by_m2;
-    const double tau1_by_y_by_m2 = carried_x1_2_by_y*t458 - carried_x1_2_by_y_by_m2*t82;
-    const double tau1_by_u_by_m2 = carried_x1_2_by_u*t458 - carried_x1_2_by_u_by_m2*t82;
-    const double tau1_by_w_by_m2 = carried_x1_2_by_w*t458 - carried_x1_2_by_w_by_m2*t82;
-    /* d/dk1 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_m2 = carried_x1_2_by_y*t458 - carried_x1_2_by_y_by_m2*t82;
+    const double delay_tau1_by_u_by_m2 = carried_x1_2_by_u*t458 - carried_x1_2_by_u_by_m2*t82;
+    const double delay_tau1_by_w_by_m2 = carried_x1_2_by_w*t458 - carried_x1_2_by_w_by_m2*t82;
+    /* d/dk1 of: derivatives of the time to the boundary after tau1 */
     const double t459 = t452*v1_2_by_k1;
-    const double tau1_by_y_by_k1 = carried_x1_2_by_y*t459 - carried_x1_2_by_y_by_k1*t82;
-    const double tau1_by_u_by_k1 = carried_x1_2_by_u*t459 - carried_x1_2_by_u_by_k1*t82;
-    const double tau1_by_w_by_k1 = carried_x1_2_by_w*t459 - carried_x1_2_by_w_by_k1*t82;
-    /* d/dk2 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_k1 = carried_x1_2_by_y*t459 - carried_x1_2_by_y_by_k1*t82;
+    const double delay_tau1_by_u_by_k1 = carried_x1_2_by_u*t459 - carried_x1_2_by_u_by_k1*t82;
+    const double delay_tau1_by_w_by_k1 = carried_x1_2_by_w*t459 - carried_x1_2_by_w_by_k1*t82;
+    /* d/dk2 of: derivatives of the time to the boundary after tau1 */
     const double t460 = t452*v1_2_by_k2;
-    const double tau1_by_y_by_k2 = carried_x1_2_by_y*t460 - carried_x1_2_by_y_by_k2*t82;
-    const double tau1_by_u_by_k2 = carried_x1_2_by_u*t460 - carried_x1_2_by_u_by_k2*t82;
-    const double tau1_by_w_by_k2 = carried_x1_2_by_w*t460 - carried_x1_2_by_w_by_k2*t82;
-    /* d/dk3 of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_k2 = carried_x1_2_by_y*t460 - carried_x1_2_by_y_by_k2*t82;
+    const double delay_tau1_by_u_by_k2 = carried_x1_2_by_u*t460 - carried_x1_2_by_u_by_k2*t82;
+    const double delay_tau1_by_w_by_k2 = carried_x1_2_by_w*t460 - carried_x1_2_by_w_by_k2*t82;
+    /* d/dk3 of: derivatives of the time to the boundary after tau1 */
     const double t461 = t452*v1_2_by_k3;
-    const double tau1_by_y_by_k3 = carried_x1_2_by_y*t461 - carried_x1_2_by_y_by_k3*t82;
-    const double tau1_by_u_by_k3 = carried_x1_2_by_u*t461 - carried_x1_2_by_u_by_k3*t82;
-    const double tau1_by_w_by_k3 = carried_x1_2_by_w*t461 - carried_x1_2_by_w_by_k3*t82;
-    /* d/dT of: derivatives of tau1 on the boundary */
+    const double delay_tau1_by_y_by_k3 = carried_x1_2_by_y*t461 - carried_x1_2_by_y_by_k3*t82;
+    const double delay_tau1_by_u_by_k3 = carried_x1_2_by_u*t461 - carried_x1_2_by_u_by_k3*t82;
+    const double delay_tau1_by_w_by_k3 = carried_x1_2_by_w*t461 - carried_x1_2_by_w_by_k3*t82;
+    /* d/dT of: derivatives of the time to the boundary after tau1 */
     const double t462 = t452*v1_2_by_T;
-    const double tau1_by_y_by_T = carried_x1_2_by_y*t462 - carried_x1_2_by_y_by_T*t82;
-    const double tau1_by_u_by_T = carried_x1_2_by_u*t462 - carried_x1_2_by_u_by_T*t82;
-    const double tau1_by_w_by_T = carried_x1_2_by_w*t462 - carried_x1_2_by_w_by_T*t82;
+    const double delay_tau1_by_y_by_T = carried_x1_2_by_y*t462 - carried_x1_2_by_y_by_T*t82;
+    const double delay_tau1_by_u_by_T = carried_x1_2_by_u*t462 - carried_x1_2_by_u_by_T*t82;
+    const double delay_tau1_by_w_by_T = carried_x1_2_by_w*t462 - carried_x1_2_by_w_by_T*t82;
     /* d/dy of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_y = carried_x2_2_by_y_by_y + tau1_by_y*v2_2_by_y + tau1_by_y_by_y*v2_2;
+    const double x2_2_on_boundary_by_y_by_y = carried_x2_2_by_y_by_y + delay_tau1_by_y*v2_2_by_y + delay_tau1_by_y_by_y*v2_2;
     const double t463 = t73*x1_2;
     const double t464 = -k1*t463 + k1*t73*x2_2;
-    const double t465 = k1*t73*tau1_by_u;
-    const double v1_2_on_boundary_by_u_by_y = carried_v1_2_by_u_by_y + t464*tau1_by_u_by_y - t465*x1_2_by_y + t465*x2_2_by_y;
+    const double t465 = delay_tau1_by_u*k1*t73;
+    const double v1_2_on_boundary_by_u_by_y = carried_v1_2_by_u_by_y + delay_tau1_by_u_by_y*t464 - t465*x1_2_by_y + t465*x2_2_by_y;
     const double t466 = t77*x1_2;
     const double t467 = t77*x2_2;
     const double t468 = k1*t466 - t467*t79;
-    const double t469 = t77*tau1_by_w;
+    const double t469 = delay_tau1_by_w*t77;
     const double t470 = k1*t469;
     const double t471 = t469*t79;
-    const double v2_2_on_boundary_by_w_by_y = carried_v2_2_by_w_by_y + t468*tau1_by_w_by_y + t470*x1_2_by_y - t471*x2_2_by_y;
+    const double v2_2_on_boundary_by_w_by_y = carried_v2_2_by_w_by_y + delay_tau1_by_w_by_y*t468 + t470*x1_2_by_y - t471*x2_2_by_y;
     /* d/du of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_u = carried_x2_2_by_y_by_u + tau1_by_y*v2_2_by_u + tau1_by_y_by_u*v2_2;
-    const double v1_2_on_boundary_by_u_by_u = carried_v1_2_by_u_by_u + t464*tau1_by_u_by_u - t465*x1_2_by_u + t465*x2_2_by_u;
-    const double v2_2_on_boundary_by_w_by_u = carried_v2_2_by_w_by_u + t468*tau1_by_w_by_u + t470*x1_2_by_u - t471*x2_2_by_u;
+    const double x2_2_on_boundary_by_y_by_u = carried_x2_2_by_y_by_u + delay_tau1_by_y*v2_2_by_u + delay_tau1_by_y_by_u*v2_2;
+    const double v1_2_on_boundary_by_u_by_u = carried_v1_2_by_u_by_u + delay_tau1_by_u_by_u*t464 - t465*x1_2_by_u + t465*x2_2_by_u;
+    const double v2_2_on_boundary_by_w_by_u = carried_v2_2_by_w_by_u + delay_tau1_by_w_by_u*t468 + t470*x1_2_by_u - t471*x2_2_by_u;
     /* d/dw of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_w = carried_x2_2_by_y_by_w + tau1_by_y*v2_2_by_w + tau1_by_y_by_w*v2_2;
-    const double v1_2_on_boundary_by_u_by_w = carried_v1_2_by_u_by_w + t464*tau1_by_u_by_w - t465*x1_2_by_w + t465*x2_2_by_w;
-    const double v2_2_on_boundary_by_w_by_w = carried_v2_2_by_w_by_w + t468*tau1_by_w_by_w + t470*x1_2_by_w - t471*x2_2_by_w;
+    const double x2_2_on_boundary_by_y_by_w = carried_x2_2_by_y_by_w + delay_tau1_by_y*v2_2_by_w + delay_tau1_by_y_by_w*v2_2;
+    const double v1_2_on_boundary_by_u_by_w = carried_v1_2_by_u_by_w + delay_tau1_by_u_by_w*t464 - t465*x1_2_by_w + t465*x2_2_by_w;
+    const double v2_2_on_boundary_by_w_by_w = carried_v2_2_by_w_by_w + delay_tau1_by_w_by_w*t468 + t470*x1_2_by_w - t471*x2_2_by_w;
     /* d/dtau of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_tau = carried_x2_2_by_y_by_tau + tau1_by_y*v2_2_by_tau + tau1_by_y_by_tau*v2_2;
-    const double v1_2_on_boundary_by_u_by_tau = carried_v1_2_by_u_by_tau + t464*tau1_by_u_by_tau - t465*x1_2_by_tau + t465*x2_2_by_tau;
-    const double v2_2_on_boundary_by_w_by_tau = carried_v2_2_by_w_by_tau + t468*tau1_by_w_by_tau + t470*x1_2_by_tau - t471*x2_2_by_tau;
+    const double x2_2_on_boundary_by_y_by_tau = carried_x2_2_by_y_by_tau + delay_tau1_by_y*v2_2_by_tau + delay_tau1_by_y_by_tau*v2_2;
+    const double v1_2_on_boundary_by_u_by_tau = carried_v1_2_by_u_by_tau + delay_tau1_by_u_by_tau*t464 - t465*x1_2_by_tau + t465*x2_2_by_tau;
+    const double v2_2_on_boundary_by_w_by_tau = carried_v2_2_by_w_by_tau + delay_tau1_by_w_by_tau*t468 + t470*x1_2_by_tau - t471*x2_2_by_tau;
     /* d/dm1 of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_m1 = carried_x2_2_by_y_by_m1 + tau1_by_y*v2_2_by_m1 + tau1_by_y_by_m1*v2_2;
-    const double v1_2_on_boundary_by_u_by_m1 = carried_v1_2_by_u_by_m1 + t464*tau1_by_u_by_m1 - t465*x1_2_by_m1 + t465*x2_2_by_m1 + tau1_by_u*(t357*x1_2 - t357*x2_2);
-    const double v2_2_on_boundary_by_w_by_m1 = carried_v2_2_by_w_by_m1 + t468*tau1_by_w_by_m1 + t470*x1_2_by_m1 - t471*x2_2_by_m1;
+    const double x2_2_on_boundary_by_y_by_m1 = carried_x2_2_by_y_by_m1 + delay_tau1_by_y*v2_2_by_m1 + delay_tau1_by_y_by_m1*v2_2;
+    const double v1_2_on_boundary_by_u_by_m1 = carried_v1_2_by_u_by_m1 + delay_tau1_by_u*(t357*x1_2 - t357*x2_2) + delay_tau1_by_u_by_m1*t464 - t465*x1_2_by_m1 + t465*x2_2_by_m1;
+    const double v2_2_on_boundary_by_w_by_m1 = carried_v2_2_by_w_by_m1 + delay_tau1_by_w_by_m1*t468 + t470*x1_2_by_m1 - t471*x2_2_by_m1;
     /* d/dm2 of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_m2 = carried_x2_2_by_y_by_m2 + tau1_by_y*v2_2_by_m2 + tau1_by_y_by_m2*v2_2;
-    const double v1_2_on_boundary_by_u_by_m2 = carried_v1_2_by_u_by_m2 + t464*tau1_by_u_by_m2 - t465*x1_2_by_m2 + t465*x2_2_by_m2;
-    const double v2_2_on_boundary_by_w_by_m2 = carried_v2_2_by_w_by_m2 + t468*tau1_by_w_by_m2 + t470*x1_2_by_m2 - t471*x2_2_by_m2 + tau1_by_w*(t365*t79*x2_2 - t366*x1_2);
+    const double x2_2_on_boundary_by_y_by_m2 = carried_x2_2_by_y_by_m2 + delay_tau1_by_y*v2_2_by_m2 + delay_tau1_by_y_by_m2*v2_2;
+    const double v1_2_on_boundary_by_u_by_m2 = carried_v1_2_by_u_by_m2 + delay_tau1_by_u_by_m2*t464 - t465*x1_2_by_m2 + t465*x2_2_by_m2;
+    const double v2_2_on_boundary_by_w_by_m2 = carried_v2_2_by_w_by_m2 + delay_tau1_by_w*(t365*t79*x2_2 - t366*x1_2) + delay_tau1_by_w_by_m2*t468 + t470*x1_2_by_m2 - t471*x2_2_by_m2;
     /* d/dk1 of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_k1 = carried_x2_2_by_y_by_k1 + tau1_by_y*v2_2_by_k1 + tau1_by_y_by_k1*v2_2;
-    const double v1_2_on_boundary_by_u_by_k1 = carried_v1_2_by_u_by_k1 + t464*tau1_by_u_by_k1 - t465*x1_2_by_k1 + t465*x2_2_by_k1 + tau1_by_u*(-t463 + t73*x2_2);
-    const double v2_2_on_boundary_by_w_by_k1 = carried_v2_2_by_w_by_k1 + t468*tau1_by_w_by_k1 + t470*x1_2_by_k1 - t471*x2_2_by_k1 + tau1_by_w*(t466 - t467);
+    const double x2_2_on_boundary_by_y_by_k1 = carried_x2_2_by_y_by_k1 + delay_tau1_by_y*v2_2_by_k1 + delay_tau1_by_y_by_k1*v2_2;
+    const double v1_2_on_boundary_by_u_by_k1 = carried_v1_2_by_u_by_k1 + delay_tau1_by_u*(-t463 + t73*x2_2) + delay_tau1_by_u_by_k1*t464 - t465*x1_2_by_k1 + t465*x2_2_by_k1;
+    const double v2_2_on_boundary_by_w_by_k1 = carried_v2_2_by_w_by_k1 + delay_tau1_by_w*(t466 - t467) + delay_tau1_by_w_by_k1*t468 + t470*x1_2_by_k1 - t471*x2_2_by_k1;
     /* d/dk2 of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_k2 = carried_x2_2_by_y_by_k2 + tau1_by_y*v2_2_by_k2 + tau1_by_y_by_k2*v2_2;
-    const double v1_2_on_boundary_by_u_by_k2 = carried_v1_2_by_u_by_k2 + t464*tau1_by_u_by_k2 - t465*x1_2_by_k2 + t465*x2_2_by_k2;
-    const double v2_2_on_boundary_by_w_by_k2 = carried_v2_2_by_w_by_k2 - t467*tau1_by_w + t468*tau1_by_w_by_k2 + t470*x1_2_by_k2 - t471*x2_2_by_k2;
+    const double x2_2_on_boundary_by_y_by_k2 = carried_x2_2_by_y_by_k2 + delay_tau1_by_y*v2_2_by_k2 + delay_tau1_by_y_by_k2*v2_2;
+    const double v1_2_on_boundary_by_u_by_k2 = carried_v1_2_by_u_by_k2 + delay_tau1_by_u_by_k2*t464 - t465*x1_2_by_k2 + t465*x2_2_by_k2;
+    const double v2_2_on_boundary_by_w_by_k2 = carried_v2_2_by_w_by_k2 - delay_tau1_by_w*t467 + delay_tau1_by_w_by_k2*t468 + t470*x1_2_by_k2 - t471*x2_2_by_k2;
     /* d/dk3 of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_k3 = carried_x2_2_by_y_by_k3 + tau1_by_y*v2_2_by_k3 + tau1_by_y_by_k3*v2_2;
-    const double v1_2_on_boundary_by_u_by_k3 = carried_v1_2_by_u_by_k3 + t464*tau1_by_u_by_k3 - t465*x1_2_by_k3 + t465*x2_2_by_k3;
-    const double v2_2_on_boundary_by_w_by_k3 = carried_v2_2_by_w_by_k3 + t468*tau1_by_w_by_k3 + t470*x1_2_by_k3 - t471*x2_2_by_k3;
+    const double x2_2_on_boundary_by_y_by_k3 = carried_x2_2_by_y_by_k3 + delay_tau1_by_y*v2_2_by_k3 + delay_tau1_by_y_by_k3*v2_2;
+    const double v1_2_on_boundary_by_u_by_k3 = carried_v1_2_by_u_by_k3 + delay_tau1_by_u_by_k3*t464 - t465*x1_2_by_k3 + t465*x2_2_by_k3;
+    const double v2_2_on_boundary_by_w_by_k3 = carried_v2_2_by_w_by_k3 + delay_tau1_by_w_by_k3*t468 + t470*x1_2_by_k3 - t471*x2_2_by_k3;
     /* d/dT of: perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y_by_T = carried_x2_2_by_y_by_T + tau1_by_y*v2_2_by_T + tau1_by_y_by_T*v2_2;
-    const double v1_2_on_boundary_by_u_by_T = carried_v1_2_by_u_by_T + t464*tau1_by_u_by_T - t465*x1_2_by_T + t465*x2_2_by_T;
-    const double v2_2_on_boundary_by_w_by_T = carried_v2_2_by_w_by_T + t468*tau1_by_w_by_T + t470*x1_2_by_T - t471*x2_2_by_T;
+    const double x2_2_on_boundary_by_y_by_T = carried_x2_2_by_y_by_T + delay_tau1_by_y*v2_2_by_T + delay_tau1_by_y_by_T*v2_2;
+    const double v1_2_on_boundary_by_u_by_T = carried_v1_2_by_u_by_T + delay_tau1_by_u_by_T*t464 - t465*x1_2_by_T + t465*x2_2_by_T;
+    const double v2_2_on_boundary_by_w_by_T = carried_v2_2_by_w_by_T + delay_tau1_by_w_by_T*t468 + t470*x1_2_by_T - t471*x2_2_by_T;
     trace_gradient[0] = v1_2_on_boundary_by_u_by_y + v2_2_on_boundary_by_w_by_y + x2_2_on_boundary_by_y_by_y;
     trace_gradient[1] = v1_2_on_boundary_by_u_by_u + v2_2_on_boundary_by_w_by_u + x2_2_on_boundary_by_y_by_u;
     trace_gradient[2] = v1_2_on_boundary_by_u_by_w + v2_2_on_boundary_by_w_by_w + x2_2_on_boundary_by_y_by_w;
@@ -3888,26 +3871,26 @@ void elastic_stop_one_contact_solve(
             const double carried_v2_1_by_w = t96;
             /* rate of the exit boundary after tau */
             const double rate_1 = -v1_1;
-            /* derivatives of tau on the boundary */
+            /* derivatives of the time to the boundary after tau */
             const double t122 = (1.0/(rate_1));
-            const double tau_by_y = carried_x1_1_by_y*t122;
-            const double tau_by_u = carried_x1_1_by_u*t122;
-            const double tau_by_w = carried_x1_1_by_w*t122;
+            const double delay_tau_by_y = carried_x1_1_by_y*t122;
+            const double delay_tau_by_u = carried_x1_1_by_u*t122;
+            const double delay_tau_by_w = carried_x1_1_by_w*t122;
             /* perturbation on the boundary after tau */
-            const double x1_1_on_boundary_by_y = carried_x1_1_by_y + tau_by_y*v1_1;
-            const double x1_1_on_boundary_by_u = carried_x1_1_by_u + tau_by_u*v1_1;
-            const double x1_1_on_boundary_by_w = carried_x1_1_by_w + tau_by_w*v1_1;
-            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + tau_by_y*v2_1;
-            const double x2_1_on_boundary_by_u = carried_x2_1_by_u + tau_by_u*v2_1;
-            const double x2_1_on_boundary_by_w = carried_x2_1_by_w + tau_by_w*v2_1;
+            const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
+            const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
+            const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
+            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
+            const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
+            const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
             const double t125 = h37*x1_1 + h38 + t124*x2_1;
-            const double v1_1_on_boundary_by_y = carried_v1_1_by_y + t125*tau_by_y;
-            const double v1_1_on_boundary_by_u = carried_v1_1_by_u + t125*tau_by_u;
-            const double v1_1_on_boundary_by_w = carried_v1_1_by_w + t125*tau_by_w;
+            const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t125;
+            const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t125;
+            const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t125;
             const double t129 = h39*x2_1 + t127*x1_1;
-            const double v2_1_on_boundary_by_y = carried_v2_1_by_y + t129*tau_by_y;
-            const double v2_1_on_boundary_by_u = carried_v2_1_by_u + t129*tau_by_u;
-            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + t129*tau_by_w;
+            const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t129;
+            const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t129;
+            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t129;
             /* Phi along tau1 */
             const double carried_x1_2_by_y = t108*v1_1_on_boundary_by_y + t109*v2_1_on_boundary_by_y + t110*x1_1_on_boundary_by_y + t111*x2_1_on_boundary_by_y;
             const double carried_x1_2_by_u = t108*v1_1_on_boundary_by_u + t109*v2_1_on_boundary_by_u + t110*x1_1_on_boundary_by_u + t111*x2_1_on_boundary_by_u;
@@ -3915,15 +3898,15 @@ void elastic_stop_one_contact_solve(
             const double carried_x2_2_by_y = t112*v1_1_on_boundary_by_y + t113*v2_1_on_boundary_by_y + t114*x1_1_on_boundary_by_y + t115*x2_1_on_boundary_by_y;
             const double carried_v1_2_by_u = t110*v1_1_on_boundary_by_u + t111*v2_1_on_boundary_by_u + t118*x1_1_on_boundary_by_u + t119*x2_1_on_boundary_by_u;
             const double carried_v2_2_by_w = t114*v1_1_on_boundary_by_w + t115*v2_1_on_boundary_by_w + t120*x1_1_on_boundary_by_w + t121*x2_1_on_boundary_by_w;
-            /* derivatives of tau1 on the boundary */
+            /* derivatives of the time to the boundary after tau1 */
             const double t130 = (1.0/(v1_2));
-            const double tau1_by_y = -carried_x1_2_by_y*t130;
-            const double tau1_by_u = -carried_x1_2_by_u*t130;
-            const double tau1_by_w = -carried_x1_2_by_w*t130;
+            const double delay_tau1_by_y = -carried_x1_2_by_y*t130;
+            const double delay_tau1_by_u = -carried_x1_2_by_u*t130;
+            const double delay_tau1_by_w = -carried_x1_2_by_w*t130;
             /* perturbation on the boundary after tau1 */
-            const double x2_2_on_boundary_by_y = carried_x2_2_by_y + tau1_by_y*v2_2;
-            const double v1_2_on_boundary_by_u = carried_v1_2_by_u + tau1_by_u*(h40*x1_2 + h41*x2_2);
-            const double v2_2_on_boundary_by_w = carried_v2_2_by_w + tau1_by_w*(h39*x2_2 + t127*x1_2);
+            const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
+            const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(h40*x1_2 + h41*x2_2);
+            const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(h39*x2_2 + t127*x1_2);
             /* outputs */
             const double t131 = h34*t30 + h36*sin_omega4_half_tau1;
             const double t132 = h9*t37 + t30*t31;

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation bcfa33b48bcb8129
+# SymPy 1.14.0, derivation 5ccf098ea3736887
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "bcfa33b48bcb8129"
+DERIVATION = "5ccf098ea3736887"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -951,31 +951,31 @@ def one_contact_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v2_1_by_w = t23
     # rate of the exit boundary after tau
     rate_1 = -v1_1
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t49 = 1/rate_1
-    tau_by_y = carried_x1_1_by_y*t49
-    tau_by_u = carried_x1_1_by_u*t49
-    tau_by_w = carried_x1_1_by_w*t49
+    delay_tau_by_y = carried_x1_1_by_y*t49
+    delay_tau_by_u = carried_x1_1_by_u*t49
+    delay_tau_by_w = carried_x1_1_by_w*t49
     # perturbation on the boundary after tau
-    x1_1_on_boundary_by_y = carried_x1_1_by_y + tau_by_y*v1_1
-    x1_1_on_boundary_by_u = carried_x1_1_by_u + tau_by_u*v1_1
-    x1_1_on_boundary_by_w = carried_x1_1_by_w + tau_by_w*v1_1
-    x2_1_on_boundary_by_y = carried_x2_1_by_y + tau_by_y*v2_1
-    x2_1_on_boundary_by_u = carried_x2_1_by_u + tau_by_u*v2_1
-    x2_1_on_boundary_by_w = carried_x2_1_by_w + tau_by_w*v2_1
+    x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
+    x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
+    x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
+    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
+    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
     t50 = 1/m1
     t51 = k1*t50
     t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1
-    v1_1_on_boundary_by_y = carried_v1_1_by_y + t52*tau_by_y
-    v1_1_on_boundary_by_u = carried_v1_1_by_u + t52*tau_by_u
-    v1_1_on_boundary_by_w = carried_v1_1_by_w + t52*tau_by_w
+    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52
+    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52
+    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52
     t53 = 1/m2
     t54 = k1*t53
     t55 = t53*(k1 + k2)
     t56 = t54*x1_1 - t55*x2_1
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + t56*tau_by_y
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + t56*tau_by_u
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + t56*tau_by_w
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56
     # Phi along tau1
     carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y
     carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u
@@ -989,23 +989,23 @@ def one_contact_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v2_2_by_y = t41*v1_1_on_boundary_by_y + t42*v2_1_on_boundary_by_y + t47*x1_1_on_boundary_by_y + t48*x2_1_on_boundary_by_y
     carried_v2_2_by_u = t41*v1_1_on_boundary_by_u + t42*v2_1_on_boundary_by_u + t47*x1_1_on_boundary_by_u + t48*x2_1_on_boundary_by_u
     carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t57 = 1/v1_2
-    tau1_by_y = -carried_x1_2_by_y*t57
-    tau1_by_u = -carried_x1_2_by_u*t57
-    tau1_by_w = -carried_x1_2_by_w*t57
+    delay_tau1_by_y = -carried_x1_2_by_y*t57
+    delay_tau1_by_u = -carried_x1_2_by_u*t57
+    delay_tau1_by_w = -carried_x1_2_by_w*t57
     # perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y = carried_x2_2_by_y + tau1_by_y*v2_2
-    x2_2_on_boundary_by_u = carried_x2_2_by_u + tau1_by_u*v2_2
-    x2_2_on_boundary_by_w = carried_x2_2_by_w + tau1_by_w*v2_2
+    x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2
+    x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2
+    x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2
     t58 = k1*t50*x2_2 - t51*x1_2
-    v1_2_on_boundary_by_y = carried_v1_2_by_y + t58*tau1_by_y
-    v1_2_on_boundary_by_u = carried_v1_2_by_u + t58*tau1_by_u
-    v1_2_on_boundary_by_w = carried_v1_2_by_w + t58*tau1_by_w
+    v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t58
+    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t58
+    v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t58
     t59 = t54*x1_2 - t55*x2_2
-    v2_2_on_boundary_by_y = carried_v2_2_by_y + t59*tau1_by_y
-    v2_2_on_boundary_by_u = carried_v2_2_by_u + t59*tau1_by_u
-    v2_2_on_boundary_by_w = carried_v2_2_by_w + t59*tau1_by_w
+    v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t59
+    v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t59
+    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t59
     return [[x2_2_on_boundary_by_y, x2_2_on_boundary_by_u, x2_2_on_boundary_by_w], [v1_2_on_boundary_by_y, v1_2_on_boundary_by_u, v1_2_on_boundary_by_w], [v2_2_on_boundary_by_y, v2_2_on_boundary_by_u, v2_2_on_boundary_by_w]]
 
 
@@ -1352,31 +1352,31 @@ def one_contact_trace(parameters, spectrum, unknowns, lib):
     carried_v2_1_by_w = t23
     # rate of the exit boundary after tau
     rate_1 = -v1_1
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t49 = 1/rate_1
-    tau_by_y = carried_x1_1_by_y*t49
-    tau_by_u = carried_x1_1_by_u*t49
-    tau_by_w = carried_x1_1_by_w*t49
+    delay_tau_by_y = carried_x1_1_by_y*t49
+    delay_tau_by_u = carried_x1_1_by_u*t49
+    delay_tau_by_w = carried_x1_1_by_w*t49
     # perturbation on the boundary after tau
-    x1_1_on_boundary_by_y = carried_x1_1_by_y + tau_by_y*v1_1
-    x1_1_on_boundary_by_u = carried_x1_1_by_u + tau_by_u*v1_1
-    x1_1_on_boundary_by_w = carried_x1_1_by_w + tau_by_w*v1_1
-    x2_1_on_boundary_by_y = carried_x2_1_by_y + tau_by_y*v2_1
-    x2_1_on_boundary_by_u = carried_x2_1_by_u + tau_by_u*v2_1
-    x2_1_on_boundary_by_w = carried_x2_1_by_w + tau_by_w*v2_1
+    x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
+    x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
+    x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
+    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
+    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
     t50 = 1/m1
     t51 = k1*t50
     t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1
-    v1_1_on_boundary_by_y = carried_v1_1_by_y + t52*tau_by_y
-    v1_1_on_boundary_by_u = carried_v1_1_by_u + t52*tau_by_u
-    v1_1_on_boundary_by_w = carried_v1_1_by_w + t52*tau_by_w
+    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52
+    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52
+    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52
     t53 = 1/m2
     t54 = k1*t53
     t55 = t53*(k1 + k2)
     t56 = t54*x1_1 - t55*x2_1
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + t56*tau_by_y
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + t56*tau_by_u
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + t56*tau_by_w
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56
     # Phi along tau1
     carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y
     carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u
@@ -1384,15 +1384,15 @@ def one_contact_trace(parameters, spectrum, unknowns, lib):
     carried_x2_2_by_y = t39*v1_1_on_boundary_by_y + t40*v2_1_on_boundary_by_y + t41*x1_1_on_boundary_by_y + t42*x2_1_on_boundary_by_y
     carried_v1_2_by_u = t37*v1_1_on_boundary_by_u + t38*v2_1_on_boundary_by_u + t45*x1_1_on_boundary_by_u + t46*x2_1_on_boundary_by_u
     carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t57 = 1/v1_2
-    tau1_by_y = -carried_x1_2_by_y*t57
-    tau1_by_u = -carried_x1_2_by_u*t57
-    tau1_by_w = -carried_x1_2_by_w*t57
+    delay_tau1_by_y = -carried_x1_2_by_y*t57
+    delay_tau1_by_u = -carried_x1_2_by_u*t57
+    delay_tau1_by_w = -carried_x1_2_by_w*t57
     # perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y = carried_x2_2_by_y + tau1_by_y*v2_2
-    v1_2_on_boundary_by_u = carried_v1_2_by_u + tau1_by_u*(k1*t50*x2_2 - t51*x1_2)
-    v2_2_on_boundary_by_w = carried_v2_2_by_w + tau1_by_w*(t54*x1_2 - t55*x2_2)
+    x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2
+    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(k1*t50*x2_2 - t51*x1_2)
+    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(t54*x1_2 - t55*x2_2)
     return v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y
 
 
@@ -1412,7 +1412,7 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
         p5_by_k3, p5_by_m1, p5_by_m2, p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2.
     Takes unknowns (4): y, u, w, tau.
     Gives trace_gradient (10).
-    Operations: 4665. Intermediate terms: 969.
+    Operations: 4407. Intermediate terms: 955.
     """
     [m1, m2, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
@@ -1517,42 +1517,42 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     carried_v2_1_by_w = t32
     # rate of the exit boundary after tau
     rate_1 = -v1_1
-    # derivatives of tau on the boundary
+    # derivatives of the time to the boundary after tau
     t72 = 1/rate_1
-    tau_by_y = carried_x1_1_by_y*t72
-    tau_by_u = carried_x1_1_by_u*t72
-    tau_by_w = carried_x1_1_by_w*t72
+    delay_tau_by_y = carried_x1_1_by_y*t72
+    delay_tau_by_u = carried_x1_1_by_u*t72
+    delay_tau_by_w = carried_x1_1_by_w*t72
     # perturbation on the boundary after tau
-    x1_1_on_boundary_by_y = carried_x1_1_by_y + tau_by_y*v1_1
-    x1_1_on_boundary_by_u = carried_x1_1_by_u + tau_by_u*v1_1
-    x1_1_on_boundary_by_w = carried_x1_1_by_w + tau_by_w*v1_1
-    x2_1_on_boundary_by_y = carried_x2_1_by_y + tau_by_y*v2_1
-    x2_1_on_boundary_by_u = carried_x2_1_by_u + tau_by_u*v2_1
-    x2_1_on_boundary_by_w = carried_x2_1_by_w + tau_by_w*v2_1
+    x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
+    x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
+    x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
+    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
+    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
     t73 = 1/m1
     t74 = k1 + k3
     t75 = t73*x1_1
     t76 = k1*t73*x2_1 + k3*t73 - t74*t75
-    v1_1_on_boundary_by_y = carried_v1_1_by_y + t76*tau_by_y
-    v1_1_on_boundary_by_u = carried_v1_1_by_u + t76*tau_by_u
-    v1_1_on_boundary_by_w = carried_v1_1_by_w + t76*tau_by_w
+    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t76
+    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t76
+    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t76
     t77 = 1/m2
     t78 = t77*x1_1
     t79 = k1 + k2
     t80 = t77*x2_1
     t81 = k1*t78 - t79*t80
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + t81*tau_by_y
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + t81*tau_by_u
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + t81*tau_by_w
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t81
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t81
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t81
     # Phi along tau1
     carried_x1_2_by_y = t58*v1_1_on_boundary_by_y + t59*v2_1_on_boundary_by_y + t60*x1_1_on_boundary_by_y + t61*x2_1_on_boundary_by_y
     carried_x1_2_by_u = t58*v1_1_on_boundary_by_u + t59*v2_1_on_boundary_by_u + t60*x1_1_on_boundary_by_u + t61*x2_1_on_boundary_by_u
     carried_x1_2_by_w = t58*v1_1_on_boundary_by_w + t59*v2_1_on_boundary_by_w + t60*x1_1_on_boundary_by_w + t61*x2_1_on_boundary_by_w
-    # derivatives of tau1 on the boundary
+    # derivatives of the time to the boundary after tau1
     t82 = 1/v1_2
-    tau1_by_y = -carried_x1_2_by_y*t82
-    tau1_by_u = -carried_x1_2_by_u*t82
-    tau1_by_w = -carried_x1_2_by_w*t82
+    delay_tau1_by_y = -carried_x1_2_by_y*t82
+    delay_tau1_by_u = -carried_x1_2_by_u*t82
+    delay_tau1_by_w = -carried_x1_2_by_w*t82
     # d/dtau of: functions of tau in contact
     cos_omega1_tau_by_tau = -omega1*sin_omega1_tau
     sin_omega1_tau_by_tau = cos_omega1_tau*omega1
@@ -1725,29 +1725,12 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     x2_1_by_k3 = cos_omega1_tau*(t14*t177 + t14*t179 + t182) + cos_omega1_tau_by_k3*t102 + cos_omega2_tau*(-t182 - t183 - t184) + cos_omega2_tau_by_k3*t103 + omega1_by_k3*t131 + omega2_by_k3*t132 + p1_by_k3*t134 + p3_by_k3*t127 + sin_omega1_tau_by_k3*t106 + sin_omega2_tau_by_k3*t108 + t177 + t179
     v1_1_by_k3 = cos_omega1_tau_by_k3*t109 + cos_omega2_tau_by_k3*t110 + omega1_by_k3*t136 + omega2_by_k3*t138 + p1_by_k3*t139 + p2_by_k3*t144 + sin_omega1_tau*(omega1*t178 + omega1*t180 + t174*t34 + t176*t34) + sin_omega1_tau_by_k3*t111 + sin_omega2_tau*(omega2*t14*t153*t7*t79 - omega2*t14*t79*t9 - omega2*t178 - omega2*t180) + sin_omega2_tau_by_k3*t112
     v2_1_by_k3 = cos_omega1_tau_by_k3*t113 + cos_omega2_tau_by_k3*t114 + omega1_by_k3*t146 + omega2_by_k3*t148 + p1_by_k3*t149 + p3_by_k3*t139 + sin_omega1_tau*(t167*t177 + t167*t179 + t174*t40 + t176*t40) + sin_omega1_tau_by_k3*t115 + sin_omega2_tau*(omega2*t183 + omega2*t184 - t174*t43 - t176*t43) + sin_omega2_tau_by_k3*t117
-    # d/dy of: functions of tau1 in free
-    t185 = omega3*sin_omega3_tau1
-    cos_omega3_tau1_by_y = -t185*tau1_by_y
-    t186 = cos_omega3_tau1*omega3
-    sin_omega3_tau1_by_y = t186*tau1_by_y
-    t187 = omega4*sin_omega4_tau1
-    cos_omega4_tau1_by_y = -t187*tau1_by_y
-    t188 = cos_omega4_tau1*omega4
-    sin_omega4_tau1_by_y = t188*tau1_by_y
-    # d/du of: functions of tau1 in free
-    cos_omega3_tau1_by_u = -t185*tau1_by_u
-    sin_omega3_tau1_by_u = t186*tau1_by_u
-    cos_omega4_tau1_by_u = -t187*tau1_by_u
-    sin_omega4_tau1_by_u = t188*tau1_by_u
-    # d/dw of: functions of tau1 in free
-    cos_omega3_tau1_by_w = -t185*tau1_by_w
-    sin_omega3_tau1_by_w = t186*tau1_by_w
-    cos_omega4_tau1_by_w = -t187*tau1_by_w
-    sin_omega4_tau1_by_w = t188*tau1_by_w
     # d/dtau of: functions of tau1 in free
-    cos_omega3_tau1_by_tau = t185
+    cos_omega3_tau1_by_tau = omega3*sin_omega3_tau1
+    t186 = cos_omega3_tau1*omega3
     sin_omega3_tau1_by_tau = -t186
-    cos_omega4_tau1_by_tau = t187
+    cos_omega4_tau1_by_tau = omega4*sin_omega4_tau1
+    t188 = cos_omega4_tau1*omega4
     sin_omega4_tau1_by_tau = -t188
     # d/dm1 of: functions of tau1 in free
     t189 = omega3_by_m1*tau1
@@ -1785,11 +1768,26 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     cos_omega4_tau1_by_k3 = -sin_omega4_tau1*t198
     sin_omega4_tau1_by_k3 = cos_omega4_tau1*t198
     # d/dT of: functions of tau1 in free
-    cos_omega3_tau1_by_T = -t185
+    cos_omega3_tau1_by_T = -cos_omega3_tau1_by_tau
     sin_omega3_tau1_by_T = t186
-    cos_omega4_tau1_by_T = -t187
+    cos_omega4_tau1_by_T = -cos_omega4_tau1_by_tau
     sin_omega4_tau1_by_T = t188
     # d/dy of: free for tau1, until first-reaches-stop
+    x1_2_by_y = t58*v1_1_by_y + t59*v2_1_by_y + t60*x1_1_by_y + t61*x2_1_by_y
+    x2_2_by_y = t62*v1_1_by_y + t63*v2_1_by_y + t64*x1_1_by_y + t65*x2_1_by_y
+    v1_2_by_y = t60*v1_1_by_y + t61*v2_1_by_y + t68*x1_1_by_y + t69*x2_1_by_y
+    v2_2_by_y = t64*v1_1_by_y + t65*v2_1_by_y + t70*x1_1_by_y + t71*x2_1_by_y
+    # d/du of: free for tau1, until first-reaches-stop
+    x1_2_by_u = t58*v1_1_by_u + t59*v2_1_by_u + t60*x1_1_by_u + t61*x2_1_by_u
+    x2_2_by_u = t62*v1_1_by_u + t63*v2_1_by_u + t64*x1_1_by_u + t65*x2_1_by_u
+    v1_2_by_u = t60*v1_1_by_u + t61*v2_1_by_u + t68*x1_1_by_u + t69*x2_1_by_u
+    v2_2_by_u = t64*v1_1_by_u + t65*v2_1_by_u + t70*x1_1_by_u + t71*x2_1_by_u
+    # d/dw of: free for tau1, until first-reaches-stop
+    x1_2_by_w = t58*v1_1_by_w + t59*v2_1_by_w + t60*x1_1_by_w + t61*x2_1_by_w
+    x2_2_by_w = t62*v1_1_by_w + t63*v2_1_by_w + t64*x1_1_by_w + t65*x2_1_by_w
+    v1_2_by_w = t60*v1_1_by_w + t61*v2_1_by_w + t68*x1_1_by_w + t69*x2_1_by_w
+    v2_2_by_w = t64*v1_1_by_w + t65*v2_1_by_w + t70*x1_1_by_w + t71*x2_1_by_w
+    # d/dtau of: free for tau1, until first-reaches-stop
     t199 = p4*x1_1
     t200 = p5*x2_1
     t201 = t199 + t200
@@ -1798,7 +1796,7 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t204 = p5*v2_1
     t205 = t203*t53 + t204*t53
     t206 = -t204*t56 + t55*t56*v1_1
-    x1_2_by_y = cos_omega3_tau1_by_y*t201 + cos_omega4_tau1_by_y*t202 + sin_omega3_tau1_by_y*t205 + sin_omega4_tau1_by_y*t206 + t58*v1_1_by_y + t59*v2_1_by_y + t60*x1_1_by_y + t61*x2_1_by_y
+    x1_2_by_tau = cos_omega3_tau1_by_tau*t201 + cos_omega4_tau1_by_tau*t202 + sin_omega3_tau1_by_tau*t205 + sin_omega4_tau1_by_tau*t206 + t58*v1_1_by_tau + t59*v2_1_by_tau + t60*x1_1_by_tau + t61*x2_1_by_tau
     t207 = p6*x1_1
     t208 = t55*x2_1
     t209 = t207 + t208
@@ -1809,32 +1807,17 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t214 = t212*t53 + t213*t53
     t215 = p4*v2_1
     t216 = -t212*t56 + t215*t56
-    x2_2_by_y = cos_omega3_tau1_by_y*t209 + cos_omega4_tau1_by_y*t211 + sin_omega3_tau1_by_y*t214 + sin_omega4_tau1_by_y*t216 + t62*v1_1_by_y + t63*v2_1_by_y + t64*x1_1_by_y + t65*x2_1_by_y
+    x2_2_by_tau = cos_omega3_tau1_by_tau*t209 + cos_omega4_tau1_by_tau*t211 + sin_omega3_tau1_by_tau*t214 + sin_omega4_tau1_by_tau*t216 + t62*v1_1_by_tau + t63*v2_1_by_tau + t64*x1_1_by_tau + t65*x2_1_by_tau
     t217 = t203 + t204
     t218 = -t204 + t55*v1_1
     t219 = -omega3*t199 - omega3*t200
     t220 = t55*x1_1
     t221 = omega4*t200 - omega4*t220
-    v1_2_by_y = cos_omega3_tau1_by_y*t217 + cos_omega4_tau1_by_y*t218 + sin_omega3_tau1_by_y*t219 + sin_omega4_tau1_by_y*t221 + t60*v1_1_by_y + t61*v2_1_by_y + t68*x1_1_by_y + t69*x2_1_by_y
+    v1_2_by_tau = cos_omega3_tau1_by_tau*t217 + cos_omega4_tau1_by_tau*t218 + sin_omega3_tau1_by_tau*t219 + sin_omega4_tau1_by_tau*t221 + t60*v1_1_by_tau + t61*v2_1_by_tau + t68*x1_1_by_tau + t69*x2_1_by_tau
     t222 = t212 + t213
     t223 = -t212 + t215
     t224 = -omega3*t207 - omega3*t208
     t225 = omega4*p6*x1_1 - omega4*t210
-    v2_2_by_y = cos_omega3_tau1_by_y*t222 + cos_omega4_tau1_by_y*t223 + sin_omega3_tau1_by_y*t224 + sin_omega4_tau1_by_y*t225 + t64*v1_1_by_y + t65*v2_1_by_y + t70*x1_1_by_y + t71*x2_1_by_y
-    # d/du of: free for tau1, until first-reaches-stop
-    x1_2_by_u = cos_omega3_tau1_by_u*t201 + cos_omega4_tau1_by_u*t202 + sin_omega3_tau1_by_u*t205 + sin_omega4_tau1_by_u*t206 + t58*v1_1_by_u + t59*v2_1_by_u + t60*x1_1_by_u + t61*x2_1_by_u
-    x2_2_by_u = cos_omega3_tau1_by_u*t209 + cos_omega4_tau1_by_u*t211 + sin_omega3_tau1_by_u*t214 + sin_omega4_tau1_by_u*t216 + t62*v1_1_by_u + t63*v2_1_by_u + t64*x1_1_by_u + t65*x2_1_by_u
-    v1_2_by_u = cos_omega3_tau1_by_u*t217 + cos_omega4_tau1_by_u*t218 + sin_omega3_tau1_by_u*t219 + sin_omega4_tau1_by_u*t221 + t60*v1_1_by_u + t61*v2_1_by_u + t68*x1_1_by_u + t69*x2_1_by_u
-    v2_2_by_u = cos_omega3_tau1_by_u*t222 + cos_omega4_tau1_by_u*t223 + sin_omega3_tau1_by_u*t224 + sin_omega4_tau1_by_u*t225 + t64*v1_1_by_u + t65*v2_1_by_u + t70*x1_1_by_u + t71*x2_1_by_u
-    # d/dw of: free for tau1, until first-reaches-stop
-    x1_2_by_w = cos_omega3_tau1_by_w*t201 + cos_omega4_tau1_by_w*t202 + sin_omega3_tau1_by_w*t205 + sin_omega4_tau1_by_w*t206 + t58*v1_1_by_w + t59*v2_1_by_w + t60*x1_1_by_w + t61*x2_1_by_w
-    x2_2_by_w = cos_omega3_tau1_by_w*t209 + cos_omega4_tau1_by_w*t211 + sin_omega3_tau1_by_w*t214 + sin_omega4_tau1_by_w*t216 + t62*v1_1_by_w + t63*v2_1_by_w + t64*x1_1_by_w + t65*x2_1_by_w
-    v1_2_by_w = cos_omega3_tau1_by_w*t217 + cos_omega4_tau1_by_w*t218 + sin_omega3_tau1_by_w*t219 + sin_omega4_tau1_by_w*t221 + t60*v1_1_by_w + t61*v2_1_by_w + t68*x1_1_by_w + t69*x2_1_by_w
-    v2_2_by_w = cos_omega3_tau1_by_w*t222 + cos_omega4_tau1_by_w*t223 + sin_omega3_tau1_by_w*t224 + sin_omega4_tau1_by_w*t225 + t64*v1_1_by_w + t65*v2_1_by_w + t70*x1_1_by_w + t71*x2_1_by_w
-    # d/dtau of: free for tau1, until first-reaches-stop
-    x1_2_by_tau = cos_omega3_tau1_by_tau*t201 + cos_omega4_tau1_by_tau*t202 + sin_omega3_tau1_by_tau*t205 + sin_omega4_tau1_by_tau*t206 + t58*v1_1_by_tau + t59*v2_1_by_tau + t60*x1_1_by_tau + t61*x2_1_by_tau
-    x2_2_by_tau = cos_omega3_tau1_by_tau*t209 + cos_omega4_tau1_by_tau*t211 + sin_omega3_tau1_by_tau*t214 + sin_omega4_tau1_by_tau*t216 + t62*v1_1_by_tau + t63*v2_1_by_tau + t64*x1_1_by_tau + t65*x2_1_by_tau
-    v1_2_by_tau = cos_omega3_tau1_by_tau*t217 + cos_omega4_tau1_by_tau*t218 + sin_omega3_tau1_by_tau*t219 + sin_omega4_tau1_by_tau*t221 + t60*v1_1_by_tau + t61*v2_1_by_tau + t68*x1_1_by_tau + t69*x2_1_by_tau
     v2_2_by_tau = cos_omega3_tau1_by_tau*t222 + cos_omega4_tau1_by_tau*t223 + sin_omega3_tau1_by_tau*t224 + sin_omega4_tau1_by_tau*t225 + t64*v1_1_by_tau + t65*v2_1_by_tau + t70*x1_1_by_tau + t71*x2_1_by_tau
     # d/dm1 of: free for tau1, until first-reaches-stop
     t226 = sin_omega3_tau1/omega3**2
@@ -2045,221 +2028,242 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     rate_1_by_k2 = -v1_1_by_k2
     # d/dk3 of: rate of the exit boundary after tau
     rate_1_by_k3 = -v1_1_by_k3
-    # d/dy of: derivatives of tau on the boundary
+    # d/dy of: derivatives of the time to the boundary after tau
     t324 = 1/rate_1**2
     t325 = rate_1_by_y*t324
-    tau_by_y_by_y = -carried_x1_1_by_y*t325
-    tau_by_u_by_y = -carried_x1_1_by_u*t325
-    tau_by_w_by_y = -carried_x1_1_by_w*t325
-    # d/du of: derivatives of tau on the boundary
+    delay_tau_by_y_by_y = -carried_x1_1_by_y*t325
+    delay_tau_by_u_by_y = -carried_x1_1_by_u*t325
+    delay_tau_by_w_by_y = -carried_x1_1_by_w*t325
+    # d/du of: derivatives of the time to the boundary after tau
     t326 = rate_1_by_u*t324
-    tau_by_y_by_u = -carried_x1_1_by_y*t326
-    tau_by_u_by_u = -carried_x1_1_by_u*t326
-    tau_by_w_by_u = -carried_x1_1_by_w*t326
-    # d/dw of: derivatives of tau on the boundary
+    delay_tau_by_y_by_u = -carried_x1_1_by_y*t326
+    delay_tau_by_u_by_u = -carried_x1_1_by_u*t326
+    delay_tau_by_w_by_u = -carried_x1_1_by_w*t326
+    # d/dw of: derivatives of the time to the boundary after tau
     t327 = rate_1_by_w*t324
-    tau_by_y_by_w = -carried_x1_1_by_y*t327
-    tau_by_u_by_w = -carried_x1_1_by_u*t327
-    tau_by_w_by_w = -carried_x1_1_by_w*t327
-    # d/dtau of: derivatives of tau on the boundary
+    delay_tau_by_y_by_w = -carried_x1_1_by_y*t327
+    delay_tau_by_u_by_w = -carried_x1_1_by_u*t327
+    delay_tau_by_w_by_w = -carried_x1_1_by_w*t327
+    # d/dtau of: derivatives of the time to the boundary after tau
     t328 = rate_1_by_tau*t324
-    tau_by_y_by_tau = -carried_x1_1_by_y*t328 + carried_x1_1_by_y_by_tau*t72
-    tau_by_u_by_tau = -carried_x1_1_by_u*t328 + carried_x1_1_by_u_by_tau*t72
-    tau_by_w_by_tau = -carried_x1_1_by_w*t328 + carried_x1_1_by_w_by_tau*t72
-    # d/dm1 of: derivatives of tau on the boundary
+    delay_tau_by_y_by_tau = -carried_x1_1_by_y*t328 + carried_x1_1_by_y_by_tau*t72
+    delay_tau_by_u_by_tau = -carried_x1_1_by_u*t328 + carried_x1_1_by_u_by_tau*t72
+    delay_tau_by_w_by_tau = -carried_x1_1_by_w*t328 + carried_x1_1_by_w_by_tau*t72
+    # d/dm1 of: derivatives of the time to the boundary after tau
     t329 = rate_1_by_m1*t324
-    tau_by_y_by_m1 = -carried_x1_1_by_y*t329 + carried_x1_1_by_y_by_m1*t72
-    tau_by_u_by_m1 = -carried_x1_1_by_u*t329 + carried_x1_1_by_u_by_m1*t72
-    tau_by_w_by_m1 = -carried_x1_1_by_w*t329 + carried_x1_1_by_w_by_m1*t72
-    # d/dm2 of: derivatives of tau on the boundary
+    delay_tau_by_y_by_m1 = -carried_x1_1_by_y*t329 + carried_x1_1_by_y_by_m1*t72
+    delay_tau_by_u_by_m1 = -carried_x1_1_by_u*t329 + carried_x1_1_by_u_by_m1*t72
+    delay_tau_by_w_by_m1 = -carried_x1_1_by_w*t329 + carried_x1_1_by_w_by_m1*t72
+    # d/dm2 of: derivatives of the time to the boundary after tau
     t330 = rate_1_by_m2*t324
-    tau_by_y_by_m2 = -carried_x1_1_by_y*t330 + carried_x1_1_by_y_by_m2*t72
-    tau_by_u_by_m2 = -carried_x1_1_by_u*t330 + carried_x1_1_by_u_by_m2*t72
-    tau_by_w_by_m2 = -carried_x1_1_by_w*t330 + carried_x1_1_by_w_by_m2*t72
-    # d/dk1 of: derivatives of tau on the boundary
+    delay_tau_by_y_by_m2 = -carried_x1_1_by_y*t330 + carried_x1_1_by_y_by_m2*t72
+    delay_tau_by_u_by_m2 = -carried_x1_1_by_u*t330 + carried_x1_1_by_u_by_m2*t72
+    delay_tau_by_w_by_m2 = -carried_x1_1_by_w*t330 + carried_x1_1_by_w_by_m2*t72
+    # d/dk1 of: derivatives of the time to the boundary after tau
     t331 = rate_1_by_k1*t324
-    tau_by_y_by_k1 = -carried_x1_1_by_y*t331 + carried_x1_1_by_y_by_k1*t72
-    tau_by_u_by_k1 = -carried_x1_1_by_u*t331 + carried_x1_1_by_u_by_k1*t72
-    tau_by_w_by_k1 = -carried_x1_1_by_w*t331 + carried_x1_1_by_w_by_k1*t72
-    # d/dk2 of: derivatives of tau on the boundary
+    delay_tau_by_y_by_k1 = -carried_x1_1_by_y*t331 + carried_x1_1_by_y_by_k1*t72
+    delay_tau_by_u_by_k1 = -carried_x1_1_by_u*t331 + carried_x1_1_by_u_by_k1*t72
+    delay_tau_by_w_by_k1 = -carried_x1_1_by_w*t331 + carried_x1_1_by_w_by_k1*t72
+    # d/dk2 of: derivatives of the time to the boundary after tau
     t332 = rate_1_by_k2*t324
-    tau_by_y_by_k2 = -carried_x1_1_by_y*t332 + carried_x1_1_by_y_by_k2*t72
-    tau_by_u_by_k2 = -carried_x1_1_by_u*t332 + carried_x1_1_by_u_by_k2*t72
-    tau_by_w_by_k2 = -carried_x1_1_by_w*t332 + carried_x1_1_by_w_by_k2*t72
-    # d/dk3 of: derivatives of tau on the boundary
+    delay_tau_by_y_by_k2 = -carried_x1_1_by_y*t332 + carried_x1_1_by_y_by_k2*t72
+    delay_tau_by_u_by_k2 = -carried_x1_1_by_u*t332 + carried_x1_1_by_u_by_k2*t72
+    delay_tau_by_w_by_k2 = -carried_x1_1_by_w*t332 + carried_x1_1_by_w_by_k2*t72
+    # d/dk3 of: derivatives of the time to the boundary after tau
     t333 = rate_1_by_k3*t324
-    tau_by_y_by_k3 = -carried_x1_1_by_y*t333 + carried_x1_1_by_y_by_k3*t72
-    tau_by_u_by_k3 = -carried_x1_1_by_u*t333 + carried_x1_1_by_u_by_k3*t72
-    tau_by_w_by_k3 = -carried_x1_1_by_w*t333 + carried_x1_1_by_w_by_k3*t72
+    delay_tau_by_y_by_k3 = -carried_x1_1_by_y*t333 + carried_x1_1_by_y_by_k3*t72
+    delay_tau_by_u_by_k3 = -carried_x1_1_by_u*t333 + carried_x1_1_by_u_by_k3*t72
+    delay_tau_by_w_by_k3 = -carried_x1_1_by_w*t333 + carried_x1_1_by_w_by_k3*t72
     # d/dy of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_y = tau_by_y*v1_1_by_y + tau_by_y_by_y*v1_1
-    x1_1_on_boundary_by_u_by_y = tau_by_u*v1_1_by_y + tau_by_u_by_y*v1_1
-    x1_1_on_boundary_by_w_by_y = tau_by_w*v1_1_by_y + tau_by_w_by_y*v1_1
-    x2_1_on_boundary_by_y_by_y = tau_by_y*v2_1_by_y + tau_by_y_by_y*v2_1
-    x2_1_on_boundary_by_u_by_y = tau_by_u*v2_1_by_y + tau_by_u_by_y*v2_1
-    x2_1_on_boundary_by_w_by_y = tau_by_w*v2_1_by_y + tau_by_w_by_y*v2_1
-    t334 = t73*tau_by_y
+    x1_1_on_boundary_by_y_by_y = delay_tau_by_y*v1_1_by_y + delay_tau_by_y_by_y*v1_1
+    x1_1_on_boundary_by_u_by_y = delay_tau_by_u*v1_1_by_y + delay_tau_by_u_by_y*v1_1
+    x1_1_on_boundary_by_w_by_y = delay_tau_by_w*v1_1_by_y + delay_tau_by_w_by_y*v1_1
+    x2_1_on_boundary_by_y_by_y = delay_tau_by_y*v2_1_by_y + delay_tau_by_y_by_y*v2_1
+    x2_1_on_boundary_by_u_by_y = delay_tau_by_u*v2_1_by_y + delay_tau_by_u_by_y*v2_1
+    x2_1_on_boundary_by_w_by_y = delay_tau_by_w*v2_1_by_y + delay_tau_by_w_by_y*v2_1
+    t334 = delay_tau_by_y*t73
     t335 = k1*x2_1_by_y
     t336 = t74*x1_1_by_y
-    v1_1_on_boundary_by_y_by_y = t334*t335 - t334*t336 + t76*tau_by_y_by_y
-    t337 = t73*tau_by_u
-    v1_1_on_boundary_by_u_by_y = t335*t337 - t336*t337 + t76*tau_by_u_by_y
-    t338 = t73*tau_by_w
-    v1_1_on_boundary_by_w_by_y = t335*t338 - t336*t338 + t76*tau_by_w_by_y
-    t339 = t77*tau_by_y
+    v1_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t76 + t334*t335 - t334*t336
+    t337 = delay_tau_by_u*t73
+    v1_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t76 + t335*t337 - t336*t337
+    t338 = delay_tau_by_w*t73
+    v1_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t76 + t335*t338 - t336*t338
+    t339 = delay_tau_by_y*t77
     t340 = k1*x1_1_by_y
     t341 = t79*x2_1_by_y
-    v2_1_on_boundary_by_y_by_y = t339*t340 - t339*t341 + t81*tau_by_y_by_y
-    t342 = t77*tau_by_u
-    v2_1_on_boundary_by_u_by_y = t340*t342 - t341*t342 + t81*tau_by_u_by_y
-    t343 = t77*tau_by_w
-    v2_1_on_boundary_by_w_by_y = t340*t343 - t341*t343 + t81*tau_by_w_by_y
+    v2_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t81 + t339*t340 - t339*t341
+    t342 = delay_tau_by_u*t77
+    v2_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t81 + t340*t342 - t341*t342
+    t343 = delay_tau_by_w*t77
+    v2_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t81 + t340*t343 - t341*t343
     # d/du of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_u = tau_by_y*v1_1_by_u + tau_by_y_by_u*v1_1
-    x1_1_on_boundary_by_u_by_u = tau_by_u*v1_1_by_u + tau_by_u_by_u*v1_1
-    x1_1_on_boundary_by_w_by_u = tau_by_w*v1_1_by_u + tau_by_w_by_u*v1_1
-    x2_1_on_boundary_by_y_by_u = tau_by_y*v2_1_by_u + tau_by_y_by_u*v2_1
-    x2_1_on_boundary_by_u_by_u = tau_by_u*v2_1_by_u + tau_by_u_by_u*v2_1
-    x2_1_on_boundary_by_w_by_u = tau_by_w*v2_1_by_u + tau_by_w_by_u*v2_1
+    x1_1_on_boundary_by_y_by_u = delay_tau_by_y*v1_1_by_u + delay_tau_by_y_by_u*v1_1
+    x1_1_on_boundary_by_u_by_u = delay_tau_by_u*v1_1_by_u + delay_tau_by_u_by_u*v1_1
+    x1_1_on_boundary_by_w_by_u = delay_tau_by_w*v1_1_by_u + delay_tau_by_w_by_u*v1_1
+    x2_1_on_boundary_by_y_by_u = delay_tau_by_y*v2_1_by_u + delay_tau_by_y_by_u*v2_1
+    x2_1_on_boundary_by_u_by_u = delay_tau_by_u*v2_1_by_u + delay_tau_by_u_by_u*v2_1
+    x2_1_on_boundary_by_w_by_u = delay_tau_by_w*v2_1_by_u + delay_tau_by_w_by_u*v2_1
     t344 = k1*x2_1_by_u
     t345 = t74*x1_1_by_u
-    v1_1_on_boundary_by_y_by_u = t334*t344 - t334*t345 + t76*tau_by_y_by_u
-    v1_1_on_boundary_by_u_by_u = t337*t344 - t337*t345 + t76*tau_by_u_by_u
-    v1_1_on_boundary_by_w_by_u = t338*t344 - t338*t345 + t76*tau_by_w_by_u
+    v1_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t76 + t334*t344 - t334*t345
+    v1_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t76 + t337*t344 - t337*t345
+    v1_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t76 + t338*t344 - t338*t345
     t346 = k1*x1_1_by_u
     t347 = t79*x2_1_by_u
-    v2_1_on_boundary_by_y_by_u = t339*t346 - t339*t347 + t81*tau_by_y_by_u
-    v2_1_on_boundary_by_u_by_u = t342*t346 - t342*t347 + t81*tau_by_u_by_u
-    v2_1_on_boundary_by_w_by_u = t343*t346 - t343*t347 + t81*tau_by_w_by_u
+    v2_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t81 + t339*t346 - t339*t347
+    v2_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t81 + t342*t346 - t342*t347
+    v2_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t81 + t343*t346 - t343*t347
     # d/dw of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_w = tau_by_y*v1_1_by_w + tau_by_y_by_w*v1_1
-    x1_1_on_boundary_by_u_by_w = tau_by_u*v1_1_by_w + tau_by_u_by_w*v1_1
-    x1_1_on_boundary_by_w_by_w = tau_by_w*v1_1_by_w + tau_by_w_by_w*v1_1
-    x2_1_on_boundary_by_y_by_w = tau_by_y*v2_1_by_w + tau_by_y_by_w*v2_1
-    x2_1_on_boundary_by_u_by_w = tau_by_u*v2_1_by_w + tau_by_u_by_w*v2_1
-    x2_1_on_boundary_by_w_by_w = tau_by_w*v2_1_by_w + tau_by_w_by_w*v2_1
+    x1_1_on_boundary_by_y_by_w = delay_tau_by_y*v1_1_by_w + delay_tau_by_y_by_w*v1_1
+    x1_1_on_boundary_by_u_by_w = delay_tau_by_u*v1_1_by_w + delay_tau_by_u_by_w*v1_1
+    x1_1_on_boundary_by_w_by_w = delay_tau_by_w*v1_1_by_w + delay_tau_by_w_by_w*v1_1
+    x2_1_on_boundary_by_y_by_w = delay_tau_by_y*v2_1_by_w + delay_tau_by_y_by_w*v2_1
+    x2_1_on_boundary_by_u_by_w = delay_tau_by_u*v2_1_by_w + delay_tau_by_u_by_w*v2_1
+    x2_1_on_boundary_by_w_by_w = delay_tau_by_w*v2_1_by_w + delay_tau_by_w_by_w*v2_1
     t348 = k1*x2_1_by_w
     t349 = t74*x1_1_by_w
-    v1_1_on_boundary_by_y_by_w = t334*t348 - t334*t349 + t76*tau_by_y_by_w
-    v1_1_on_boundary_by_u_by_w = t337*t348 - t337*t349 + t76*tau_by_u_by_w
-    v1_1_on_boundary_by_w_by_w = t338*t348 - t338*t349 + t76*tau_by_w_by_w
+    v1_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t76 + t334*t348 - t334*t349
+    v1_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t76 + t337*t348 - t337*t349
+    v1_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t76 + t338*t348 - t338*t349
     t350 = k1*x1_1_by_w
     t351 = t79*x2_1_by_w
-    v2_1_on_boundary_by_y_by_w = t339*t350 - t339*t351 + t81*tau_by_y_by_w
-    v2_1_on_boundary_by_u_by_w = t342*t350 - t342*t351 + t81*tau_by_u_by_w
-    v2_1_on_boundary_by_w_by_w = t343*t350 - t343*t351 + t81*tau_by_w_by_w
+    v2_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t81 + t339*t350 - t339*t351
+    v2_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t81 + t342*t350 - t342*t351
+    v2_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t81 + t343*t350 - t343*t351
     # d/dtau of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_tau = carried_x1_1_by_y_by_tau + tau_by_y*v1_1_by_tau + tau_by_y_by_tau*v1_1
-    x1_1_on_boundary_by_u_by_tau = carried_x1_1_by_u_by_tau + tau_by_u*v1_1_by_tau + tau_by_u_by_tau*v1_1
-    x1_1_on_boundary_by_w_by_tau = carried_x1_1_by_w_by_tau + tau_by_w*v1_1_by_tau + tau_by_w_by_tau*v1_1
-    x2_1_on_boundary_by_y_by_tau = carried_x2_1_by_y_by_tau + tau_by_y*v2_1_by_tau + tau_by_y_by_tau*v2_1
-    x2_1_on_boundary_by_u_by_tau = carried_x2_1_by_u_by_tau + tau_by_u*v2_1_by_tau + tau_by_u_by_tau*v2_1
-    x2_1_on_boundary_by_w_by_tau = carried_x2_1_by_w_by_tau + tau_by_w*v2_1_by_tau + tau_by_w_by_tau*v2_1
+    x1_1_on_boundary_by_y_by_tau = carried_x1_1_by_y_by_tau + delay_tau_by_y*v1_1_by_tau + delay_tau_by_y_by_tau*v1_1
+    x1_1_on_boundary_by_u_by_tau = carried_x1_1_by_u_by_tau + delay_tau_by_u*v1_1_by_tau + delay_tau_by_u_by_tau*v1_1
+    x1_1_on_boundary_by_w_by_tau = carried_x1_1_by_w_by_tau + delay_tau_by_w*v1_1_by_tau + delay_tau_by_w_by_tau*v1_1
+    x2_1_on_boundary_by_y_by_tau = carried_x2_1_by_y_by_tau + delay_tau_by_y*v2_1_by_tau + delay_tau_by_y_by_tau*v2_1
+    x2_1_on_boundary_by_u_by_tau = carried_x2_1_by_u_by_tau + delay_tau_by_u*v2_1_by_tau + delay_tau_by_u_by_tau*v2_1
+    x2_1_on_boundary_by_w_by_tau = carried_x2_1_by_w_by_tau + delay_tau_by_w*v2_1_by_tau + delay_tau_by_w_by_tau*v2_1
     t352 = k1*x2_1_by_tau
     t353 = t74*x1_1_by_tau
-    v1_1_on_boundary_by_y_by_tau = carried_v1_1_by_y_by_tau + t334*t352 - t334*t353 + t76*tau_by_y_by_tau
-    v1_1_on_boundary_by_u_by_tau = carried_v1_1_by_u_by_tau + t337*t352 - t337*t353 + t76*tau_by_u_by_tau
-    v1_1_on_boundary_by_w_by_tau = carried_v1_1_by_w_by_tau + t338*t352 - t338*t353 + t76*tau_by_w_by_tau
+    v1_1_on_boundary_by_y_by_tau = carried_v1_1_by_y_by_tau + delay_tau_by_y_by_tau*t76 + t334*t352 - t334*t353
+    v1_1_on_boundary_by_u_by_tau = carried_v1_1_by_u_by_tau + delay_tau_by_u_by_tau*t76 + t337*t352 - t337*t353
+    v1_1_on_boundary_by_w_by_tau = carried_v1_1_by_w_by_tau + delay_tau_by_w_by_tau*t76 + t338*t352 - t338*t353
     t354 = k1*x1_1_by_tau
     t355 = t79*x2_1_by_tau
-    v2_1_on_boundary_by_y_by_tau = carried_v2_1_by_y_by_tau + t339*t354 - t339*t355 + t81*tau_by_y_by_tau
-    v2_1_on_boundary_by_u_by_tau = carried_v2_1_by_u_by_tau + t342*t354 - t342*t355 + t81*tau_by_u_by_tau
-    v2_1_on_boundary_by_w_by_tau = carried_v2_1_by_w_by_tau + t343*t354 - t343*t355 + t81*tau_by_w_by_tau
+    v2_1_on_boundary_by_y_by_tau = carried_v2_1_by_y_by_tau + delay_tau_by_y_by_tau*t81 + t339*t354 - t339*t355
+    v2_1_on_boundary_by_u_by_tau = carried_v2_1_by_u_by_tau + delay_tau_by_u_by_tau*t81 + t342*t354 - t342*t355
+    v2_1_on_boundary_by_w_by_tau = carried_v2_1_by_w_by_tau + delay_tau_by_w_by_tau*t81 + t343*t354 - t343*t355
     # d/dm1 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_m1 = carried_x1_1_by_y_by_m1 + tau_by_y*v1_1_by_m1 + tau_by_y_by_m1*v1_1
-    x1_1_on_boundary_by_u_by_m1 = carried_x1_1_by_u_by_m1 + tau_by_u*v1_1_by_m1 + tau_by_u_by_m1*v1_1
-    x1_1_on_boundary_by_w_by_m1 = carried_x1_1_by_w_by_m1 + tau_by_w*v1_1_by_m1 + tau_by_w_by_m1*v1_1
-    x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + tau_by_y*v2_1_by_m1 + tau_by_y_by_m1*v2_1
-    x2_1_on_boundary_by_u_by_m1 = carried_x2_1_by_u_by_m1 + tau_by_u*v2_1_by_m1 + tau_by_u_by_m1*v2_1
-    x2_1_on_boundary_by_w_by_m1 = carried_x2_1_by_w_by_m1 + tau_by_w*v2_1_by_m1 + tau_by_w_by_m1*v2_1
+    x1_1_on_boundary_by_y_by_m1 = carried_x1_1_by_y_by_m1 + delay_tau_by_y*v1_1_by_m1 + delay_tau_by_y_by_m1*v1_1
+    x1_1_on_boundary_by_u_by_m1 = carried_x1_1_by_u_by_m1 + delay_tau_by_u*v1_1_by_m1 + delay_tau_by_u_by_m1*v1_1
+    x1_1_on_boundary_by_w_by_m1 = carried_x1_1_by_w_by_m1 + delay_tau_by_w*v1_1_by_m1 + delay_tau_by_w_by_m1*v1_1
+    x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_tau_by_y*v2_1_by_m1 + delay_tau_by_y_by_m1*v2_1
+    x2_1_on_boundary_by_u_by_m1 = carried_x2_1_by_u_by_m1 + delay_tau_by_u*v2_1_by_m1 + delay_tau_by_u_by_m1*v2_1
+    x2_1_on_boundary_by_w_by_m1 = carried_x2_1_by_w_by_m1 + delay_tau_by_w*v2_1_by_m1 + delay_tau_by_w_by_m1*v2_1
     t356 = 1/m1**2
     t357 = k1*t356
     t358 = -k3*t356 + t356*t74*x1_1 - t357*x2_1
     t359 = k1*x2_1_by_m1
     t360 = t74*x1_1_by_m1
-    v1_1_on_boundary_by_y_by_m1 = carried_v1_1_by_y_by_m1 + t334*t359 - t334*t360 + t358*tau_by_y + t76*tau_by_y_by_m1
-    v1_1_on_boundary_by_u_by_m1 = carried_v1_1_by_u_by_m1 + t337*t359 - t337*t360 + t358*tau_by_u + t76*tau_by_u_by_m1
-    v1_1_on_boundary_by_w_by_m1 = carried_v1_1_by_w_by_m1 + t338*t359 - t338*t360 + t358*tau_by_w + t76*tau_by_w_by_m1
+    v1_1_on_boundary_by_y_by_m1 = carried_v1_1_by_y_by_m1 + delay_tau_by_y*t358 + delay_tau_by_y_by_m1*t76 + t334*t359 - t334*t360
+    v1_1_on_boundary_by_u_by_m1 = carried_v1_1_by_u_by_m1 + delay_tau_by_u*t358 + delay_tau_by_u_by_m1*t76 + t337*t359 - t337*t360
+    v1_1_on_boundary_by_w_by_m1 = carried_v1_1_by_w_by_m1 + delay_tau_by_w*t358 + delay_tau_by_w_by_m1*t76 + t338*t359 - t338*t360
     t361 = k1*x1_1_by_m1
     t362 = t79*x2_1_by_m1
-    v2_1_on_boundary_by_y_by_m1 = carried_v2_1_by_y_by_m1 + t339*t361 - t339*t362 + t81*tau_by_y_by_m1
-    v2_1_on_boundary_by_u_by_m1 = carried_v2_1_by_u_by_m1 + t342*t361 - t342*t362 + t81*tau_by_u_by_m1
-    v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + t343*t361 - t343*t362 + t81*tau_by_w_by_m1
+    v2_1_on_boundary_by_y_by_m1 = carried_v2_1_by_y_by_m1 + delay_tau_by_y_by_m1*t81 + t339*t361 - t339*t362
+    v2_1_on_boundary_by_u_by_m1 = carried_v2_1_by_u_by_m1 + delay_tau_by_u_by_m1*t81 + t342*t361 - t342*t362
+    v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_tau_by_w_by_m1*t81 + t343*t361 - t343*t362
     # d/dm2 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_m2 = carried_x1_1_by_y_by_m2 + tau_by_y*v1_1_by_m2 + tau_by_y_by_m2*v1_1
-    x1_1_on_boundary_by_u_by_m2 = carried_x1_1_by_u_by_m2 + tau_by_u*v1_1_by_m2 + tau_by_u_by_m2*v1_1
-    x1_1_on_boundary_by_w_by_m2 = carried_x1_1_by_w_by_m2 + tau_by_w*v1_1_by_m2 + tau_by_w_by_m2*v1_1
-    x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + tau_by_y*v2_1_by_m2 + tau_by_y_by_m2*v2_1
-    x2_1_on_boundary_by_u_by_m2 = carried_x2_1_by_u_by_m2 + tau_by_u*v2_1_by_m2 + tau_by_u_by_m2*v2_1
-    x2_1_on_boundary_by_w_by_m2 = carried_x2_1_by_w_by_m2 + tau_by_w*v2_1_by_m2 + tau_by_w_by_m2*v2_1
+    x1_1_on_boundary_by_y_by_m2 = carried_x1_1_by_y_by_m2 + delay_tau_by_y*v1_1_by_m2 + delay_tau_by_y_by_m2*v1_1
+    x1_1_on_boundary_by_u_by_m2 = carried_x1_1_by_u_by_m2 + delay_tau_by_u*v1_1_by_m2 + delay_tau_by_u_by_m2*v1_1
+    x1_1_on_boundary_by_w_by_m2 = carried_x1_1_by_w_by_m2 + delay_tau_by_w*v1_1_by_m2 + delay_tau_by_w_by_m2*v1_1
+    x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_tau_by_y*v2_1_by_m2 + delay_tau_by_y_by_m2*v2_1
+    x2_1_on_boundary_by_u_by_m2 = carried_x2_1_by_u_by_m2 + delay_tau_by_u*v2_1_by_m2 + delay_tau_by_u_by_m2*v2_1
+    x2_1_on_boundary_by_w_by_m2 = carried_x2_1_by_w_by_m2 + delay_tau_by_w*v2_1_by_m2 + delay_tau_by_w_by_m2*v2_1
     t363 = k1*x2_1_by_m2
     t364 = t74*x1_1_by_m2
-    v1_1_on_boundary_by_y_by_m2 = carried_v1_1_by_y_by_m2 + t334*t363 - t334*t364 + t76*tau_by_y_by_m2
-    v1_1_on_boundary_by_u_by_m2 = carried_v1_1_by_u_by_m2 + t337*t363 - t337*t364 + t76*tau_by_u_by_m2
-    v1_1_on_boundary_by_w_by_m2 = carried_v1_1_by_w_by_m2 + t338*t363 - t338*t364 + t76*tau_by_w_by_m2
+    v1_1_on_boundary_by_y_by_m2 = carried_v1_1_by_y_by_m2 + delay_tau_by_y_by_m2*t76 + t334*t363 - t334*t364
+    v1_1_on_boundary_by_u_by_m2 = carried_v1_1_by_u_by_m2 + delay_tau_by_u_by_m2*t76 + t337*t363 - t337*t364
+    v1_1_on_boundary_by_w_by_m2 = carried_v1_1_by_w_by_m2 + delay_tau_by_w_by_m2*t76 + t338*t363 - t338*t364
     t365 = 1/m2**2
     t366 = k1*t365
     t367 = t365*t79*x2_1 - t366*x1_1
     t368 = k1*x1_1_by_m2
     t369 = t79*x2_1_by_m2
-    v2_1_on_boundary_by_y_by_m2 = carried_v2_1_by_y_by_m2 + t339*t368 - t339*t369 + t367*tau_by_y + t81*tau_by_y_by_m2
-    v2_1_on_boundary_by_u_by_m2 = carried_v2_1_by_u_by_m2 + t342*t368 - t342*t369 + t367*tau_by_u + t81*tau_by_u_by_m2
-    v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + t343*t368 - t343*t369 + t367*tau_by_w + t81*tau_by_w_by_m2
+    v2_1_on_boundary_by_y_by_m2 = carried_v2_1_by_y_by_m2 + delay_tau_by_y*t367 + delay_tau_by_y_by_m2*t81 + t339*t368 - t339*t369
+    v2_1_on_boundary_by_u_by_m2 = carried_v2_1_by_u_by_m2 + delay_tau_by_u*t367 + delay_tau_by_u_by_m2*t81 + t342*t368 - t342*t369
+    v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_tau_by_w*t367 + delay_tau_by_w_by_m2*t81 + t343*t368 - t343*t369
     # d/dk1 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_k1 = carried_x1_1_by_y_by_k1 + tau_by_y*v1_1_by_k1 + tau_by_y_by_k1*v1_1
-    x1_1_on_boundary_by_u_by_k1 = carried_x1_1_by_u_by_k1 + tau_by_u*v1_1_by_k1 + tau_by_u_by_k1*v1_1
-    x1_1_on_boundary_by_w_by_k1 = carried_x1_1_by_w_by_k1 + tau_by_w*v1_1_by_k1 + tau_by_w_by_k1*v1_1
-    x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + tau_by_y*v2_1_by_k1 + tau_by_y_by_k1*v2_1
-    x2_1_on_boundary_by_u_by_k1 = carried_x2_1_by_u_by_k1 + tau_by_u*v2_1_by_k1 + tau_by_u_by_k1*v2_1
-    x2_1_on_boundary_by_w_by_k1 = carried_x2_1_by_w_by_k1 + tau_by_w*v2_1_by_k1 + tau_by_w_by_k1*v2_1
+    x1_1_on_boundary_by_y_by_k1 = carried_x1_1_by_y_by_k1 + delay_tau_by_y*v1_1_by_k1 + delay_tau_by_y_by_k1*v1_1
+    x1_1_on_boundary_by_u_by_k1 = carried_x1_1_by_u_by_k1 + delay_tau_by_u*v1_1_by_k1 + delay_tau_by_u_by_k1*v1_1
+    x1_1_on_boundary_by_w_by_k1 = carried_x1_1_by_w_by_k1 + delay_tau_by_w*v1_1_by_k1 + delay_tau_by_w_by_k1*v1_1
+    x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_tau_by_y*v2_1_by_k1 + delay_tau_by_y_by_k1*v2_1
+    x2_1_on_boundary_by_u_by_k1 = carried_x2_1_by_u_by_k1 + delay_tau_by_u*v2_1_by_k1 + delay_tau_by_u_by_k1*v2_1
+    x2_1_on_boundary_by_w_by_k1 = carried_x2_1_by_w_by_k1 + delay_tau_by_w*v2_1_by_k1 + delay_tau_by_w_by_k1*v2_1
     t370 = t73*x2_1 - t75
     t371 = k1*x2_1_by_k1
     t372 = t74*x1_1_by_k1
-    v1_1_on_boundary_by_y_by_k1 = carried_v1_1_by_y_by_k1 + t334*t371 - t334*t372 + t370*tau_by_y + t76*tau_by_y_by_k1
-    v1_1_on_boundary_by_u_by_k1 = carried_v1_1_by_u_by_k1 + t337*t371 - t337*t372 + t370*tau_by_u + t76*tau_by_u_by_k1
-    v1_1_on_boundary_by_w_by_k1 = carried_v1_1_by_w_by_k1 + t338*t371 - t338*t372 + t370*tau_by_w + t76*tau_by_w_by_k1
+    v1_1_on_boundary_by_y_by_k1 = carried_v1_1_by_y_by_k1 + delay_tau_by_y*t370 + delay_tau_by_y_by_k1*t76 + t334*t371 - t334*t372
+    v1_1_on_boundary_by_u_by_k1 = carried_v1_1_by_u_by_k1 + delay_tau_by_u*t370 + delay_tau_by_u_by_k1*t76 + t337*t371 - t337*t372
+    v1_1_on_boundary_by_w_by_k1 = carried_v1_1_by_w_by_k1 + delay_tau_by_w*t370 + delay_tau_by_w_by_k1*t76 + t338*t371 - t338*t372
     t373 = t78 - t80
     t374 = k1*x1_1_by_k1
     t375 = t79*x2_1_by_k1
-    v2_1_on_boundary_by_y_by_k1 = carried_v2_1_by_y_by_k1 + t339*t374 - t339*t375 + t373*tau_by_y + t81*tau_by_y_by_k1
-    v2_1_on_boundary_by_u_by_k1 = carried_v2_1_by_u_by_k1 + t342*t374 - t342*t375 + t373*tau_by_u + t81*tau_by_u_by_k1
-    v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + t343*t374 - t343*t375 + t373*tau_by_w + t81*tau_by_w_by_k1
+    v2_1_on_boundary_by_y_by_k1 = carried_v2_1_by_y_by_k1 + delay_tau_by_y*t373 + delay_tau_by_y_by_k1*t81 + t339*t374 - t339*t375
+    v2_1_on_boundary_by_u_by_k1 = carried_v2_1_by_u_by_k1 + delay_tau_by_u*t373 + delay_tau_by_u_by_k1*t81 + t342*t374 - t342*t375
+    v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_tau_by_w*t373 + delay_tau_by_w_by_k1*t81 + t343*t374 - t343*t375
     # d/dk2 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_k2 = carried_x1_1_by_y_by_k2 + tau_by_y*v1_1_by_k2 + tau_by_y_by_k2*v1_1
-    x1_1_on_boundary_by_u_by_k2 = carried_x1_1_by_u_by_k2 + tau_by_u*v1_1_by_k2 + tau_by_u_by_k2*v1_1
-    x1_1_on_boundary_by_w_by_k2 = carried_x1_1_by_w_by_k2 + tau_by_w*v1_1_by_k2 + tau_by_w_by_k2*v1_1
-    x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + tau_by_y*v2_1_by_k2 + tau_by_y_by_k2*v2_1
-    x2_1_on_boundary_by_u_by_k2 = carried_x2_1_by_u_by_k2 + tau_by_u*v2_1_by_k2 + tau_by_u_by_k2*v2_1
-    x2_1_on_boundary_by_w_by_k2 = carried_x2_1_by_w_by_k2 + tau_by_w*v2_1_by_k2 + tau_by_w_by_k2*v2_1
+    x1_1_on_boundary_by_y_by_k2 = carried_x1_1_by_y_by_k2 + delay_tau_by_y*v1_1_by_k2 + delay_tau_by_y_by_k2*v1_1
+    x1_1_on_boundary_by_u_by_k2 = carried_x1_1_by_u_by_k2 + delay_tau_by_u*v1_1_by_k2 + delay_tau_by_u_by_k2*v1_1
+    x1_1_on_boundary_by_w_by_k2 = carried_x1_1_by_w_by_k2 + delay_tau_by_w*v1_1_by_k2 + delay_tau_by_w_by_k2*v1_1
+    x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_tau_by_y*v2_1_by_k2 + delay_tau_by_y_by_k2*v2_1
+    x2_1_on_boundary_by_u_by_k2 = carried_x2_1_by_u_by_k2 + delay_tau_by_u*v2_1_by_k2 + delay_tau_by_u_by_k2*v2_1
+    x2_1_on_boundary_by_w_by_k2 = carried_x2_1_by_w_by_k2 + delay_tau_by_w*v2_1_by_k2 + delay_tau_by_w_by_k2*v2_1
     t376 = k1*x2_1_by_k2
     t377 = t74*x1_1_by_k2
-    v1_1_on_boundary_by_y_by_k2 = carried_v1_1_by_y_by_k2 + t334*t376 - t334*t377 + t76*tau_by_y_by_k2
-    v1_1_on_boundary_by_u_by_k2 = carried_v1_1_by_u_by_k2 + t337*t376 - t337*t377 + t76*tau_by_u_by_k2
-    v1_1_on_boundary_by_w_by_k2 = carried_v1_1_by_w_by_k2 + t338*t376 - t338*t377 + t76*tau_by_w_by_k2
+    v1_1_on_boundary_by_y_by_k2 = carried_v1_1_by_y_by_k2 + delay_tau_by_y_by_k2*t76 + t334*t376 - t334*t377
+    v1_1_on_boundary_by_u_by_k2 = carried_v1_1_by_u_by_k2 + delay_tau_by_u_by_k2*t76 + t337*t376 - t337*t377
+    v1_1_on_boundary_by_w_by_k2 = carried_v1_1_by_w_by_k2 + delay_tau_by_w_by_k2*t76 + t338*t376 - t338*t377
     t378 = k1*x1_1_by_k2
     t379 = t79*x2_1_by_k2
-    v2_1_on_boundary_by_y_by_k2 = carried_v2_1_by_y_by_k2 + t339*t378 - t339*t379 - t80*tau_by_y + t81*tau_by_y_by_k2
-    v2_1_on_boundary_by_u_by_k2 = carried_v2_1_by_u_by_k2 + t342*t378 - t342*t379 - t80*tau_by_u + t81*tau_by_u_by_k2
-    v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 + t343*t378 - t343*t379 - t80*tau_by_w + t81*tau_by_w_by_k2
+    v2_1_on_boundary_by_y_by_k2 = carried_v2_1_by_y_by_k2 - delay_tau_by_y*t80 + delay_tau_by_y_by_k2*t81 + t339*t378 - t339*t379
+    v2_1_on_boundary_by_u_by_k2 = carried_v2_1_by_u_by_k2 - delay_tau_by_u*t80 + delay_tau_by_u_by_k2*t81 + t342*t378 - t342*t379
+    v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_tau_by_w*t80 + delay_tau_by_w_by_k2*t81 + t343*t378 - t343*t379
     # d/dk3 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_k3 = carried_x1_1_by_y_by_k3 + tau_by_y*v1_1_by_k3 + tau_by_y_by_k3*v1_1
-    x1_1_on_boundary_by_u_by_k3 = carried_x1_1_by_u_by_k3 + tau_by_u*v1_1_by_k3 + tau_by_u_by_k3*v1_1
-    x1_1_on_boundary_by_w_by_k3 = carried_x1_1_by_w_by_k3 + tau_by_w*v1_1_by_k3 + tau_by_w_by_k3*v1_1
-    x2_1_on_boundary_by_y_by_k3 = carried_x2_1_by_y_by_k3 + tau_by_y*v2_1_by_k3 + tau_by_y_by_k3*v2_1
-    x2_1_on_boundary_by_u_by_k3 = carried_x2_1_by_u_by_k3 + tau_by_u*v2_1_by_k3 + tau_by_u_by_k3*v2_1
-    x2_1_on_boundary_by_w_by_k3 = carried_x2_1_by_w_by_k3 + tau_by_w*v2_1_by_k3 + tau_by_w_by_k3*v2_1
+    x1_1_on_boundary_by_y_by_k3 = carried_x1_1_by_y_by_k3 + delay_tau_by_y*v1_1_by_k3 + delay_tau_by_y_by_k3*v1_1
+    x1_1_on_boundary_by_u_by_k3 = carried_x1_1_by_u_by_k3 + delay_tau_by_u*v1_1_by_k3 + delay_tau_by_u_by_k3*v1_1
+    x1_1_on_boundary_by_w_by_k3 = carried_x1_1_by_w_by_k3 + delay_tau_by_w*v1_1_by_k3 + delay_tau_by_w_by_k3*v1_1
+    x2_1_on_boundary_by_y_by_k3 = carried_x2_1_by_y_by_k3 + delay_tau_by_y*v2_1_by_k3 + delay_tau_by_y_by_k3*v2_1
+    x2_1_on_boundary_by_u_by_k3 = carried_x2_1_by_u_by_k3 + delay_tau_by_u*v2_1_by_k3 + delay_tau_by_u_by_k3*v2_1
+    x2_1_on_boundary_by_w_by_k3 = carried_x2_1_by_w_by_k3 + delay_tau_by_w*v2_1_by_k3 + delay_tau_by_w_by_k3*v2_1
     t380 = t73 - t75
     t381 = k1*x2_1_by_k3
     t382 = t74*x1_1_by_k3
-    v1_1_on_boundary_by_y_by_k3 = carried_v1_1_by_y_by_k3 + t334*t381 - t334*t382 + t380*tau_by_y + t76*tau_by_y_by_k3
-    v1_1_on_boundary_by_u_by_k3 = carried_v1_1_by_u_by_k3 + t337*t381 - t337*t382 + t380*tau_by_u + t76*tau_by_u_by_k3
-    v1_1_on_boundary_by_w_by_k3 = carried_v1_1_by_w_by_k3 + t338*t381 - t338*t382 + t380*tau_by_w + t76*tau_by_w_by_k3
+    v1_1_on_boundary_by_y_by_k3 = carried_v1_1_by_y_by_k3 + delay_tau_by_y*t380 + delay_tau_by_y_by_k3*t76 + t334*t381 - t334*t382
+    v1_1_on_boundary_by_u_by_k3 = carried_v1_1_by_u_by_k3 + delay_tau_by_u*t380 + delay_tau_by_u_by_k3*t76 + t337*t381 - t337*t382
+    v1_1_on_boundary_by_w_by_k3 = carried_v1_1_by_w_by_k3 + delay_tau_by_w*t380 + delay_tau_by_w_by_k3*t76 + t338*t381 - t338*t382
     t383 = k1*x1_1_by_k3
     t384 = t79*x2_1_by_k3
-    v2_1_on_boundary_by_y_by_k3 = carried_v2_1_by_y_by_k3 + t339*t383 - t339*t384 + t81*tau_by_y_by_k3
-    v2_1_on_boundary_by_u_by_k3 = carried_v2_1_by_u_by_k3 + t342*t383 - t342*t384 + t81*tau_by_u_by_k3
-    v2_1_on_boundary_by_w_by_k3 = carried_v2_1_by_w_by_k3 + t343*t383 - t343*t384 + t81*tau_by_w_by_k3
+    v2_1_on_boundary_by_y_by_k3 = carried_v2_1_by_y_by_k3 + delay_tau_by_y_by_k3*t81 + t339*t383 - t339*t384
+    v2_1_on_boundary_by_u_by_k3 = carried_v2_1_by_u_by_k3 + delay_tau_by_u_by_k3*t81 + t342*t383 - t342*t384
+    v2_1_on_boundary_by_w_by_k3 = carried_v2_1_by_w_by_k3 + delay_tau_by_w_by_k3*t81 + t343*t383 - t343*t384
     # d/dy of: Phi along tau1
+    carried_x1_2_by_y_by_y = t58*v1_1_on_boundary_by_y_by_y + t59*v2_1_on_boundary_by_y_by_y + t60*x1_1_on_boundary_by_y_by_y + t61*x2_1_on_boundary_by_y_by_y
+    carried_x1_2_by_u_by_y = t58*v1_1_on_boundary_by_u_by_y + t59*v2_1_on_boundary_by_u_by_y + t60*x1_1_on_boundary_by_u_by_y + t61*x2_1_on_boundary_by_u_by_y
+    carried_x1_2_by_w_by_y = t58*v1_1_on_boundary_by_w_by_y + t59*v2_1_on_boundary_by_w_by_y + t60*x1_1_on_boundary_by_w_by_y + t61*x2_1_on_boundary_by_w_by_y
+    carried_x2_2_by_y_by_y = t62*v1_1_on_boundary_by_y_by_y + t63*v2_1_on_boundary_by_y_by_y + t64*x1_1_on_boundary_by_y_by_y + t65*x2_1_on_boundary_by_y_by_y
+    carried_v1_2_by_u_by_y = t60*v1_1_on_boundary_by_u_by_y + t61*v2_1_on_boundary_by_u_by_y + t68*x1_1_on_boundary_by_u_by_y + t69*x2_1_on_boundary_by_u_by_y
+    carried_v2_2_by_w_by_y = t64*v1_1_on_boundary_by_w_by_y + t65*v2_1_on_boundary_by_w_by_y + t70*x1_1_on_boundary_by_w_by_y + t71*x2_1_on_boundary_by_w_by_y
+    # d/du of: Phi along tau1
+    carried_x1_2_by_y_by_u = t58*v1_1_on_boundary_by_y_by_u + t59*v2_1_on_boundary_by_y_by_u + t60*x1_1_on_boundary_by_y_by_u + t61*x2_1_on_boundary_by_y_by_u
+    carried_x1_2_by_u_by_u = t58*v1_1_on_boundary_by_u_by_u + t59*v2_1_on_boundary_by_u_by_u + t60*x1_1_on_boundary_by_u_by_u + t61*x2_1_on_boundary_by_u_by_u
+    carried_x1_2_by_w_by_u = t58*v1_1_on_boundary_by_w_by_u + t59*v2_1_on_boundary_by_w_by_u + t60*x1_1_on_boundary_by_w_by_u + t61*x2_1_on_boundary_by_w_by_u
+    carried_x2_2_by_y_by_u = t62*v1_1_on_boundary_by_y_by_u + t63*v2_1_on_boundary_by_y_by_u + t64*x1_1_on_boundary_by_y_by_u + t65*x2_1_on_boundary_by_y_by_u
+    carried_v1_2_by_u_by_u = t60*v1_1_on_boundary_by_u_by_u + t61*v2_1_on_boundary_by_u_by_u + t68*x1_1_on_boundary_by_u_by_u + t69*x2_1_on_boundary_by_u_by_u
+    carried_v2_2_by_w_by_u = t64*v1_1_on_boundary_by_w_by_u + t65*v2_1_on_boundary_by_w_by_u + t70*x1_1_on_boundary_by_w_by_u + t71*x2_1_on_boundary_by_w_by_u
+    # d/dw of: Phi along tau1
+    carried_x1_2_by_y_by_w = t58*v1_1_on_boundary_by_y_by_w + t59*v2_1_on_boundary_by_y_by_w + t60*x1_1_on_boundary_by_y_by_w + t61*x2_1_on_boundary_by_y_by_w
+    carried_x1_2_by_u_by_w = t58*v1_1_on_boundary_by_u_by_w + t59*v2_1_on_boundary_by_u_by_w + t60*x1_1_on_boundary_by_u_by_w + t61*x2_1_on_boundary_by_u_by_w
+    carried_x1_2_by_w_by_w = t58*v1_1_on_boundary_by_w_by_w + t59*v2_1_on_boundary_by_w_by_w + t60*x1_1_on_boundary_by_w_by_w + t61*x2_1_on_boundary_by_w_by_w
+    carried_x2_2_by_y_by_w = t62*v1_1_on_boundary_by_y_by_w + t63*v2_1_on_boundary_by_y_by_w + t64*x1_1_on_boundary_by_y_by_w + t65*x2_1_on_boundary_by_y_by_w
+    carried_v1_2_by_u_by_w = t60*v1_1_on_boundary_by_u_by_w + t61*v2_1_on_boundary_by_u_by_w + t68*x1_1_on_boundary_by_u_by_w + t69*x2_1_on_boundary_by_u_by_w
+    carried_v2_2_by_w_by_w = t64*v1_1_on_boundary_by_w_by_w + t65*v2_1_on_boundary_by_w_by_w + t70*x1_1_on_boundary_by_w_by_w + t71*x2_1_on_boundary_by_w_by_w
+    # d/dtau of: Phi along tau1
     t385 = p5*x2_1_on_boundary_by_y
     t386 = p4*x1_1_on_boundary_by_y + t385
     t387 = -t385 + t55*x1_1_on_boundary_by_y
@@ -2267,7 +2271,7 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t389 = p5*v2_1_on_boundary_by_y
     t390 = t388*v1_1_on_boundary_by_y + t389*t53
     t391 = -t389*t56 + t55*t56*v1_1_on_boundary_by_y
-    carried_x1_2_by_y_by_y = cos_omega3_tau1_by_y*t386 + cos_omega4_tau1_by_y*t387 + sin_omega3_tau1_by_y*t390 + sin_omega4_tau1_by_y*t391 + t58*v1_1_on_boundary_by_y_by_y + t59*v2_1_on_boundary_by_y_by_y + t60*x1_1_on_boundary_by_y_by_y + t61*x2_1_on_boundary_by_y_by_y
+    carried_x1_2_by_y_by_tau = cos_omega3_tau1_by_tau*t386 + cos_omega4_tau1_by_tau*t387 + sin_omega3_tau1_by_tau*t390 + sin_omega4_tau1_by_tau*t391 + t58*v1_1_on_boundary_by_y_by_tau + t59*v2_1_on_boundary_by_y_by_tau + t60*x1_1_on_boundary_by_y_by_tau + t61*x2_1_on_boundary_by_y_by_tau
     t392 = p4*x1_1_on_boundary_by_u
     t393 = p5*x2_1_on_boundary_by_u
     t394 = t392 + t393
@@ -2276,14 +2280,14 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t397 = p5*v2_1_on_boundary_by_u
     t398 = t396*t53 + t397*t53
     t399 = -t397*t56 + t55*t56*v1_1_on_boundary_by_u
-    carried_x1_2_by_u_by_y = cos_omega3_tau1_by_y*t394 + cos_omega4_tau1_by_y*t395 + sin_omega3_tau1_by_y*t398 + sin_omega4_tau1_by_y*t399 + t58*v1_1_on_boundary_by_u_by_y + t59*v2_1_on_boundary_by_u_by_y + t60*x1_1_on_boundary_by_u_by_y + t61*x2_1_on_boundary_by_u_by_y
+    carried_x1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t394 + cos_omega4_tau1_by_tau*t395 + sin_omega3_tau1_by_tau*t398 + sin_omega4_tau1_by_tau*t399 + t58*v1_1_on_boundary_by_u_by_tau + t59*v2_1_on_boundary_by_u_by_tau + t60*x1_1_on_boundary_by_u_by_tau + t61*x2_1_on_boundary_by_u_by_tau
     t400 = p5*x2_1_on_boundary_by_w
     t401 = p4*x1_1_on_boundary_by_w + t400
     t402 = -t400 + t55*x1_1_on_boundary_by_w
     t403 = p5*v2_1_on_boundary_by_w
     t404 = t388*v1_1_on_boundary_by_w + t403*t53
     t405 = -t403*t56 + t55*t56*v1_1_on_boundary_by_w
-    carried_x1_2_by_w_by_y = cos_omega3_tau1_by_y*t401 + cos_omega4_tau1_by_y*t402 + sin_omega3_tau1_by_y*t404 + sin_omega4_tau1_by_y*t405 + t58*v1_1_on_boundary_by_w_by_y + t59*v2_1_on_boundary_by_w_by_y + t60*x1_1_on_boundary_by_w_by_y + t61*x2_1_on_boundary_by_w_by_y
+    carried_x1_2_by_w_by_tau = cos_omega3_tau1_by_tau*t401 + cos_omega4_tau1_by_tau*t402 + sin_omega3_tau1_by_tau*t404 + sin_omega4_tau1_by_tau*t405 + t58*v1_1_on_boundary_by_w_by_tau + t59*v2_1_on_boundary_by_w_by_tau + t60*x1_1_on_boundary_by_w_by_tau + t61*x2_1_on_boundary_by_w_by_tau
     t406 = p6*x1_1_on_boundary_by_y
     t407 = t406 + t55*x2_1_on_boundary_by_y
     t408 = p4*x2_1_on_boundary_by_y - t406
@@ -2292,13 +2296,13 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t411 = t409*t53 + t410*t53
     t412 = p4*v2_1_on_boundary_by_y
     t413 = -t409*t56 + t412*t56
-    carried_x2_2_by_y_by_y = cos_omega3_tau1_by_y*t407 + cos_omega4_tau1_by_y*t408 + sin_omega3_tau1_by_y*t411 + sin_omega4_tau1_by_y*t413 + t62*v1_1_on_boundary_by_y_by_y + t63*v2_1_on_boundary_by_y_by_y + t64*x1_1_on_boundary_by_y_by_y + t65*x2_1_on_boundary_by_y_by_y
+    carried_x2_2_by_y_by_tau = cos_omega3_tau1_by_tau*t407 + cos_omega4_tau1_by_tau*t408 + sin_omega3_tau1_by_tau*t411 + sin_omega4_tau1_by_tau*t413 + t62*v1_1_on_boundary_by_y_by_tau + t63*v2_1_on_boundary_by_y_by_tau + t64*x1_1_on_boundary_by_y_by_tau + t65*x2_1_on_boundary_by_y_by_tau
     t414 = t396 + t397
     t415 = -t397 + t55*v1_1_on_boundary_by_u
     t416 = -omega3*t392 - omega3*t393
     t417 = t55*x1_1_on_boundary_by_u
     t418 = omega4*t393 - omega4*t417
-    carried_v1_2_by_u_by_y = cos_omega3_tau1_by_y*t414 + cos_omega4_tau1_by_y*t415 + sin_omega3_tau1_by_y*t416 + sin_omega4_tau1_by_y*t418 + t60*v1_1_on_boundary_by_u_by_y + t61*v2_1_on_boundary_by_u_by_y + t68*x1_1_on_boundary_by_u_by_y + t69*x2_1_on_boundary_by_u_by_y
+    carried_v1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t414 + cos_omega4_tau1_by_tau*t415 + sin_omega3_tau1_by_tau*t416 + sin_omega4_tau1_by_tau*t418 + t60*v1_1_on_boundary_by_u_by_tau + t61*v2_1_on_boundary_by_u_by_tau + t68*x1_1_on_boundary_by_u_by_tau + t69*x2_1_on_boundary_by_u_by_tau
     t419 = p6*v1_1_on_boundary_by_w
     t420 = t419 + t55*v2_1_on_boundary_by_w
     t421 = p4*v2_1_on_boundary_by_w - t419
@@ -2307,27 +2311,6 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t424 = -omega3*t422 - omega3*t423
     t425 = p4*x2_1_on_boundary_by_w
     t426 = omega4*p6*x1_1_on_boundary_by_w - omega4*t425
-    carried_v2_2_by_w_by_y = cos_omega3_tau1_by_y*t420 + cos_omega4_tau1_by_y*t421 + sin_omega3_tau1_by_y*t424 + sin_omega4_tau1_by_y*t426 + t64*v1_1_on_boundary_by_w_by_y + t65*v2_1_on_boundary_by_w_by_y + t70*x1_1_on_boundary_by_w_by_y + t71*x2_1_on_boundary_by_w_by_y
-    # d/du of: Phi along tau1
-    carried_x1_2_by_y_by_u = cos_omega3_tau1_by_u*t386 + cos_omega4_tau1_by_u*t387 + sin_omega3_tau1_by_u*t390 + sin_omega4_tau1_by_u*t391 + t58*v1_1_on_boundary_by_y_by_u + t59*v2_1_on_boundary_by_y_by_u + t60*x1_1_on_boundary_by_y_by_u + t61*x2_1_on_boundary_by_y_by_u
-    carried_x1_2_by_u_by_u = cos_omega3_tau1_by_u*t394 + cos_omega4_tau1_by_u*t395 + sin_omega3_tau1_by_u*t398 + sin_omega4_tau1_by_u*t399 + t58*v1_1_on_boundary_by_u_by_u + t59*v2_1_on_boundary_by_u_by_u + t60*x1_1_on_boundary_by_u_by_u + t61*x2_1_on_boundary_by_u_by_u
-    carried_x1_2_by_w_by_u = cos_omega3_tau1_by_u*t401 + cos_omega4_tau1_by_u*t402 + sin_omega3_tau1_by_u*t404 + sin_omega4_tau1_by_u*t405 + t58*v1_1_on_boundary_by_w_by_u + t59*v2_1_on_boundary_by_w_by_u + t60*x1_1_on_boundary_by_w_by_u + t61*x2_1_on_boundary_by_w_by_u
-    carried_x2_2_by_y_by_u = cos_omega3_tau1_by_u*t407 + cos_omega4_tau1_by_u*t408 + sin_omega3_tau1_by_u*t411 + sin_omega4_tau1_by_u*t413 + t62*v1_1_on_boundary_by_y_by_u + t63*v2_1_on_boundary_by_y_by_u + t64*x1_1_on_boundary_by_y_by_u + t65*x2_1_on_boundary_by_y_by_u
-    carried_v1_2_by_u_by_u = cos_omega3_tau1_by_u*t414 + cos_omega4_tau1_by_u*t415 + sin_omega3_tau1_by_u*t416 + sin_omega4_tau1_by_u*t418 + t60*v1_1_on_boundary_by_u_by_u + t61*v2_1_on_boundary_by_u_by_u + t68*x1_1_on_boundary_by_u_by_u + t69*x2_1_on_boundary_by_u_by_u
-    carried_v2_2_by_w_by_u = cos_omega3_tau1_by_u*t420 + cos_omega4_tau1_by_u*t421 + sin_omega3_tau1_by_u*t424 + sin_omega4_tau1_by_u*t426 + t64*v1_1_on_boundary_by_w_by_u + t65*v2_1_on_boundary_by_w_by_u + t70*x1_1_on_boundary_by_w_by_u + t71*x2_1_on_boundary_by_w_by_u
-    # d/dw of: Phi along tau1
-    carried_x1_2_by_y_by_w = cos_omega3_tau1_by_w*t386 + cos_omega4_tau1_by_w*t387 + sin_omega3_tau1_by_w*t390 + sin_omega4_tau1_by_w*t391 + t58*v1_1_on_boundary_by_y_by_w + t59*v2_1_on_boundary_by_y_by_w + t60*x1_1_on_boundary_by_y_by_w + t61*x2_1_on_boundary_by_y_by_w
-    carried_x1_2_by_u_by_w = cos_omega3_tau1_by_w*t394 + cos_omega4_tau1_by_w*t395 + sin_omega3_tau1_by_w*t398 + sin_omega4_tau1_by_w*t399 + t58*v1_1_on_boundary_by_u_by_w + t59*v2_1_on_boundary_by_u_by_w + t60*x1_1_on_boundary_by_u_by_w + t61*x2_1_on_boundary_by_u_by_w
-    carried_x1_2_by_w_by_w = cos_omega3_tau1_by_w*t401 + cos_omega4_tau1_by_w*t402 + sin_omega3_tau1_by_w*t404 + sin_omega4_tau1_by_w*t405 + t58*v1_1_on_boundary_by_w_by_w + t59*v2_1_on_boundary_by_w_by_w + t60*x1_1_on_boundary_by_w_by_w + t61*x2_1_on_boundary_by_w_by_w
-    carried_x2_2_by_y_by_w = cos_omega3_tau1_by_w*t407 + cos_omega4_tau1_by_w*t408 + sin_omega3_tau1_by_w*t411 + sin_omega4_tau1_by_w*t413 + t62*v1_1_on_boundary_by_y_by_w + t63*v2_1_on_boundary_by_y_by_w + t64*x1_1_on_boundary_by_y_by_w + t65*x2_1_on_boundary_by_y_by_w
-    carried_v1_2_by_u_by_w = cos_omega3_tau1_by_w*t414 + cos_omega4_tau1_by_w*t415 + sin_omega3_tau1_by_w*t416 + sin_omega4_tau1_by_w*t418 + t60*v1_1_on_boundary_by_u_by_w + t61*v2_1_on_boundary_by_u_by_w + t68*x1_1_on_boundary_by_u_by_w + t69*x2_1_on_boundary_by_u_by_w
-    carried_v2_2_by_w_by_w = cos_omega3_tau1_by_w*t420 + cos_omega4_tau1_by_w*t421 + sin_omega3_tau1_by_w*t424 + sin_omega4_tau1_by_w*t426 + t64*v1_1_on_boundary_by_w_by_w + t65*v2_1_on_boundary_by_w_by_w + t70*x1_1_on_boundary_by_w_by_w + t71*x2_1_on_boundary_by_w_by_w
-    # d/dtau of: Phi along tau1
-    carried_x1_2_by_y_by_tau = cos_omega3_tau1_by_tau*t386 + cos_omega4_tau1_by_tau*t387 + sin_omega3_tau1_by_tau*t390 + sin_omega4_tau1_by_tau*t391 + t58*v1_1_on_boundary_by_y_by_tau + t59*v2_1_on_boundary_by_y_by_tau + t60*x1_1_on_boundary_by_y_by_tau + t61*x2_1_on_boundary_by_y_by_tau
-    carried_x1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t394 + cos_omega4_tau1_by_tau*t395 + sin_omega3_tau1_by_tau*t398 + sin_omega4_tau1_by_tau*t399 + t58*v1_1_on_boundary_by_u_by_tau + t59*v2_1_on_boundary_by_u_by_tau + t60*x1_1_on_boundary_by_u_by_tau + t61*x2_1_on_boundary_by_u_by_tau
-    carried_x1_2_by_w_by_tau = cos_omega3_tau1_by_tau*t401 + cos_omega4_tau1_by_tau*t402 + sin_omega3_tau1_by_tau*t404 + sin_omega4_tau1_by_tau*t405 + t58*v1_1_on_boundary_by_w_by_tau + t59*v2_1_on_boundary_by_w_by_tau + t60*x1_1_on_boundary_by_w_by_tau + t61*x2_1_on_boundary_by_w_by_tau
-    carried_x2_2_by_y_by_tau = cos_omega3_tau1_by_tau*t407 + cos_omega4_tau1_by_tau*t408 + sin_omega3_tau1_by_tau*t411 + sin_omega4_tau1_by_tau*t413 + t62*v1_1_on_boundary_by_y_by_tau + t63*v2_1_on_boundary_by_y_by_tau + t64*x1_1_on_boundary_by_y_by_tau + t65*x2_1_on_boundary_by_y_by_tau
-    carried_v1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t414 + cos_omega4_tau1_by_tau*t415 + sin_omega3_tau1_by_tau*t416 + sin_omega4_tau1_by_tau*t418 + t60*v1_1_on_boundary_by_u_by_tau + t61*v2_1_on_boundary_by_u_by_tau + t68*x1_1_on_boundary_by_u_by_tau + t69*x2_1_on_boundary_by_u_by_tau
     carried_v2_2_by_w_by_tau = cos_omega3_tau1_by_tau*t420 + cos_omega4_tau1_by_tau*t421 + sin_omega3_tau1_by_tau*t424 + sin_omega4_tau1_by_tau*t426 + t64*v1_1_on_boundary_by_w_by_tau + t65*v2_1_on_boundary_by_w_by_tau + t70*x1_1_on_boundary_by_w_by_tau + t71*x2_1_on_boundary_by_w_by_tau
     # d/dm1 of: Phi along tau1
     t427 = p4*t226
@@ -2396,106 +2379,106 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     carried_x2_2_by_y_by_T = cos_omega3_tau1_by_T*t407 + cos_omega4_tau1_by_T*t408 + sin_omega3_tau1_by_T*t411 + sin_omega4_tau1_by_T*t413
     carried_v1_2_by_u_by_T = cos_omega3_tau1_by_T*t414 + cos_omega4_tau1_by_T*t415 + sin_omega3_tau1_by_T*t416 + sin_omega4_tau1_by_T*t418
     carried_v2_2_by_w_by_T = cos_omega3_tau1_by_T*t420 + cos_omega4_tau1_by_T*t421 + sin_omega3_tau1_by_T*t424 + sin_omega4_tau1_by_T*t426
-    # d/dy of: derivatives of tau1 on the boundary
+    # d/dy of: derivatives of the time to the boundary after tau1
     t452 = 1/v1_2**2
     t453 = t452*v1_2_by_y
-    tau1_by_y_by_y = carried_x1_2_by_y*t453 - carried_x1_2_by_y_by_y*t82
-    tau1_by_u_by_y = carried_x1_2_by_u*t453 - carried_x1_2_by_u_by_y*t82
-    tau1_by_w_by_y = carried_x1_2_by_w*t453 - carried_x1_2_by_w_by_y*t82
-    # d/du of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_y = carried_x1_2_by_y*t453 - carried_x1_2_by_y_by_y*t82
+    delay_tau1_by_u_by_y = carried_x1_2_by_u*t453 - carried_x1_2_by_u_by_y*t82
+    delay_tau1_by_w_by_y = carried_x1_2_by_w*t453 - carried_x1_2_by_w_by_y*t82
+    # d/du of: derivatives of the time to the boundary after tau1
     t454 = t452*v1_2_by_u
-    tau1_by_y_by_u = carried_x1_2_by_y*t454 - carried_x1_2_by_y_by_u*t82
-    tau1_by_u_by_u = carried_x1_2_by_u*t454 - carried_x1_2_by_u_by_u*t82
-    tau1_by_w_by_u = carried_x1_2_by_w*t454 - carried_x1_2_by_w_by_u*t82
-    # d/dw of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_u = carried_x1_2_by_y*t454 - carried_x1_2_by_y_by_u*t82
+    delay_tau1_by_u_by_u = carried_x1_2_by_u*t454 - carried_x1_2_by_u_by_u*t82
+    delay_tau1_by_w_by_u = carried_x1_2_by_w*t454 - carried_x1_2_by_w_by_u*t82
+    # d/dw of: derivatives of the time to the boundary after tau1
     t455 = t452*v1_2_by_w
-    tau1_by_y_by_w = carried_x1_2_by_y*t455 - carried_x1_2_by_y_by_w*t82
-    tau1_by_u_by_w = carried_x1_2_by_u*t455 - carried_x1_2_by_u_by_w*t82
-    tau1_by_w_by_w = carried_x1_2_by_w*t455 - carried_x1_2_by_w_by_w*t82
-    # d/dtau of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_w = carried_x1_2_by_y*t455 - carried_x1_2_by_y_by_w*t82
+    delay_tau1_by_u_by_w = carried_x1_2_by_u*t455 - carried_x1_2_by_u_by_w*t82
+    delay_tau1_by_w_by_w = carried_x1_2_by_w*t455 - carried_x1_2_by_w_by_w*t82
+    # d/dtau of: derivatives of the time to the boundary after tau1
     t456 = t452*v1_2_by_tau
-    tau1_by_y_by_tau = carried_x1_2_by_y*t456 - carried_x1_2_by_y_by_tau*t82
-    tau1_by_u_by_tau = carried_x1_2_by_u*t456 - carried_x1_2_by_u_by_tau*t82
-    tau1_by_w_by_tau = carried_x1_2_by_w*t456 - carried_x1_2_by_w_by_tau*t82
-    # d/dm1 of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_tau = carried_x1_2_by_y*t456 - carried_x1_2_by_y_by_tau*t82
+    delay_tau1_by_u_by_tau = carried_x1_2_by_u*t456 - carried_x1_2_by_u_by_tau*t82
+    delay_tau1_by_w_by_tau = carried_x1_2_by_w*t456 - carried_x1_2_by_w_by_tau*t82
+    # d/dm1 of: derivatives of the time to the boundary after tau1
     t457 = t452*v1_2_by_m1
-    tau1_by_y_by_m1 = carried_x1_2_by_y*t457 - carried_x1_2_by_y_by_m1*t82
-    tau1_by_u_by_m1 = carried_x1_2_by_u*t457 - carried_x1_2_by_u_by_m1*t82
-    tau1_by_w_by_m1 = carried_x1_2_by_w*t457 - carried_x1_2_by_w_by_m1*t82
-    # d/dm2 of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_m1 = carried_x1_2_by_y*t457 - carried_x1_2_by_y_by_m1*t82
+    delay_tau1_by_u_by_m1 = carried_x1_2_by_u*t457 - carried_x1_2_by_u_by_m1*t82
+    delay_tau1_by_w_by_m1 = carried_x1_2_by_w*t457 - carried_x1_2_by_w_by_m1*t82
+    # d/dm2 of: derivatives of the time to the boundary after tau1
     t458 = t452*v1_2_by_m2
-    tau1_by_y_by_m2 = carried_x1_2_by_y*t458 - carried_x1_2_by_y_by_m2*t82
-    tau1_by_u_by_m2 = carried_x1_2_by_u*t458 - carried_x1_2_by_u_by_m2*t82
-    tau1_by_w_by_m2 = carried_x1_2_by_w*t458 - carried_x1_2_by_w_by_m2*t82
-    # d/dk1 of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_m2 = carried_x1_2_by_y*t458 - carried_x1_2_by_y_by_m2*t82
+    delay_tau1_by_u_by_m2 = carried_x1_2_by_u*t458 - carried_x1_2_by_u_by_m2*t82
+    delay_tau1_by_w_by_m2 = carried_x1_2_by_w*t458 - carried_x1_2_by_w_by_m2*t82
+    # d/dk1 of: derivatives of the time to the boundary after tau1
     t459 = t452*v1_2_by_k1
-    tau1_by_y_by_k1 = carried_x1_2_by_y*t459 - carried_x1_2_by_y_by_k1*t82
-    tau1_by_u_by_k1 = carried_x1_2_by_u*t459 - carried_x1_2_by_u_by_k1*t82
-    tau1_by_w_by_k1 = carried_x1_2_by_w*t459 - carried_x1_2_by_w_by_k1*t82
-    # d/dk2 of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_k1 = carried_x1_2_by_y*t459 - carried_x1_2_by_y_by_k1*t82
+    delay_tau1_by_u_by_k1 = carried_x1_2_by_u*t459 - carried_x1_2_by_u_by_k1*t82
+    delay_tau1_by_w_by_k1 = carried_x1_2_by_w*t459 - carried_x1_2_by_w_by_k1*t82
+    # d/dk2 of: derivatives of the time to the boundary after tau1
     t460 = t452*v1_2_by_k2
-    tau1_by_y_by_k2 = carried_x1_2_by_y*t460 - carried_x1_2_by_y_by_k2*t82
-    tau1_by_u_by_k2 = carried_x1_2_by_u*t460 - carried_x1_2_by_u_by_k2*t82
-    tau1_by_w_by_k2 = carried_x1_2_by_w*t460 - carried_x1_2_by_w_by_k2*t82
-    # d/dk3 of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_k2 = carried_x1_2_by_y*t460 - carried_x1_2_by_y_by_k2*t82
+    delay_tau1_by_u_by_k2 = carried_x1_2_by_u*t460 - carried_x1_2_by_u_by_k2*t82
+    delay_tau1_by_w_by_k2 = carried_x1_2_by_w*t460 - carried_x1_2_by_w_by_k2*t82
+    # d/dk3 of: derivatives of the time to the boundary after tau1
     t461 = t452*v1_2_by_k3
-    tau1_by_y_by_k3 = carried_x1_2_by_y*t461 - carried_x1_2_by_y_by_k3*t82
-    tau1_by_u_by_k3 = carried_x1_2_by_u*t461 - carried_x1_2_by_u_by_k3*t82
-    tau1_by_w_by_k3 = carried_x1_2_by_w*t461 - carried_x1_2_by_w_by_k3*t82
-    # d/dT of: derivatives of tau1 on the boundary
+    delay_tau1_by_y_by_k3 = carried_x1_2_by_y*t461 - carried_x1_2_by_y_by_k3*t82
+    delay_tau1_by_u_by_k3 = carried_x1_2_by_u*t461 - carried_x1_2_by_u_by_k3*t82
+    delay_tau1_by_w_by_k3 = carried_x1_2_by_w*t461 - carried_x1_2_by_w_by_k3*t82
+    # d/dT of: derivatives of the time to the boundary after tau1
     t462 = t452*v1_2_by_T
-    tau1_by_y_by_T = carried_x1_2_by_y*t462 - carried_x1_2_by_y_by_T*t82
-    tau1_by_u_by_T = carried_x1_2_by_u*t462 - carried_x1_2_by_u_by_T*t82
-    tau1_by_w_by_T = carried_x1_2_by_w*t462 - carried_x1_2_by_w_by_T*t82
+    delay_tau1_by_y_by_T = carried_x1_2_by_y*t462 - carried_x1_2_by_y_by_T*t82
+    delay_tau1_by_u_by_T = carried_x1_2_by_u*t462 - carried_x1_2_by_u_by_T*t82
+    delay_tau1_by_w_by_T = carried_x1_2_by_w*t462 - carried_x1_2_by_w_by_T*t82
     # d/dy of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_y = carried_x2_2_by_y_by_y + tau1_by_y*v2_2_by_y + tau1_by_y_by_y*v2_2
+    x2_2_on_boundary_by_y_by_y = carried_x2_2_by_y_by_y + delay_tau1_by_y*v2_2_by_y + delay_tau1_by_y_by_y*v2_2
     t463 = t73*x1_2
     t464 = -k1*t463 + k1*t73*x2_2
-    t465 = k1*t73*tau1_by_u
-    v1_2_on_boundary_by_u_by_y = carried_v1_2_by_u_by_y + t464*tau1_by_u_by_y - t465*x1_2_by_y + t465*x2_2_by_y
+    t465 = delay_tau1_by_u*k1*t73
+    v1_2_on_boundary_by_u_by_y = carried_v1_2_by_u_by_y + delay_tau1_by_u_by_y*t464 - t465*x1_2_by_y + t465*x2_2_by_y
     t466 = t77*x1_2
     t467 = t77*x2_2
     t468 = k1*t466 - t467*t79
-    t469 = t77*tau1_by_w
+    t469 = delay_tau1_by_w*t77
     t470 = k1*t469
     t471 = t469*t79
-    v2_2_on_boundary_by_w_by_y = carried_v2_2_by_w_by_y + t468*tau1_by_w_by_y + t470*x1_2_by_y - t471*x2_2_by_y
+    v2_2_on_boundary_by_w_by_y = carried_v2_2_by_w_by_y + delay_tau1_by_w_by_y*t468 + t470*x1_2_by_y - t471*x2_2_by_y
     # d/du of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_u = carried_x2_2_by_y_by_u + tau1_by_y*v2_2_by_u + tau1_by_y_by_u*v2_2
-    v1_2_on_boundary_by_u_by_u = carried_v1_2_by_u_by_u + t464*tau1_by_u_by_u - t465*x1_2_by_u + t465*x2_2_by_u
-    v2_2_on_boundary_by_w_by_u = carried_v2_2_by_w_by_u + t468*tau1_by_w_by_u + t470*x1_2_by_u - t471*x2_2_by_u
+    x2_2_on_boundary_by_y_by_u = carried_x2_2_by_y_by_u + delay_tau1_by_y*v2_2_by_u + delay_tau1_by_y_by_u*v2_2
+    v1_2_on_boundary_by_u_by_u = carried_v1_2_by_u_by_u + delay_tau1_by_u_by_u*t464 - t465*x1_2_by_u + t465*x2_2_by_u
+    v2_2_on_boundary_by_w_by_u = carried_v2_2_by_w_by_u + delay_tau1_by_w_by_u*t468 + t470*x1_2_by_u - t471*x2_2_by_u
     # d/dw of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_w = carried_x2_2_by_y_by_w + tau1_by_y*v2_2_by_w + tau1_by_y_by_w*v2_2
-    v1_2_on_boundary_by_u_by_w = carried_v1_2_by_u_by_w + t464*tau1_by_u_by_w - t465*x1_2_by_w + t465*x2_2_by_w
-    v2_2_on_boundary_by_w_by_w = carried_v2_2_by_w_by_w + t468*tau1_by_w_by_w + t470*x1_2_by_w - t471*x2_2_by_w
+    x2_2_on_boundary_by_y_by_w = carried_x2_2_by_y_by_w + delay_tau1_by_y*v2_2_by_w + delay_tau1_by_y_by_w*v2_2
+    v1_2_on_boundary_by_u_by_w = carried_v1_2_by_u_by_w + delay_tau1_by_u_by_w*t464 - t465*x1_2_by_w + t465*x2_2_by_w
+    v2_2_on_boundary_by_w_by_w = carried_v2_2_by_w_by_w + delay_tau1_by_w_by_w*t468 + t470*x1_2_by_w - t471*x2_2_by_w
     # d/dtau of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_tau = carried_x2_2_by_y_by_tau + tau1_by_y*v2_2_by_tau + tau1_by_y_by_tau*v2_2
-    v1_2_on_boundary_by_u_by_tau = carried_v1_2_by_u_by_tau + t464*tau1_by_u_by_tau - t465*x1_2_by_tau + t465*x2_2_by_tau
-    v2_2_on_boundary_by_w_by_tau = carried_v2_2_by_w_by_tau + t468*tau1_by_w_by_tau + t470*x1_2_by_tau - t471*x2_2_by_tau
+    x2_2_on_boundary_by_y_by_tau = carried_x2_2_by_y_by_tau + delay_tau1_by_y*v2_2_by_tau + delay_tau1_by_y_by_tau*v2_2
+    v1_2_on_boundary_by_u_by_tau = carried_v1_2_by_u_by_tau + delay_tau1_by_u_by_tau*t464 - t465*x1_2_by_tau + t465*x2_2_by_tau
+    v2_2_on_boundary_by_w_by_tau = carried_v2_2_by_w_by_tau + delay_tau1_by_w_by_tau*t468 + t470*x1_2_by_tau - t471*x2_2_by_tau
     # d/dm1 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_m1 = carried_x2_2_by_y_by_m1 + tau1_by_y*v2_2_by_m1 + tau1_by_y_by_m1*v2_2
-    v1_2_on_boundary_by_u_by_m1 = carried_v1_2_by_u_by_m1 + t464*tau1_by_u_by_m1 - t465*x1_2_by_m1 + t465*x2_2_by_m1 + tau1_by_u*(t357*x1_2 - t357*x2_2)
-    v2_2_on_boundary_by_w_by_m1 = carried_v2_2_by_w_by_m1 + t468*tau1_by_w_by_m1 + t470*x1_2_by_m1 - t471*x2_2_by_m1
+    x2_2_on_boundary_by_y_by_m1 = carried_x2_2_by_y_by_m1 + delay_tau1_by_y*v2_2_by_m1 + delay_tau1_by_y_by_m1*v2_2
+    v1_2_on_boundary_by_u_by_m1 = carried_v1_2_by_u_by_m1 + delay_tau1_by_u*(t357*x1_2 - t357*x2_2) + delay_tau1_by_u_by_m1*t464 - t465*x1_2_by_m1 + t465*x2_2_by_m1
+    v2_2_on_boundary_by_w_by_m1 = carried_v2_2_by_w_by_m1 + delay_tau1_by_w_by_m1*t468 + t470*x1_2_by_m1 - t471*x2_2_by_m1
     # d/dm2 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_m2 = carried_x2_2_by_y_by_m2 + tau1_by_y*v2_2_by_m2 + tau1_by_y_by_m2*v2_2
-    v1_2_on_boundary_by_u_by_m2 = carried_v1_2_by_u_by_m2 + t464*tau1_by_u_by_m2 - t465*x1_2_by_m2 + t465*x2_2_by_m2
-    v2_2_on_boundary_by_w_by_m2 = carried_v2_2_by_w_by_m2 + t468*tau1_by_w_by_m2 + t470*x1_2_by_m2 - t471*x2_2_by_m2 + tau1_by_w*(t365*t79*x2_2 - t366*x1_2)
+    x2_2_on_boundary_by_y_by_m2 = carried_x2_2_by_y_by_m2 + delay_tau1_by_y*v2_2_by_m2 + delay_tau1_by_y_by_m2*v2_2
+    v1_2_on_boundary_by_u_by_m2 = carried_v1_2_by_u_by_m2 + delay_tau1_by_u_by_m2*t464 - t465*x1_2_by_m2 + t465*x2_2_by_m2
+    v2_2_on_boundary_by_w_by_m2 = carried_v2_2_by_w_by_m2 + delay_tau1_by_w*(t365*t79*x2_2 - t366*x1_2) + delay_tau1_by_w_by_m2*t468 + t470*x1_2_by_m2 - t471*x2_2_by_m2
     # d/dk1 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_k1 = carried_x2_2_by_y_by_k1 + tau1_by_y*v2_2_by_k1 + tau1_by_y_by_k1*v2_2
-    v1_2_on_boundary_by_u_by_k1 = carried_v1_2_by_u_by_k1 + t464*tau1_by_u_by_k1 - t465*x1_2_by_k1 + t465*x2_2_by_k1 + tau1_by_u*(-t463 + t73*x2_2)
-    v2_2_on_boundary_by_w_by_k1 = carried_v2_2_by_w_by_k1 + t468*tau1_by_w_by_k1 + t470*x1_2_by_k1 - t471*x2_2_by_k1 + tau1_by_w*(t466 - t467)
+    x2_2_on_boundary_by_y_by_k1 = carried_x2_2_by_y_by_k1 + delay_tau1_by_y*v2_2_by_k1 + delay_tau1_by_y_by_k1*v2_2
+    v1_2_on_boundary_by_u_by_k1 = carried_v1_2_by_u_by_k1 + delay_tau1_by_u*(-t463 + t73*x2_2) + delay_tau1_by_u_by_k1*t464 - t465*x1_2_by_k1 + t465*x2_2_by_k1
+    v2_2_on_boundary_by_w_by_k1 = carried_v2_2_by_w_by_k1 + delay_tau1_by_w*(t466 - t467) + delay_tau1_by_w_by_k1*t468 + t470*x1_2_by_k1 - t471*x2_2_by_k1
     # d/dk2 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_k2 = carried_x2_2_by_y_by_k2 + tau1_by_y*v2_2_by_k2 + tau1_by_y_by_k2*v2_2
-    v1_2_on_boundary_by_u_by_k2 = carried_v1_2_by_u_by_k2 + t464*tau1_by_u_by_k2 - t465*x1_2_by_k2 + t465*x2_2_by_k2
-    v2_2_on_boundary_by_w_by_k2 = carried_v2_2_by_w_by_k2 - t467*tau1_by_w + t468*tau1_by_w_by_k2 + t470*x1_2_by_k2 - t471*x2_2_by_k2
+    x2_2_on_boundary_by_y_by_k2 = carried_x2_2_by_y_by_k2 + delay_tau1_by_y*v2_2_by_k2 + delay_tau1_by_y_by_k2*v2_2
+    v1_2_on_boundary_by_u_by_k2 = carried_v1_2_by_u_by_k2 + delay_tau1_by_u_by_k2*t464 - t465*x1_2_by_k2 + t465*x2_2_by_k2
+    v2_2_on_boundary_by_w_by_k2 = carried_v2_2_by_w_by_k2 - delay_tau1_by_w*t467 + delay_tau1_by_w_by_k2*t468 + t470*x1_2_by_k2 - t471*x2_2_by_k2
     # d/dk3 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_k3 = carried_x2_2_by_y_by_k3 + tau1_by_y*v2_2_by_k3 + tau1_by_y_by_k3*v2_2
-    v1_2_on_boundary_by_u_by_k3 = carried_v1_2_by_u_by_k3 + t464*tau1_by_u_by_k3 - t465*x1_2_by_k3 + t465*x2_2_by_k3
-    v2_2_on_boundary_by_w_by_k3 = carried_v2_2_by_w_by_k3 + t468*tau1_by_w_by_k3 + t470*x1_2_by_k3 - t471*x2_2_by_k3
+    x2_2_on_boundary_by_y_by_k3 = carried_x2_2_by_y_by_k3 + delay_tau1_by_y*v2_2_by_k3 + delay_tau1_by_y_by_k3*v2_2
+    v1_2_on_boundary_by_u_by_k3 = carried_v1_2_by_u_by_k3 + delay_tau1_by_u_by_k3*t464 - t465*x1_2_by_k3 + t465*x2_2_by_k3
+    v2_2_on_boundary_by_w_by_k3 = carried_v2_2_by_w_by_k3 + delay_tau1_by_w_by_k3*t468 + t470*x1_2_by_k3 - t471*x2_2_by_k3
     # d/dT of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_T = carried_x2_2_by_y_by_T + tau1_by_y*v2_2_by_T + tau1_by_y_by_T*v2_2
-    v1_2_on_boundary_by_u_by_T = carried_v1_2_by_u_by_T + t464*tau1_by_u_by_T - t465*x1_2_by_T + t465*x2_2_by_T
-    v2_2_on_boundary_by_w_by_T = carried_v2_2_by_w_by_T + t468*tau1_by_w_by_T + t470*x1_2_by_T - t471*x2_2_by_T
+    x2_2_on_boundary_by_y_by_T = carried_x2_2_by_y_by_T + delay_tau1_by_y*v2_2_by_T + delay_tau1_by_y_by_T*v2_2
+    v1_2_on_boundary_by_u_by_T = carried_v1_2_by_u_by_T + delay_tau1_by_u_by_T*t464 - t465*x1_2_by_T + t465*x2_2_by_T
+    v2_2_on_boundary_by_w_by_T = carried_v2_2_by_w_by_T + delay_tau1_by_w_by_T*t468 + t470*x1_2_by_T - t471*x2_2_by_T
     return [v1_2_on_boundary_by_u_by_y + v2_2_on_boundary_by_w_by_y + x2_2_on_boundary_by_y_by_y, v1_2_on_boundary_by_u_by_u + v2_2_on_boundary_by_w_by_u + x2_2_on_boundary_by_y_by_u, v1_2_on_boundary_by_u_by_w + v2_2_on_boundary_by_w_by_w + x2_2_on_boundary_by_y_by_w, v1_2_on_boundary_by_u_by_tau + v2_2_on_boundary_by_w_by_tau + x2_2_on_boundary_by_y_by_tau, v1_2_on_boundary_by_u_by_m1 + v2_2_on_boundary_by_w_by_m1 + x2_2_on_boundary_by_y_by_m1, v1_2_on_boundary_by_u_by_m2 + v2_2_on_boundary_by_w_by_m2 + x2_2_on_boundary_by_y_by_m2, v1_2_on_boundary_by_u_by_k1 + v2_2_on_boundary_by_w_by_k1 + x2_2_on_boundary_by_y_by_k1, v1_2_on_boundary_by_u_by_k2 + v2_2_on_boundary_by_w_by_k2 + x2_2_on_boundary_by_y_by_k2, v1_2_on_boundary_by_u_by_k3 + v2_2_on_boundary_by_w_by_k3 + x2_2_on_boundary_by_y_by_k3, v1_2_on_boundary_by_u_by_T + v2_2_on_boundary_by_w_by_T + x2_2_on_boundary_by_y_by_T]
 
 

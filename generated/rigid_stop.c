@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2e19d0c4b5178ce1 */
+ * SymPy 1.14.0, derivation 6b103a366c91c1e0 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -432,25 +432,25 @@ void rigid_stop_one_impact_poincare_jacobian(
     const double carried_v2_1_by_y = t15;
     const double carried_v2_1_by_u = t11;
     const double carried_v2_1_by_w = t10;
-    /* derivatives of T on the boundary */
+    /* derivatives of the time to the boundary after T */
     const double t16 = (1.0/(v1_1));
-    const double T_by_y = -carried_x1_1_by_y*t16;
-    const double T_by_u = -carried_x1_1_by_u*t16;
-    const double T_by_w = -carried_x1_1_by_w*t16;
+    const double delay_T_by_y = -carried_x1_1_by_y*t16;
+    const double delay_T_by_u = -carried_x1_1_by_u*t16;
+    const double delay_T_by_w = -carried_x1_1_by_w*t16;
     /* perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y;
-    const double x2_1_on_boundary_by_u = T_by_u*v2_1 + carried_x2_1_by_u;
-    const double x2_1_on_boundary_by_w = T_by_w*v2_1 + carried_x2_1_by_w;
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
+    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1;
+    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1;
     const double t17 = (1.0/(m1));
     const double t18 = -k1*t17*x1_1 + k1*t17*x2_1;
-    const double v1_1_on_boundary_by_y = -T_by_y*t18 - carried_v1_1_by_y;
-    const double v1_1_on_boundary_by_u = -T_by_u*t18 - carried_v1_1_by_u;
-    const double v1_1_on_boundary_by_w = -T_by_w*t18 - carried_v1_1_by_w;
+    const double v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t18;
+    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t18;
+    const double v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t18;
     const double t19 = (1.0/(m2));
     const double t20 = k1*t19*x1_1 - t19*x2_1*(k1 + k2);
-    const double v2_1_on_boundary_by_y = T_by_y*t20 + carried_v2_1_by_y;
-    const double v2_1_on_boundary_by_u = T_by_u*t20 + carried_v2_1_by_u;
-    const double v2_1_on_boundary_by_w = T_by_w*t20 + carried_v2_1_by_w;
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t20;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t20;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t20;
     poincare_jacobian[0] = x2_1_on_boundary_by_y;
     poincare_jacobian[1] = x2_1_on_boundary_by_u;
     poincare_jacobian[2] = x2_1_on_boundary_by_w;
@@ -676,23 +676,23 @@ void rigid_stop_one_impact_trace(
     const double carried_x2_1_by_y = t8;
     const double carried_v1_1_by_u = t7;
     const double carried_v2_1_by_w = t8;
-    /* derivatives of T on the boundary */
+    /* derivatives of the time to the boundary after T */
     const double t12 = (1.0/(v1_1));
-    const double T_by_y = -carried_x1_1_by_y*t12;
-    const double T_by_u = -carried_x1_1_by_u*t12;
-    const double T_by_w = -carried_x1_1_by_w*t12;
+    const double delay_T_by_y = -carried_x1_1_by_y*t12;
+    const double delay_T_by_u = -carried_x1_1_by_u*t12;
+    const double delay_T_by_w = -carried_x1_1_by_w*t12;
     /* perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y;
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
     const double t13 = (1.0/(m1));
-    const double v1_1_on_boundary_by_u = -T_by_u*(-k1*t13*x1_1 + k1*t13*x2_1) - carried_v1_1_by_u;
+    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t13*x1_1 + k1*t13*x2_1);
     const double t14 = (1.0/(m2));
-    const double v2_1_on_boundary_by_w = T_by_w*(k1*t14*x1_1 - t14*x2_1*(k1 + k2)) + carried_v2_1_by_w;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t14*x1_1 - t14*x2_1*(k1 + k2));
     *trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
 }
 
 /* Derivatives of the trace by the unknowns, then in total by the parameters.
  * Takes parameters (5), spectrum (6), spectrum_derivatives (6, 4), unknowns (2); gives trace_gradient (7), row by row.
- * Operations: 847. Intermediate terms: 269. */
+ * Operations: 853. Intermediate terms: 269. */
 void rigid_stop_one_impact_trace_gradient(
     const double parameters[5], const double spectrum[6], const double spectrum_derivatives[24], const double unknowns[2], double trace_gradient[7])
 {
@@ -760,11 +760,11 @@ void rigid_stop_one_impact_trace_gradient(
     const double carried_x1_1_by_y = t12;
     const double carried_x1_1_by_u = t11;
     const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t10;
-    /* derivatives of T on the boundary */
+    /* derivatives of the time to the boundary after T */
     const double t23 = (1.0/(v1_1));
-    const double T_by_y = -carried_x1_1_by_y*t23;
-    const double T_by_u = -carried_x1_1_by_u*t23;
-    const double T_by_w = -carried_x1_1_by_w*t23;
+    const double delay_T_by_y = -carried_x1_1_by_y*t23;
+    const double delay_T_by_u = -carried_x1_1_by_u*t23;
+    const double delay_T_by_w = -carried_x1_1_by_w*t23;
     /* d/dm1 of: functions of T in free */
     const double t24 = T*omega1_by_m1;
     const double cos_omega1_T_by_m1 = -sin_omega1_T*t24;
@@ -952,86 +952,86 @@ void rigid_stop_one_impact_trace_gradient(
     const double carried_x2_1_by_y_by_T = -cos_omega1_T_by_T*t7 + cos_omega2_T_by_T*p1;
     const double carried_v1_1_by_u_by_T = t113 + t114;
     const double carried_v2_1_by_w_by_T = carried_x2_1_by_y_by_T;
-    /* d/dy of: derivatives of T on the boundary */
+    /* d/dy of: derivatives of the time to the boundary after T */
     const double t122 = (1.0/(v1_1*v1_1));
     const double t123 = t122*v1_1_by_y;
-    const double T_by_y_by_y = carried_x1_1_by_y*t123;
-    const double T_by_u_by_y = carried_x1_1_by_u*t123;
-    const double T_by_w_by_y = carried_x1_1_by_w*t123;
-    /* d/du of: derivatives of T on the boundary */
+    const double delay_T_by_y_by_y = carried_x1_1_by_y*t123;
+    const double delay_T_by_u_by_y = carried_x1_1_by_u*t123;
+    const double delay_T_by_w_by_y = carried_x1_1_by_w*t123;
+    /* d/du of: derivatives of the time to the boundary after T */
     const double t124 = t122*v1_1_by_u;
-    const double T_by_y_by_u = carried_x1_1_by_y*t124;
-    const double T_by_u_by_u = carried_x1_1_by_u*t124;
-    const double T_by_w_by_u = carried_x1_1_by_w*t124;
-    /* d/dm1 of: derivatives of T on the boundary */
+    const double delay_T_by_y_by_u = carried_x1_1_by_y*t124;
+    const double delay_T_by_u_by_u = carried_x1_1_by_u*t124;
+    const double delay_T_by_w_by_u = carried_x1_1_by_w*t124;
+    /* d/dm1 of: derivatives of the time to the boundary after T */
     const double t125 = t122*v1_1_by_m1;
-    const double T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23;
-    const double T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23;
-    const double T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23;
-    /* d/dm2 of: derivatives of T on the boundary */
+    const double delay_T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23;
+    const double delay_T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23;
+    const double delay_T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23;
+    /* d/dm2 of: derivatives of the time to the boundary after T */
     const double t126 = t122*v1_1_by_m2;
-    const double T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23;
-    const double T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23;
-    const double T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23;
-    /* d/dk1 of: derivatives of T on the boundary */
+    const double delay_T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23;
+    const double delay_T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23;
+    const double delay_T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23;
+    /* d/dk1 of: derivatives of the time to the boundary after T */
     const double t127 = t122*v1_1_by_k1;
-    const double T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23;
-    const double T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23;
-    const double T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23;
-    /* d/dk2 of: derivatives of T on the boundary */
+    const double delay_T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23;
+    const double delay_T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23;
+    const double delay_T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23;
+    /* d/dk2 of: derivatives of the time to the boundary after T */
     const double t128 = t122*v1_1_by_k2;
-    const double T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23;
-    const double T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23;
-    const double T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23;
-    /* d/dT of: derivatives of T on the boundary */
+    const double delay_T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23;
+    const double delay_T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23;
+    const double delay_T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23;
+    /* d/dT of: derivatives of the time to the boundary after T */
     const double t129 = t122*v1_1_by_T;
-    const double T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23;
-    const double T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23;
-    const double T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23;
+    const double delay_T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23;
+    const double delay_T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23;
+    const double delay_T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23;
     /* d/dy of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_y = T_by_y*v2_1_by_y + T_by_y_by_y*v2_1;
+    const double x2_1_on_boundary_by_y_by_y = delay_T_by_y*v2_1_by_y + delay_T_by_y_by_y*v2_1;
     const double t130 = (1.0/(m1));
     const double t131 = t130*x1_1;
     const double t132 = -k1*t130*x2_1 + k1*t131;
     const double t133 = k1*x1_1_by_y;
-    const double t134 = T_by_u*t130;
+    const double t134 = delay_T_by_u*t130;
     const double t135 = k1*t134;
-    const double v1_1_on_boundary_by_u_by_y = T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y;
+    const double v1_1_on_boundary_by_u_by_y = delay_T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y;
     const double t136 = (1.0/(m2));
     const double t137 = t136*x1_1;
     const double t138 = k1 + k2;
     const double t139 = t136*x2_1;
     const double t140 = k1*t137 - t138*t139;
-    const double t141 = T_by_w*t136;
+    const double t141 = delay_T_by_w*t136;
     const double t142 = t138*t141;
-    const double v2_1_on_boundary_by_w_by_y = T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y;
+    const double v2_1_on_boundary_by_w_by_y = delay_T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y;
     /* d/du of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_u = T_by_y*v2_1_by_u + T_by_y_by_u*v2_1;
-    const double v1_1_on_boundary_by_u_by_u = T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u;
+    const double x2_1_on_boundary_by_y_by_u = delay_T_by_y*v2_1_by_u + delay_T_by_y_by_u*v2_1;
+    const double v1_1_on_boundary_by_u_by_u = delay_T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u;
     const double t143 = k1*t141;
-    const double v2_1_on_boundary_by_w_by_u = T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u;
+    const double v2_1_on_boundary_by_w_by_u = delay_T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u;
     /* d/dm1 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_m1 = T_by_y*v2_1_by_m1 + T_by_y_by_m1*v2_1 + carried_x2_1_by_y_by_m1;
+    const double x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_T_by_y*v2_1_by_m1 + delay_T_by_y_by_m1*v2_1;
     const double t144 = k1/(m1*m1);
-    const double v1_1_on_boundary_by_u_by_m1 = T_by_u*k1*t130*x1_1_by_m1 - T_by_u*(t144*x1_1 - t144*x2_1) + T_by_u_by_m1*t132 - carried_v1_1_by_u_by_m1 - t135*x2_1_by_m1;
-    const double v2_1_on_boundary_by_w_by_m1 = T_by_w_by_m1*t140 + carried_v2_1_by_w_by_m1 - t142*x2_1_by_m1 + t143*x1_1_by_m1;
+    const double v1_1_on_boundary_by_u_by_m1 = -carried_v1_1_by_u_by_m1 + delay_T_by_u*k1*t130*x1_1_by_m1 - delay_T_by_u*(t144*x1_1 - t144*x2_1) + delay_T_by_u_by_m1*t132 - t135*x2_1_by_m1;
+    const double v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_T_by_w_by_m1*t140 - t142*x2_1_by_m1 + t143*x1_1_by_m1;
     /* d/dm2 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_m2 = T_by_y*v2_1_by_m2 + T_by_y_by_m2*v2_1 + carried_x2_1_by_y_by_m2;
-    const double v1_1_on_boundary_by_u_by_m2 = T_by_u_by_m2*t132 - carried_v1_1_by_u_by_m2 + t135*x1_1_by_m2 - t135*x2_1_by_m2;
+    const double x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_T_by_y*v2_1_by_m2 + delay_T_by_y_by_m2*v2_1;
+    const double v1_1_on_boundary_by_u_by_m2 = -carried_v1_1_by_u_by_m2 + delay_T_by_u*k1*t130*x1_1_by_m2 + delay_T_by_u_by_m2*t132 - t135*x2_1_by_m2;
     const double t145 = (1.0/(m2*m2));
-    const double v2_1_on_boundary_by_w_by_m2 = T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + T_by_w_by_m2*t140 + carried_v2_1_by_w_by_m2 - t142*x2_1_by_m2 + t143*x1_1_by_m2;
+    const double v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + delay_T_by_w_by_m2*t140 - t142*x2_1_by_m2 + t143*x1_1_by_m2;
     /* d/dk1 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_k1 = T_by_y*v2_1_by_k1 + T_by_y_by_k1*v2_1 + carried_x2_1_by_y_by_k1;
-    const double v1_1_on_boundary_by_u_by_k1 = T_by_u*k1*t130*x1_1_by_k1 - T_by_u*(t130*x2_1 - t131) + T_by_u_by_k1*t132 - carried_v1_1_by_u_by_k1 - t135*x2_1_by_k1;
-    const double v2_1_on_boundary_by_w_by_k1 = T_by_w*(t137 - t139) + T_by_w_by_k1*t140 + carried_v2_1_by_w_by_k1 - t142*x2_1_by_k1 + t143*x1_1_by_k1;
+    const double x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_T_by_y*v2_1_by_k1 + delay_T_by_y_by_k1*v2_1;
+    const double v1_1_on_boundary_by_u_by_k1 = -carried_v1_1_by_u_by_k1 + delay_T_by_u*k1*t130*x1_1_by_k1 - delay_T_by_u*(t130*x2_1 - t131) + delay_T_by_u_by_k1*t132 - t135*x2_1_by_k1;
+    const double v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_T_by_w*(t137 - t139) + delay_T_by_w_by_k1*t140 - t142*x2_1_by_k1 + t143*x1_1_by_k1;
     /* d/dk2 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_k2 = T_by_y*v2_1_by_k2 + T_by_y_by_k2*v2_1 + carried_x2_1_by_y_by_k2;
-    const double v1_1_on_boundary_by_u_by_k2 = T_by_u_by_k2*t132 - carried_v1_1_by_u_by_k2 + t135*x1_1_by_k2 - t135*x2_1_by_k2;
-    const double v2_1_on_boundary_by_w_by_k2 = -T_by_w*t139 + T_by_w_by_k2*t140 + carried_v2_1_by_w_by_k2 - t142*x2_1_by_k2 + t143*x1_1_by_k2;
+    const double x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_T_by_y*v2_1_by_k2 + delay_T_by_y_by_k2*v2_1;
+    const double v1_1_on_boundary_by_u_by_k2 = -carried_v1_1_by_u_by_k2 + delay_T_by_u*k1*t130*x1_1_by_k2 + delay_T_by_u_by_k2*t132 - t135*x2_1_by_k2;
+    const double v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_T_by_w*t139 + delay_T_by_w_by_k2*t140 - t142*x2_1_by_k2 + t143*x1_1_by_k2;
     /* d/dT of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_T = T_by_y*v2_1_by_T + T_by_y_by_T*v2_1 + carried_x2_1_by_y_by_T;
-    const double v1_1_on_boundary_by_u_by_T = T_by_u_by_T*t132 - carried_v1_1_by_u_by_T + t135*x1_1_by_T - t135*x2_1_by_T;
-    const double v2_1_on_boundary_by_w_by_T = T_by_w_by_T*t140 + carried_v2_1_by_w_by_T - t142*x2_1_by_T + t143*x1_1_by_T;
+    const double x2_1_on_boundary_by_y_by_T = carried_x2_1_by_y_by_T + delay_T_by_y*v2_1_by_T + delay_T_by_y_by_T*v2_1;
+    const double v1_1_on_boundary_by_u_by_T = -carried_v1_1_by_u_by_T + delay_T_by_u*k1*t130*x1_1_by_T + delay_T_by_u_by_T*t132 - t135*x2_1_by_T;
+    const double v2_1_on_boundary_by_w_by_T = carried_v2_1_by_w_by_T + delay_T_by_w_by_T*t140 - t142*x2_1_by_T + t143*x1_1_by_T;
     trace_gradient[0] = v1_1_on_boundary_by_u_by_y + v2_1_on_boundary_by_w_by_y + x2_1_on_boundary_by_y_by_y;
     trace_gradient[1] = v1_1_on_boundary_by_u_by_u + v2_1_on_boundary_by_w_by_u + x2_1_on_boundary_by_y_by_u;
     trace_gradient[2] = v1_1_on_boundary_by_u_by_m1 + v2_1_on_boundary_by_w_by_m1 + x2_1_on_boundary_by_y_by_m1;
@@ -1298,17 +1298,17 @@ void rigid_stop_one_impact_solve(
             const double carried_x2_1_by_y = t14;
             const double carried_v1_1_by_u = t13;
             const double carried_v2_1_by_w = t14;
-            /* derivatives of T on the boundary */
+            /* derivatives of the time to the boundary after T */
             const double t18 = (1.0/(v1_1));
-            const double T_by_y = -carried_x1_1_by_y*t18;
-            const double T_by_u = -carried_x1_1_by_u*t18;
-            const double T_by_w = -carried_x1_1_by_w*t18;
+            const double delay_T_by_y = -carried_x1_1_by_y*t18;
+            const double delay_T_by_u = -carried_x1_1_by_u*t18;
+            const double delay_T_by_w = -carried_x1_1_by_w*t18;
             /* perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y;
+            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
             const double t19 = (1.0/(m1));
-            const double v1_1_on_boundary_by_u = -T_by_u*(-k1*t19*x1_1 + k1*t19*x2_1) - carried_v1_1_by_u;
+            const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t19*x1_1 + k1*t19*x2_1);
             const double t20 = (1.0/(m2));
-            const double v2_1_on_boundary_by_w = T_by_w*(k1*t20*x1_1 - t20*x2_1*(k1 + k2)) + carried_v2_1_by_w;
+            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t20*x1_1 - t20*x2_1*(k1 + k2));
             /* outputs */
             const double t21 = (p1*p1);
             const double t22 = (half_T*half_T);

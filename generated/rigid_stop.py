@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 2e19d0c4b5178ce1
+# SymPy 1.14.0, derivation 6b103a366c91c1e0
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "2e19d0c4b5178ce1"
+DERIVATION = "6b103a366c91c1e0"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -481,25 +481,25 @@ def one_impact_poincare_jacobian(parameters, spectrum, unknowns, lib):
     carried_v2_1_by_y = t15
     carried_v2_1_by_u = t11
     carried_v2_1_by_w = t10
-    # derivatives of T on the boundary
+    # derivatives of the time to the boundary after T
     t16 = 1/v1_1
-    T_by_y = -carried_x1_1_by_y*t16
-    T_by_u = -carried_x1_1_by_u*t16
-    T_by_w = -carried_x1_1_by_w*t16
+    delay_T_by_y = -carried_x1_1_by_y*t16
+    delay_T_by_u = -carried_x1_1_by_u*t16
+    delay_T_by_w = -carried_x1_1_by_w*t16
     # perturbation on the boundary after T
-    x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y
-    x2_1_on_boundary_by_u = T_by_u*v2_1 + carried_x2_1_by_u
-    x2_1_on_boundary_by_w = T_by_w*v2_1 + carried_x2_1_by_w
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
+    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1
+    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1
     t17 = 1/m1
     t18 = -k1*t17*x1_1 + k1*t17*x2_1
-    v1_1_on_boundary_by_y = -T_by_y*t18 - carried_v1_1_by_y
-    v1_1_on_boundary_by_u = -T_by_u*t18 - carried_v1_1_by_u
-    v1_1_on_boundary_by_w = -T_by_w*t18 - carried_v1_1_by_w
+    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t18
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t18
+    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t18
     t19 = 1/m2
     t20 = k1*t19*x1_1 - t19*x2_1*(k1 + k2)
-    v2_1_on_boundary_by_y = T_by_y*t20 + carried_v2_1_by_y
-    v2_1_on_boundary_by_u = T_by_u*t20 + carried_v2_1_by_u
-    v2_1_on_boundary_by_w = T_by_w*t20 + carried_v2_1_by_w
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t20
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t20
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t20
     return [[x2_1_on_boundary_by_y, x2_1_on_boundary_by_u, x2_1_on_boundary_by_w], [v1_1_on_boundary_by_y, v1_1_on_boundary_by_u, v1_1_on_boundary_by_w], [v2_1_on_boundary_by_y, v2_1_on_boundary_by_u, v2_1_on_boundary_by_w]]
 
 
@@ -669,17 +669,17 @@ def one_impact_trace(parameters, spectrum, unknowns, lib):
     carried_x2_1_by_y = t8
     carried_v1_1_by_u = t7
     carried_v2_1_by_w = t8
-    # derivatives of T on the boundary
+    # derivatives of the time to the boundary after T
     t12 = 1/v1_1
-    T_by_y = -carried_x1_1_by_y*t12
-    T_by_u = -carried_x1_1_by_u*t12
-    T_by_w = -carried_x1_1_by_w*t12
+    delay_T_by_y = -carried_x1_1_by_y*t12
+    delay_T_by_u = -carried_x1_1_by_u*t12
+    delay_T_by_w = -carried_x1_1_by_w*t12
     # perturbation on the boundary after T
-    x2_1_on_boundary_by_y = T_by_y*v2_1 + carried_x2_1_by_y
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
     t13 = 1/m1
-    v1_1_on_boundary_by_u = -T_by_u*(-k1*t13*x1_1 + k1*t13*x2_1) - carried_v1_1_by_u
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t13*x1_1 + k1*t13*x2_1)
     t14 = 1/m2
-    v2_1_on_boundary_by_w = T_by_w*(k1*t14*x1_1 - t14*x2_1*(k1 + k2)) + carried_v2_1_by_w
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t14*x1_1 - t14*x2_1*(k1 + k2))
     return v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y
 
 
@@ -694,7 +694,7 @@ def one_impact_trace_gradient(parameters, spectrum, spectrum_derivatives, unknow
         p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2.
     Takes unknowns (2): y, u.
     Gives trace_gradient (7).
-    Operations: 847. Intermediate terms: 269.
+    Operations: 853. Intermediate terms: 269.
     """
     [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3] = spectrum
@@ -732,11 +732,11 @@ def one_impact_trace_gradient(parameters, spectrum, spectrum_derivatives, unknow
     carried_x1_1_by_y = t12
     carried_x1_1_by_u = t11
     carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t10
-    # derivatives of T on the boundary
+    # derivatives of the time to the boundary after T
     t23 = 1/v1_1
-    T_by_y = -carried_x1_1_by_y*t23
-    T_by_u = -carried_x1_1_by_u*t23
-    T_by_w = -carried_x1_1_by_w*t23
+    delay_T_by_y = -carried_x1_1_by_y*t23
+    delay_T_by_u = -carried_x1_1_by_u*t23
+    delay_T_by_w = -carried_x1_1_by_w*t23
     # d/dm1 of: functions of T in free
     t24 = T*omega1_by_m1
     cos_omega1_T_by_m1 = -sin_omega1_T*t24
@@ -924,86 +924,86 @@ def one_impact_trace_gradient(parameters, spectrum, spectrum_derivatives, unknow
     carried_x2_1_by_y_by_T = -cos_omega1_T_by_T*t7 + cos_omega2_T_by_T*p1
     carried_v1_1_by_u_by_T = t113 + t114
     carried_v2_1_by_w_by_T = carried_x2_1_by_y_by_T
-    # d/dy of: derivatives of T on the boundary
+    # d/dy of: derivatives of the time to the boundary after T
     t122 = 1/v1_1**2
     t123 = t122*v1_1_by_y
-    T_by_y_by_y = carried_x1_1_by_y*t123
-    T_by_u_by_y = carried_x1_1_by_u*t123
-    T_by_w_by_y = carried_x1_1_by_w*t123
-    # d/du of: derivatives of T on the boundary
+    delay_T_by_y_by_y = carried_x1_1_by_y*t123
+    delay_T_by_u_by_y = carried_x1_1_by_u*t123
+    delay_T_by_w_by_y = carried_x1_1_by_w*t123
+    # d/du of: derivatives of the time to the boundary after T
     t124 = t122*v1_1_by_u
-    T_by_y_by_u = carried_x1_1_by_y*t124
-    T_by_u_by_u = carried_x1_1_by_u*t124
-    T_by_w_by_u = carried_x1_1_by_w*t124
-    # d/dm1 of: derivatives of T on the boundary
+    delay_T_by_y_by_u = carried_x1_1_by_y*t124
+    delay_T_by_u_by_u = carried_x1_1_by_u*t124
+    delay_T_by_w_by_u = carried_x1_1_by_w*t124
+    # d/dm1 of: derivatives of the time to the boundary after T
     t125 = t122*v1_1_by_m1
-    T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23
-    T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23
-    T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23
-    # d/dm2 of: derivatives of T on the boundary
+    delay_T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23
+    delay_T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23
+    delay_T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23
+    # d/dm2 of: derivatives of the time to the boundary after T
     t126 = t122*v1_1_by_m2
-    T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23
-    T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23
-    T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23
-    # d/dk1 of: derivatives of T on the boundary
+    delay_T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23
+    delay_T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23
+    delay_T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23
+    # d/dk1 of: derivatives of the time to the boundary after T
     t127 = t122*v1_1_by_k1
-    T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23
-    T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23
-    T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23
-    # d/dk2 of: derivatives of T on the boundary
+    delay_T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23
+    delay_T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23
+    delay_T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23
+    # d/dk2 of: derivatives of the time to the boundary after T
     t128 = t122*v1_1_by_k2
-    T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23
-    T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23
-    T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23
-    # d/dT of: derivatives of T on the boundary
+    delay_T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23
+    delay_T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23
+    delay_T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23
+    # d/dT of: derivatives of the time to the boundary after T
     t129 = t122*v1_1_by_T
-    T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23
-    T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23
-    T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23
+    delay_T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23
+    delay_T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23
+    delay_T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23
     # d/dy of: perturbation on the boundary after T
-    x2_1_on_boundary_by_y_by_y = T_by_y*v2_1_by_y + T_by_y_by_y*v2_1
+    x2_1_on_boundary_by_y_by_y = delay_T_by_y*v2_1_by_y + delay_T_by_y_by_y*v2_1
     t130 = 1/m1
     t131 = t130*x1_1
     t132 = -k1*t130*x2_1 + k1*t131
     t133 = k1*x1_1_by_y
-    t134 = T_by_u*t130
+    t134 = delay_T_by_u*t130
     t135 = k1*t134
-    v1_1_on_boundary_by_u_by_y = T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y
+    v1_1_on_boundary_by_u_by_y = delay_T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y
     t136 = 1/m2
     t137 = t136*x1_1
     t138 = k1 + k2
     t139 = t136*x2_1
     t140 = k1*t137 - t138*t139
-    t141 = T_by_w*t136
+    t141 = delay_T_by_w*t136
     t142 = t138*t141
-    v2_1_on_boundary_by_w_by_y = T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y
+    v2_1_on_boundary_by_w_by_y = delay_T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y
     # d/du of: perturbation on the boundary after T
-    x2_1_on_boundary_by_y_by_u = T_by_y*v2_1_by_u + T_by_y_by_u*v2_1
-    v1_1_on_boundary_by_u_by_u = T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u
+    x2_1_on_boundary_by_y_by_u = delay_T_by_y*v2_1_by_u + delay_T_by_y_by_u*v2_1
+    v1_1_on_boundary_by_u_by_u = delay_T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u
     t143 = k1*t141
-    v2_1_on_boundary_by_w_by_u = T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u
+    v2_1_on_boundary_by_w_by_u = delay_T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u
     # d/dm1 of: perturbation on the boundary after T
-    x2_1_on_boundary_by_y_by_m1 = T_by_y*v2_1_by_m1 + T_by_y_by_m1*v2_1 + carried_x2_1_by_y_by_m1
+    x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_T_by_y*v2_1_by_m1 + delay_T_by_y_by_m1*v2_1
     t144 = k1/m1**2
-    v1_1_on_boundary_by_u_by_m1 = T_by_u*k1*t130*x1_1_by_m1 - T_by_u*(t144*x1_1 - t144*x2_1) + T_by_u_by_m1*t132 - carried_v1_1_by_u_by_m1 - t135*x2_1_by_m1
-    v2_1_on_boundary_by_w_by_m1 = T_by_w_by_m1*t140 + carried_v2_1_by_w_by_m1 - t142*x2_1_by_m1 + t143*x1_1_by_m1
+    v1_1_on_boundary_by_u_by_m1 = -carried_v1_1_by_u_by_m1 + delay_T_by_u*k1*t130*x1_1_by_m1 - delay_T_by_u*(t144*x1_1 - t144*x2_1) + delay_T_by_u_by_m1*t132 - t135*x2_1_by_m1
+    v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_T_by_w_by_m1*t140 - t142*x2_1_by_m1 + t143*x1_1_by_m1
     # d/dm2 of: perturbation on the boundary after T
-    x2_1_on_boundary_by_y_by_m2 = T_by_y*v2_1_by_m2 + T_by_y_by_m2*v2_1 + carried_x2_1_by_y_by_m2
-    v1_1_on_boundary_by_u_by_m2 = T_by_u_by_m2*t132 - carried_v1_1_by_u_by_m2 + t135*x1_1_by_m2 - t135*x2_1_by_m2
+    x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_T_by_y*v2_1_by_m2 + delay_T_by_y_by_m2*v2_1
+    v1_1_on_boundary_by_u_by_m2 = -carried_v1_1_by_u_by_m2 + delay_T_by_u*k1*t130*x1_1_by_m2 + delay_T_by_u_by_m2*t132 - t135*x2_1_by_m2
     t145 = 1/m2**2
-    v2_1_on_boundary_by_w_by_m2 = T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + T_by_w_by_m2*t140 + carried_v2_1_by_w_by_m2 - t142*x2_1_by_m2 + t143*x1_1_by_m2
+    v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + delay_T_by_w_by_m2*t140 - t142*x2_1_by_m2 + t143*x1_1_by_m2
     # d/dk1 of: perturbation on the boundary after T
-    x2_1_on_boundary_by_y_by_k1 = T_by_y*v2_1_by_k1 + T_by_y_by_k1*v2_1 + carried_x2_1_by_y_by_k1
-    v1_1_on_boundary_by_u_by_k1 = T_by_u*k1*t130*x1_1_by_k1 - T_by_u*(t130*x2_1 - t131) + T_by_u_by_k1*t132 - carried_v1_1_by_u_by_k1 - t135*x2_1_by_k1
-    v2_1_on_boundary_by_w_by_k1 = T_by_w*(t137 - t139) + T_by_w_by_k1*t140 + carried_v2_1_by_w_by_k1 - t142*x2_1_by_k1 + t143*x1_1_by_k1
+    x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_T_by_y*v2_1_by_k1 + delay_T_by_y_by_k1*v2_1
+    v1_1_on_boundary_by_u_by_k1 = -carried_v1_1_by_u_by_k1 + delay_T_by_u*k1*t130*x1_1_by_k1 - delay_T_by_u*(t130*x2_1 - t131) + delay_T_by_u_by_k1*t132 - t135*x2_1_by_k1
+    v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_T_by_w*(t137 - t139) + delay_T_by_w_by_k1*t140 - t142*x2_1_by_k1 + t143*x1_1_by_k1
     # d/dk2 of: perturbation on the boundary after T
-    x2_1_on_boundary_by_y_by_k2 = T_by_y*v2_1_by_k2 + T_by_y_by_k2*v2_1 + carried_x2_1_by_y_by_k2
-    v1_1_on_boundary_by_u_by_k2 = T_by_u_by_k2*t132 - carried_v1_1_by_u_by_k2 + t135*x1_1_by_k2 - t135*x2_1_by_k2
-    v2_1_on_boundary_by_w_by_k2 = -T_by_w*t139 + T_by_w_by_k2*t140 + carried_v2_1_by_w_by_k2 - t142*x2_1_by_k2 + t143*x1_1_by_k2
+    x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_T_by_y*v2_1_by_k2 + delay_T_by_y_by_k2*v2_1
+    v1_1_on_boundary_by_u_by_k2 = -carried_v1_1_by_u_by_k2 + delay_T_by_u*k1*t130*x1_1_by_k2 + delay_T_by_u_by_k2*t132 - t135*x2_1_by_k2
+    v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_T_by_w*t139 + delay_T_by_w_by_k2*t140 - t142*x2_1_by_k2 + t143*x1_1_by_k2
     # d/dT of: perturbation on the boundary after T
-    x2_1_on_boundary_by_y_by_T = T_by_y*v2_1_by_T + T_by_y_by_T*v2_1 + carried_x2_1_by_y_by_T
-    v1_1_on_boundary_by_u_by_T = T_by_u_by_T*t132 - carried_v1_1_by_u_by_T + t135*x1_1_by_T - t135*x2_1_by_T
-    v2_1_on_boundary_by_w_by_T = T_by_w_by_T*t140 + carried_v2_1_by_w_by_T - t142*x2_1_by_T + t143*x1_1_by_T
+    x2_1_on_boundary_by_y_by_T = carried_x2_1_by_y_by_T + delay_T_by_y*v2_1_by_T + delay_T_by_y_by_T*v2_1
+    v1_1_on_boundary_by_u_by_T = -carried_v1_1_by_u_by_T + delay_T_by_u*k1*t130*x1_1_by_T + delay_T_by_u_by_T*t132 - t135*x2_1_by_T
+    v2_1_on_boundary_by_w_by_T = carried_v2_1_by_w_by_T + delay_T_by_w_by_T*t140 - t142*x2_1_by_T + t143*x1_1_by_T
     return [v1_1_on_boundary_by_u_by_y + v2_1_on_boundary_by_w_by_y + x2_1_on_boundary_by_y_by_y, v1_1_on_boundary_by_u_by_u + v2_1_on_boundary_by_w_by_u + x2_1_on_boundary_by_y_by_u, v1_1_on_boundary_by_u_by_m1 + v2_1_on_boundary_by_w_by_m1 + x2_1_on_boundary_by_y_by_m1, v1_1_on_boundary_by_u_by_m2 + v2_1_on_boundary_by_w_by_m2 + x2_1_on_boundary_by_y_by_m2, v1_1_on_boundary_by_u_by_k1 + v2_1_on_boundary_by_w_by_k1 + x2_1_on_boundary_by_y_by_k1, v1_1_on_boundary_by_u_by_k2 + v2_1_on_boundary_by_w_by_k2 + x2_1_on_boundary_by_y_by_k2, v1_1_on_boundary_by_u_by_T + v2_1_on_boundary_by_w_by_T + x2_1_on_boundary_by_y_by_T]
 
 

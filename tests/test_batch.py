@@ -254,7 +254,7 @@ def test_the_prediction_is_of_first_order(name):
 
 def assert_same_orbit(one, found, i):
     guess = [float(a[i]) for a in found.unknowns.values()]
-    assert_allclose(list(one.unknowns.values()), guess, rtol=1e-9, atol=1e-10)
+    assert_allclose(list(one.unknowns.values()), guess, rtol=1e-10, atol=1e-10)
     scale = np.abs(one.evaluate("poincare_jacobian")).max()
     assert one.trace == pytest.approx(float(found.trace[i]), rel=1e-8, abs=1e-10 * scale)
     assert one.period == pytest.approx(float(found.period[i]), rel=1e-10)

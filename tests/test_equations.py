@@ -24,7 +24,7 @@ from nonsmooth.derive.kernels import spectrum_kernel
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.program import Argument, Kernel, Output, Stage, prune
 from nonsmooth.derive.system import Boundary, Configuration, System, Transition
-from nonsmooth.derive.systems import dry_friction
+from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.arithmetic import Mpmath
 
 LIB = Mpmath(60)
@@ -151,6 +151,12 @@ def bilinear() -> Itinerary:
     return Itinerary("loop", system, (Phase("right", "down", "ta"), Phase("left", "up", "tb")))
 
 
+def known(itinerary: Itinerary) -> Example:
+    """A declared itinerary at its own reference point."""
+    point = {n: str(number(sp.sympify(t), {})) for n, t in itinerary.reference.parameters.items()}
+    return Example(lambda: itinerary, point, dict(itinerary.reference.guess))
+
+
 @dataclass(frozen=True)
 class Example:
     """An itinerary, a parameter point and a guess of its orbit there."""
@@ -160,11 +166,21 @@ class Example:
     guess: dict[str, str]
 
 
+def number(expression: sp.Expr, known: dict[sp.Symbol, Any]) -> Any:
+    """An expression of the declaration as a number."""
+    expression = sp.sympify(expression)
+    symbols = sorted(expression.free_symbols, key=str)
+    value = sp.lambdify(symbols, expression, {"pi": MP.pi, "mpf": MP.mpf, "sqrt": MP.sqrt})
+    return MP.mpf(value(*(known[s] for s in symbols)))
+
+
 PAPER = dry_friction.global_stick.reference
 EXAMPLES = {
-    "dry-friction": Example(
-        lambda: dry_friction.global_stick, dict(PAPER.parameters), dict(PAPER.guess)
-    ),
+    "dry-friction": known(dry_friction.global_stick),
+    "symmetric": known(dry_friction.symmetric),
+    "solution-ii": known(dry_friction.solution_ii),
+    "one-impact": known(rigid_stop.one_impact),
+    "one-contact": known(elastic_stop.one_contact),
     "belt": Example(
         belt,
         {"speed": "0.9", "slipping": "0.3", "excess": "0.4"},
@@ -235,13 +251,14 @@ class Derived:
         o = self.orbit
         chain, reduction = o.chain.stages, o.reduction
         if name == "residual":
-            return o.unknowns, chain, o.residual
+            return o.unknowns, o.stages, o.residual
         if name == "states":
             rows = [o.chain.links[0].before, *(link.following for link in o.chain.links)]
             return o.unknowns, chain, [e for row in rows for e in row]
         if name in ("jacobian", "parameter_jacobian", "poincare_jacobian"):
             stages, matrix = getattr(o, name)
-            return o.unknowns, (*chain, *stages), list(matrix)
+            base = chain if name == "poincare_jacobian" else o.stages
+            return o.unknowns, (*base, *stages), list(matrix)
         if name == "trace":
             return o.unknowns, o.trace[0], [o.trace[1]]
         if name == "trace_gradient":
@@ -288,17 +305,20 @@ class Solved:
 
     def __init__(self, name: str, rotation: int = 0) -> None:
         example = EXAMPLES[name]
-        self.itinerary = example.itinerary().rotated(rotation)
-        self.derived = Derived(self.itinerary)
+        self.derived = Derived(example.itinerary().rotated(rotation))
+        orbit = self.derived.orbit
+        self.itinerary = orbit.itinerary  # with the values that the orbit requires
         self.values = [MP.mpf(example.point[n]) for n in self.derived.names]
-        symbols = [str(u) for u in self.derived.orbit.unknowns]
+        symbols = [str(u) for u in orbit.unknowns]
         if rotation == 0:
             guess = [MP.mpf(example.guess[n]) for n in symbols]
         else:
-            base = solved(name)
-            known = base.dwell_times | dict(
-                zip(symbols, (base.states[rotation][i] for i in self.section.places), strict=False)
-            )
+            base, start = solved(name), orbit.chain.start
+            known = {str(s): v for s, v in base.known.items()} | base.dwell_times
+            known |= {
+                str(q): base.states[rotation][i]
+                for q, i in zip(start.coordinates, start.places, strict=True)
+            }
             # moved away, so that the solution is found and not copied
             source = random.Random(rotation)
             guess = [known[n] + MP.mpf(source.uniform(-1, 1)) / 1000 for n in symbols]
@@ -309,9 +329,18 @@ class Solved:
         return self.derived.orbit.chain.section
 
     @cached_property
+    def known(self) -> dict[sp.Symbol, Any]:
+        """Numbers of all parameters, those that are solved for too, and of the unknowns."""
+        orbit = self.derived.orbit
+        found = dict(zip(orbit.parameters, self.values, strict=True))
+        found |= dict(zip(orbit.unknowns, self.unknowns, strict=True))
+        # what the equations leave open shows in no field, normal or reset of these phases
+        return {p.symbol: MP.mpf(0) for p in orbit.system.parameters} | found
+
+    @cached_property
     def dwell_times(self) -> dict[str, Any]:
-        names = [p.dwell_time for p in self.itinerary.phases]
-        return dict(zip(names, self.unknowns[self.section.dimension :], strict=True))
+        links = self.derived.orbit.chain.links
+        return {str(link.dwell): number(link.duration, self.known) for link in links}
 
     @cached_property
     def states(self) -> list[list[Any]]:
@@ -347,6 +376,9 @@ def rotations(name: str) -> range:
 
 
 EVERY = [(name, k) for name in EXAMPLES for k in rotations(name)]
+# of the declared orbits one rotation is enough for derivatives
+DECLARED = ("symmetric", "solution-ii", "one-impact", "one-contact")
+MOST = [(name, k) for name, k in EVERY if name not in DECLARED or k == 0]
 
 
 def close(found: Any, expected: Any, digits: int) -> bool:
@@ -370,7 +402,7 @@ def test_every_rotation_is_square_and_gives_the_same_orbit(name: str, rotation: 
     assert len(orbit.equations) == len(orbit.unknowns)
     for dwell_time, value in base.dwell_times.items():
         assert close(turned.dwell_times[dwell_time], value, 45)
-        assert value > 0
+        assert value > 0 or dwell_time in turned.itinerary.vanishing
     count = len(base.dwell_times)
     for index in range(count):
         state = base.states[(index + rotation) % count]
@@ -452,7 +484,7 @@ def off_the_orbit(example: Solved, seed: int) -> list[Any]:
     return [u * (1 + MP.mpf(source.uniform(-0.05, 0.05))) for u in example.unknowns]
 
 
-@pytest.mark.parametrize(("name", "rotation"), EVERY)
+@pytest.mark.parametrize(("name", "rotation"), MOST)
 def test_jacobian_against_differences(name: str, rotation: int) -> None:
     example = solved(name, rotation)
     at = off_the_orbit(example, rotation)
@@ -466,7 +498,7 @@ def test_jacobian_against_differences(name: str, rotation: int) -> None:
         assert all(close(found[i, j], e, 25) for i, e in enumerate(expected))
 
 
-@pytest.mark.parametrize(("name", "rotation"), EVERY)
+@pytest.mark.parametrize(("name", "rotation"), MOST)
 def test_total_parameter_derivatives_against_differences(name: str, rotation: int) -> None:
     example = solved(name, rotation)
     derived, values = example.derived, example.values
@@ -503,24 +535,13 @@ def test_total_parameter_derivatives_against_differences(name: str, rotation: in
 # --- the Poincare map, a second time ----------------------------------------------------
 
 
-def number(expression: sp.Expr, known: dict[sp.Symbol, Any]) -> Any:
-    """An expression of the declaration as a number."""
-    expression = sp.sympify(expression)
-    symbols = sorted(expression.free_symbols, key=str)
-    value = sp.lambdify(symbols, expression, "mpmath")(*(known[s] for s in symbols))
-    return MP.mpf(value)
-
-
 class Independent:
     """Flow by matrix exponentials, exits by Newton's method on time, resets as declared."""
 
     def __init__(self, example: Solved) -> None:
         self.example = example
         orbit = example.derived.orbit
-        system, phases = orbit.system, example.itinerary.phases
-        known = dict(zip(orbit.parameters, example.values, strict=True))
-        # what the equations leave open shows in no field, normal or reset of these phases
-        known |= {p.symbol: MP.mpf(0) for p in system.parameters if p.symbol not in known}
+        system, phases, known = orbit.system, example.itinerary.phases, example.known
         zero = dict.fromkeys(system.states, 0)
         self.size = len(system.states)
         self.pieces = []
@@ -572,10 +593,8 @@ def test_orbit_and_poincare_jacobian_against_an_independent_map(name: str, rotat
     start = example.states[0]
     image = second.image(start)
     assert all(close(a, b, 40) for a, b in zip(image, start, strict=True))
-    embedding = section.embedding
-    known = dict(zip(example.derived.orbit.parameters, example.values, strict=True))
     for j in range(section.dimension):
-        direction = [number(e, known) for e in embedding[:, j]]
+        direction = [number(e, example.known) for e in section.embedding[:, j]]
 
         def along(x: Any, direction: list[Any] = direction) -> list[Any]:
             moved = second.image([s + x * d for s, d in zip(start, direction, strict=True)])
@@ -596,7 +615,7 @@ def test_the_reduced_equations_have_the_same_orbit(name: str, rotation: int) -> 
     rest = [str(u) for u in reduction.unknowns]
     states = example.states
     count = len(states) - 1
-    known = dict(example.dwell_times)
+    known = {str(s): v for s, v in example.known.items()} | example.dwell_times
     for index in range(count + 1):
         for symbol, value in zip(derived.orbit.system.states, states[index], strict=True):
             known.setdefault(f"{symbol}_{index}", value)
@@ -625,8 +644,7 @@ def test_the_slope_of_the_map_in_one_variable(name: str) -> None:
     example = solved(name, reduction.rotation)
     assert example.section.dimension == 1
     second, (place,) = Independent(example), example.section.places
-    known = dict(zip(example.derived.orbit.parameters, example.values, strict=True))
-    direction = [number(e, known) for e in example.section.embedding]
+    direction = [number(e, example.known) for e in example.section.embedding]
     start = example.states[0]
 
     def along(x: Any) -> list[Any]:

@@ -191,6 +191,29 @@ def test_sensitivities_keep_their_digits():
         assert abs(slope - getattr(sensitivity, name)) < mp.mpf(10) ** -35
 
 
+@pytest.mark.parametrize("name", orbit_names())
+def test_sensitivities_of_every_orbit(name):
+    """To every parameter: of the unknowns, of the period and, through all of them, of the trace."""
+    found = refine(solve(name), 30)
+    mp = found.arithmetic.mp
+    for parameter, value in found.given.items():
+        step = "1e-20"
+        sides = [
+            refine(solve(name, {parameter: f"({value.text}) {sign} {step}"}), 60) for sign in "+-"
+        ]
+        sensitivity = found.sensitivity(parameter)
+        rates = {**sensitivity.unknowns, "period": sensitivity.period, "trace": sensitivity.trace}
+        for label, rate in rates.items():
+            above, below = (
+                side.unknowns[label] if label in side.unknowns else getattr(side, label)
+                for side in sides
+            )
+            slope = (above - below) / (2 * mp.mpf(step))
+            assert abs(slope - rate) < mp.mpf(10) ** -25 * (1 + abs(rate)), (parameter, label)
+        double = solve(name).sensitivity(parameter)
+        assert float(double.trace) == pytest.approx(float(rates["trace"]), rel=1e-9, abs=1e-9)
+
+
 def test_printed_digits_are_true(every):
     for orbit in every:
         short, long = orbit_json(refine(orbit, 30)), orbit_json(refine(orbit, 90))
