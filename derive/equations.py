@@ -12,6 +12,7 @@ import sympy as sp
 
 from nonsmooth.derive.chain import (
     Chain,
+    Section,
     follow,
     poincare_jacobian,
     section_of,
@@ -45,6 +46,8 @@ class BoundaryFunction:
     open_parameter : symbol or None
         A parameter that the equations leave open, entering as ``open_coefficient * it``.
     open_coefficient : number
+    begins : bool
+        Whether the phase begins on the boundary, so that the sum is zero there.
     """
 
     phase: int
@@ -52,6 +55,7 @@ class BoundaryFunction:
     coefficients: tuple[sp.Expr, ...]
     open_parameter: sp.Symbol | None
     open_coefficient: sp.Expr
+    begins: bool
 
 
 @dataclass(frozen=True)
@@ -193,6 +197,7 @@ class EquationSystem:
             configuration = self.system.configuration(link.flow.configuration)
             oscillations = [g(w * TIME) for g in (sp.cos, sp.sin) for w in self.frequencies[index]]
             basis = (sp.Integer(1), TIME, *oscillations)
+            begin = section_of(self.itinerary.rotated(index), self.system)
             for boundary in configuration.boundaries:
                 row, constant = self.system.gradient(boundary.function)
                 opened = sorted(constant.free_symbols & set(self.open_parameters), key=str)
@@ -213,6 +218,7 @@ class EquationSystem:
                         tuple(values.get(f, sp.Integer(0)) for f in basis),
                         parameter,
                         slope,
+                        _vanishes_on(begin, row, constant),
                     )
                 )
         return tuple(found)
@@ -260,6 +266,12 @@ class EquationSystem:
 
         blocks = describe_orbit(self).section("The equations")
         return [(b.lines[0].latex, b.note or "") for b in blocks if isinstance(b, Formula)]
+
+
+def _vanishes_on(section: Section, row: sp.Matrix, constant: sp.Expr) -> bool:
+    """Whether an affine function of the state is zero on all of a section."""
+    values = [*(row * section.embedding), (row * section.constant)[0] + constant]
+    return all(sp.cancel(sp.expand(value)) == 0 for value in values)
 
 
 def _frequencies(flow: Flow) -> tuple[sp.Expr, ...]:

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 47c5a5ec2c49d75d */
+ * SymPy 1.14.0, derivation 9241baa35c1aa5bc */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -2538,11 +2538,11 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "6b103a366c91c1e0") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "285fba22a62d8fab") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "5ccf098ea3736887") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "a14eb0e1cda9af70") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "cd9e7cb19aadb051") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "8d536a12182b264e") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation cd9e7cb19aadb051 */
+ * SymPy 1.14.0, derivation 8d536a12182b264e */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -7345,6 +7345,7 @@ void dry_friction_symmetric_admissible(
     static const int sums[] = {2, 3}, terms[] = {2, 1}, at_once[] = {0, 0};
     static const int opened[] = {-1, -1, -1, -1, 0};
     static const int exits[] = {6, 16}, first_frequency[] = {0, 2};
+    static const int begins[] = {0, 1, 0, 0, 0};
     static const double per_unit[] = {0.0, 0.0, 0.0, 0.0, 2.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 4 * point, *const u = unknowns + 5 * point;
@@ -7376,14 +7377,19 @@ void dry_friction_symmetric_admissible(
         for (int phase = 0; phase < 2 && found == -1; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
-            double floor[3], maximum[3], time[3];
+            double usual[3], floor[3], maximum[3], time[3];
             if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
-            for (int i = 0; i < sums[phase]; ++i)
-                floor[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency,
-                                                 coefficient + i * length, duration)
+            for (int i = 0; i < sums[phase]; ++i) {
+                const double *const function = coefficient + i * length;
+                usual[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
                     : least[opened[row + i]] * per_unit[row + i];
+                /* a phase that begins on a boundary and rises crosses it, however little */
+                const int rises = begins[row + i] && duration > 0.0 &&
+                                  nonsmooth_rises(terms[phase], frequency, function, noise);
+                floor[i] = rises ? -(double)INFINITY : usual[i];
+            }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
             for (int i = 0; i < sums[phase] && found == -1; ++i) {
@@ -7393,8 +7399,8 @@ void dry_friction_symmetric_admissible(
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
                     found = row + i;
-                    most = maximum[i];
-                    when = time[i];
+                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
+                    when = maximum[i] > usual[i] ? time[i] : 0.0;
                 }
             }
             row += sums[phase];
@@ -7835,6 +7841,7 @@ void dry_friction_global_stick_admissible(
     static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {0, 0, 0, 0};
     static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
     static const int exits[] = {0, 12, 20, 40}, first_frequency[] = {0, 0, 1, 3};
+    static const int begins[] = {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 5 * point, *const u = unknowns + 6 * point;
@@ -7866,14 +7873,19 @@ void dry_friction_global_stick_admissible(
         for (int phase = 0; phase < 4 && found == -1; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
-            double floor[4], maximum[4], time[4];
+            double usual[4], floor[4], maximum[4], time[4];
             if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
-            for (int i = 0; i < sums[phase]; ++i)
-                floor[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency,
-                                                 coefficient + i * length, duration)
+            for (int i = 0; i < sums[phase]; ++i) {
+                const double *const function = coefficient + i * length;
+                usual[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
                     : least[opened[row + i]] * per_unit[row + i];
+                /* a phase that begins on a boundary and rises crosses it, however little */
+                const int rises = begins[row + i] && duration > 0.0 &&
+                                  nonsmooth_rises(terms[phase], frequency, function, noise);
+                floor[i] = rises ? -(double)INFINITY : usual[i];
+            }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
             for (int i = 0; i < sums[phase] && found == -1; ++i) {
@@ -7883,8 +7895,8 @@ void dry_friction_global_stick_admissible(
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
                     found = row + i;
-                    most = maximum[i];
-                    when = time[i];
+                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
+                    when = maximum[i] > usual[i] ? time[i] : 0.0;
                 }
             }
             row += sums[phase];
@@ -8443,6 +8455,7 @@ void dry_friction_solution_ii_admissible(
     static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {1, 0, 0, 0};
     static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
     static const int exits[] = {0, 12, 20, 40}, first_frequency[] = {0, 0, 1, 3};
+    static const int begins[] = {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 4 * point, *const u = unknowns + 6 * point;
@@ -8474,14 +8487,19 @@ void dry_friction_solution_ii_admissible(
         for (int phase = 0; phase < 4 && found == -1; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
-            double floor[4], maximum[4], time[4];
+            double usual[4], floor[4], maximum[4], time[4];
             if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
-            for (int i = 0; i < sums[phase]; ++i)
-                floor[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency,
-                                                 coefficient + i * length, duration)
+            for (int i = 0; i < sums[phase]; ++i) {
+                const double *const function = coefficient + i * length;
+                usual[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
                     : least[opened[row + i]] * per_unit[row + i];
+                /* a phase that begins on a boundary and rises crosses it, however little */
+                const int rises = begins[row + i] && duration > 0.0 &&
+                                  nonsmooth_rises(terms[phase], frequency, function, noise);
+                floor[i] = rises ? -(double)INFINITY : usual[i];
+            }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
             for (int i = 0; i < sums[phase] && found == -1; ++i) {
@@ -8491,8 +8509,8 @@ void dry_friction_solution_ii_admissible(
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
                     found = row + i;
-                    most = maximum[i];
-                    when = time[i];
+                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
+                    when = maximum[i] > usual[i] ? time[i] : 0.0;
                 }
             }
             row += sums[phase];

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation cd9e7cb19aadb051 */
+ * SymPy 1.14.0, derivation 8d536a12182b264e */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 5ccf098ea3736887 */
+ * SymPy 1.14.0, derivation a14eb0e1cda9af70 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -3959,6 +3959,7 @@ void elastic_stop_one_contact_admissible(
     static const int sums[] = {1, 1}, terms[] = {2, 2}, at_once[] = {0, 0};
     static const int opened[] = {-1, -1};
     static const int exits[] = {0, 6}, first_frequency[] = {0, 2};
+    static const int begins[] = {1, 1};
     static const double per_unit[] = {0.0, 0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 6 * point, *const u = unknowns + 4 * point;
@@ -3990,14 +3991,19 @@ void elastic_stop_one_contact_admissible(
         for (int phase = 0; phase < 2 && found == -1; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
-            double floor[1], maximum[1], time[1];
+            double usual[1], floor[1], maximum[1], time[1];
             if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
-            for (int i = 0; i < sums[phase]; ++i)
-                floor[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency,
-                                                 coefficient + i * length, duration)
+            for (int i = 0; i < sums[phase]; ++i) {
+                const double *const function = coefficient + i * length;
+                usual[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
                     : least[opened[row + i]] * per_unit[row + i];
+                /* a phase that begins on a boundary and rises crosses it, however little */
+                const int rises = begins[row + i] && duration > 0.0 &&
+                                  nonsmooth_rises(terms[phase], frequency, function, noise);
+                floor[i] = rises ? -(double)INFINITY : usual[i];
+            }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
             for (int i = 0; i < sums[phase] && found == -1; ++i) {
@@ -4007,8 +4013,8 @@ void elastic_stop_one_contact_admissible(
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
                     found = row + i;
-                    most = maximum[i];
-                    when = time[i];
+                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
+                    when = maximum[i] > usual[i] ? time[i] : 0.0;
                 }
             }
             row += sums[phase];

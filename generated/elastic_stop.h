@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 5ccf098ea3736887 */
+ * SymPy 1.14.0, derivation a14eb0e1cda9af70 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 

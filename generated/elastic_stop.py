@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 5ccf098ea3736887
+# SymPy 1.14.0, derivation a14eb0e1cda9af70
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "5ccf098ea3736887"
+DERIVATION = "a14eb0e1cda9af70"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -135,8 +135,8 @@ ORBITS = {'one-contact': {'phases': [('contact', 'first-leaves-stop', 'tau'),
                              ['0', '0', '0', '1']]],
                  'measures': ['y', 'u', 'w'],
                  'terms': [2, 2],
-                 'boundaries': [(0, 'first-leaves-stop', None, 0.0),
-                                (1, 'first-reaches-stop', None, 0.0)],
+                 'boundaries': [(0, 'first-leaves-stop', None, 0.0, True),
+                                (1, 'first-reaches-stop', None, 0.0, True)],
                  'reference': {'parameters': {'m1': '1',
                                               'm2': '2',
                                               'k1': '1',

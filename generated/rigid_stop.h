@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 6b103a366c91c1e0 */
+ * SymPy 1.14.0, derivation 285fba22a62d8fab */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 6b103a366c91c1e0
+# SymPy 1.14.0, derivation 285fba22a62d8fab
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "6b103a366c91c1e0"
+DERIVATION = "285fba22a62d8fab"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -110,7 +110,7 @@ ORBITS = {'one-impact': {'phases': [('free', 'first-reaches-stop', 'T')],
                             ['0', '0', '0', '1']]],
                 'measures': ['y', 'u'],
                 'terms': [2],
-                'boundaries': [(0, 'first-reaches-stop', None, 0.0)],
+                'boundaries': [(0, 'first-reaches-stop', None, 0.0, True)],
                 'reference': {'parameters': {'m1': '1',
                                              'm2': '2',
                                              'k1': '1',

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.codegen/support.h
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f28a0c07273cf670 */
+ * SymPy 1.14.0, derivation cc596d300a5a17eb */
 /* Numerical support of the generated C: sine and cosine that vectorise, and guaranteed maxima of
  * trigonometric sums
  *
@@ -146,6 +146,20 @@ static inline nonsmooth_jet nonsmooth_evaluate(int terms, const double *frequenc
         jet.curvature -= w * w * wave;
     }
     return jet;
+}
+
+/* Does g rise at 0 beyond the error of its slope, where g itself is known to within noise? */
+static inline int nonsmooth_rises(int terms, const double *frequency, const double *row,
+                                  double noise)
+{
+    double slope = row[1], size = fabs(row[1]), fastest = 0.0;
+    for (int j = 0; j < terms; ++j) {
+        const double w = frequency[j];
+        slope += w * row[2 + terms + j];
+        size += w * (fabs(row[2 + j]) + fabs(row[2 + terms + j]));
+        fastest = w > fastest ? w : fastest;
+    }
+    return slope > 32.0 * DBL_EPSILON * size + fastest * noise;
 }
 
 /* Upper bound of g on a cell: the cubic Hermite interpolant as a quartic in Bernstein form. Its

@@ -8,6 +8,7 @@ transition before it has ended, this also checks the transitions' conditions.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -135,15 +136,17 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
             shift = boundary.open_coefficient * float(orbit.opened[opened])
             function = replace(function, constant=function.constant + shift)
         floor = function.rounding(duration) + noise
-        found = maximum(function, duration, floor)
-        if found.value > floor:
+        rises = _rises(boundary, function, duration, noise)
+        found = maximum(function, duration, -math.inf if rises else floor)
+        if rises or found.value > floor:
+            time = found.time if found.value > floor else 0.0
             violations.append(
                 Violation(
                     boundary.phase,
                     phases[boundary.phase][0],
                     boundary.name,
-                    float(starts[boundary.phase]) + found.time,
-                    found.value,
+                    float(starts[boundary.phase]) + time,
+                    max(found.value, 0.0),
                 )
             )
     coincidences = tuple(
@@ -176,6 +179,11 @@ def _noise(
     exits = [name for _, name, _ in kernels.table["phases"]]
     missed = max(abs(g(dwell[b.phase])) for b, g in sums if b.name == exits[b.phase])
     return 32 * float(np.finfo(float).eps) * size + min(2 * missed, MOST_MISSED * size)
+
+
+def _rises(boundary: Boundary, function: TrigonometricSum, duration: float, noise: float) -> bool:
+    """Whether a phase begins on a boundary and rises: it crosses it, however little."""
+    return boundary.begins and duration > 0 and function.rises(noise)
 
 
 def boundary_sums(
@@ -274,7 +282,10 @@ def _admissible_numpy(
                 duration = float(dwell[point, boundary.phase])
                 if boundary.open_parameter is None:
                     floor = function.rounding(duration) + noise
-                    if maximum(function, duration, floor).value > floor:
+                    if (
+                        _rises(boundary, function, duration, noise)
+                        or maximum(function, duration, floor).value > floor
+                    ):
                         break
                 else:
                     place = opened.index(boundary.open_parameter)

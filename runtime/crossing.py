@@ -89,6 +89,12 @@ class TrigonometricSum:
         waves = sum((abs(c) + abs(s)) * (1 + w * duration) for c, s, w in self.terms())
         return 2.0**-47 * (abs(self.constant) + abs(self.slope) * duration + waves)
 
+    def rises(self, noise: float) -> bool:
+        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise."""
+        slope = self.slope + sum(s * w for _, s, w in self.terms())
+        size = abs(self.slope) + sum((abs(c) + abs(s)) * w for c, s, w in self.terms())
+        return slope > 2.0**-47 * size + max(self.frequency, default=0.0) * noise
+
     def terms(self) -> Iterator[tuple[float, float, float]]:
         """Iterate over (c_j, s_j, w_j)."""
         return zip(self.cosine, self.sine, self.frequency, strict=True)

@@ -62,12 +62,15 @@ class Boundary:
         Parameter that the orbit's equations leave open; it enters the function as
         ``open_coefficient * value``.
     open_coefficient : float
+    begins : bool
+        Whether the phase begins on the boundary.
     """
 
     phase: int
     name: str
     open_parameter: str | None
     open_coefficient: float
+    begins: bool
 
 
 @dataclass(frozen=True)

@@ -180,13 +180,10 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     error = np.inf
     if status == CONVERGED:
         residual, jacobian = equations_at(kernels, x)
-        jacobian = jacobian[:, places]
-        size = np.maximum(np.abs(x[places]), 1)
-        noise = np.abs(residual) + 4 * np.finfo(float).eps * (np.abs(jacobian) @ size)
-        if np.linalg.det(jacobian) != 0:
-            error = float(np.max(np.abs(np.linalg.inv(jacobian)) @ noise / size))
+        error = error_bound(kernels, x, places)
         if not error < DETERMINED:
-            raise _undetermined(solved_for, float(np.linalg.cond(jacobian * size)))
+            size = np.maximum(np.abs(x[places]), 1)
+            raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
         durations = kernels.durations(dict(zip(names, x, strict=True)))
         if any(durations[n] <= 0 for n in durations if n not in kernels.table["vanishing"]):
             status = NEGATIVE
@@ -212,6 +209,28 @@ def equations_at(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.n
         "parameter_jacobian", parameters, spectrum, derivatives, unknowns
     )
     return residual, np.concatenate([by_unknowns, by_parameters], axis=1)
+
+
+def error_bound(kernels: OrbitKernels, x: np.ndarray, places: Sequence[int]) -> float:
+    """Bound on the error of the numbers at some places of x, in units of max(1, |x|).
+
+    By J^-1, from the residual and the rounding of all that enters the equations: parameters
+    and unknowns, and the states along the orbit, of which they are differences.
+    """
+    residual, jacobian = equations_at(kernels, x)
+    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
+    spectrum, _ = kernels.spectrum(parameters)
+    states = kernels.evaluate("states", parameters, spectrum, unknowns)
+    scale, size = np.maximum(np.abs(x[places]), 1), np.abs(x)
+    size[places] = scale
+    rounding = np.abs(jacobian) @ size + np.abs(states).max()
+    noise = np.abs(residual) + 4 * np.finfo(float).eps * rounding
+    with np.errstate(all="ignore"):
+        try:
+            error = np.abs(np.linalg.inv(jacobian[:, places])) @ noise / scale
+        except np.linalg.LinAlgError:
+            return math.inf
+    return float(error.max()) if np.isfinite(error).all() else math.inf
 
 
 def condition_number(jacobian: np.ndarray) -> float:

@@ -12,7 +12,15 @@ import numpy as np
 from nonsmooth.runtime.admissible import admissible_points
 from nonsmooth.runtime.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.newton import CONVERGED, OUTSIDE, Full, solve_full, solve_reduced
+from nonsmooth.runtime.newton import (
+    CONVERGED,
+    OUTSIDE,
+    Full,
+    equations_at,
+    error_bound,
+    solve_full,
+    solve_reduced,
+)
 from nonsmooth.runtime.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.parameters import Point, in_domain, resolve
 from nonsmooth.runtime.values import Value, as_value, parse
@@ -227,18 +235,10 @@ def _orbit(kernels: OrbitKernels, point: Point, solved: Any) -> Orbit:
 
 def _quality(kernels: OrbitKernels, values: dict[str, float]) -> tuple[float, float]:
     """Residual of the full equations, and a bound on the error of the unknowns by J^-1."""
-    parameters = [values[name] for name in kernels.parameter_names]
-    unknowns = np.array([values[name] for name in kernels.unknowns])
-    spectrum, _ = kernels.spectrum(parameters)
-    residual, jacobian = kernels.evaluate("residual_and_jacobian", parameters, spectrum, unknowns)
-    scale = np.maximum(np.abs(unknowns), 1)
-    noise = np.abs(residual) + 2 * np.finfo(float).eps * (np.abs(jacobian) @ scale)
-    with np.errstate(all="ignore"):
-        try:
-            error = np.abs(np.linalg.inv(jacobian)) @ noise / scale
-        except np.linalg.LinAlgError:
-            return float(np.abs(residual).max()), math.inf
-    return float(np.abs(residual).max()), float(error.max())
+    names, count = (*kernels.unknowns, *kernels.parameter_names), len(kernels.unknowns)
+    x = np.array([values[name] for name in names])
+    residual, _ = equations_at(kernels, x)
+    return float(np.abs(residual).max()), error_bound(kernels, x, list(range(count)))
 
 
 def _digits(error: float) -> int:

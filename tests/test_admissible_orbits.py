@@ -174,6 +174,37 @@ def test_a_slow_penetration_is_seen_whatever_the_mass():
         assert not solve_many(RIGID, m1=mass).admissible
 
 
+def test_a_penetration_too_shallow_to_be_seen_is_one():
+    """Behind the impact u decides, however little the stop is passed: some u^2."""
+    grazing = solve(RIGID, unknown=["T"], given={"u": 0}).values["T"]
+    periods = [1e-12, 1e-9, 1e-6, *(grazing + s * d for d in (1e-4, 1e-8, 1e-11) for s in (1, -1))]
+    many = solve_many(RIGID, T=periods)
+    assert (many.unknowns["u"] > 0).tolist() == [True] * 3 + [True, False] * 3
+    assert many.admissible.tolist() == [False] * 3 + [False, True] * 3
+    for period, admissible in zip(periods, many.admissible, strict=True):
+        found = solve(RIGID, {"T": period}).admissibility
+        assert found.verdict is bool(admissible)
+        for violation in found.violations:
+            assert violation.boundary == "first-reaches-stop"
+            assert violation.excess >= 0
+            assert 0 <= violation.time < period
+
+
+@every_orbit
+def test_where_a_phase_begins_on_a_boundary(name):
+    """Of the table: there a boundary's function is zero, at any orbit and near it."""
+    kernels = load_orbit(name)
+    for orbit in records(name, random_points(name, 44, 12)):
+        steps = Declared(orbit).steps
+        for boundary in kernels.boundaries:
+            piece, start, _ = steps[boundary.phase]
+            value = (piece.boundaries[boundary.name] @ start).item()
+            if boundary.begins:
+                assert value == pytest.approx(0, abs=1e-10)
+            elif np.isfinite(value):
+                assert abs(value) > 1e-4 or name == "dry-friction/solution-ii"
+
+
 @pytest.mark.parametrize("name", [RIGID, ELASTIC])
 @pytest.mark.parametrize("scale", [1e-12, 1e-3, 1e3, 1e12])
 def test_units_of_mass_change_nothing(name, scale):

@@ -334,3 +334,22 @@ def test_windows_without_a_guarantee_are_refused(duration):
 def test_a_floor_that_is_no_number_is_refused():
     with pytest.raises(ValueError, match="floor"):
         maximum(sound, 1.0, math.nan)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "noise", "expected"),
+    [
+        ((0, 0, (1.0,), (1e-9,), (2.0,)), 0.0, True),
+        ((-1, 0, (1.0,), (1e-9,), (2.0,)), 0.0, True),
+        ((-1, 0, (1.0,), (-1e-9,), (2.0,)), 0.0, False),
+        ((-1, 0, (1.0,), (0.0,), (2.0,)), 0.0, False),
+        ((-1, 0, (1.0,), (1e-15,), (2.0,)), 0.0, False),  # within the rounding of the slope
+        ((-1, 0, (1.0,), (1e-9,), (2.0,)), 1e-8, False),  # within the error of what is given
+        ((0, 1e-300, (), (), ()), 0.0, True),
+        ((0, 0, (), (), ()), 0.0, False),
+        ((0, -1, (0.0,), (1.0,), (1.5,)), 0.0, True),
+        ((0, -2, (0.0,), (1.0,), (1.5,)), 0.0, False),
+    ],
+)
+def test_a_sum_rises_where_its_slope_is_surely_positive(arguments, noise, expected):
+    assert TrigonometricSum(*arguments).rises(noise) is expected

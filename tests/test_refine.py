@@ -92,6 +92,23 @@ def test_the_double_precision_orbit_has_the_digits_it_claims(every):
         assert error(orbit, refine(orbit, 30)) <= mpmath.mpf(10) ** -orbit.digits
 
 
+@pytest.mark.parametrize("name", orbit_names())
+def test_claimed_digits_are_true_far_from_the_reference(name):
+    """Large states, fast motions and badly conditioned data lower the claim, not the truth."""
+    generator, judged = np.random.default_rng(91), 0
+    for _ in range(30):
+        point = {
+            p.name: generator.uniform(0.05, 0.95) if p.upper else 10 ** generator.uniform(-2, 2)
+            for p in load_orbit(name).parameters
+        }
+        guess = {n: float(x) for n, x in load_orbit(name).table["reference"]["guess"].items()}
+        found = solve(name, point, guess, throw=False)
+        if found.converged and found.digits:
+            assert error(found, refine(found, 30)) <= mpmath.mpf(10) ** -found.digits
+            judged += 1
+    assert judged >= 3
+
+
 def test_refining_again_goes_on_or_back(orbit):
     precise = refine(orbit, 60)
     for digits in (20, 150):

@@ -23,6 +23,7 @@ $prototype
     static const int sums[] = {$sums}, terms[] = {$terms}, at_once[] = {$at_once};
     static const int opened[] = {$opened};
     static const int exits[] = {$exits}, first_frequency[] = {$first_frequency};
+    static const int begins[] = {$begins};
     static const double per_unit[] = {$per_unit};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + $p * point, *const u = unknowns + $n * point;
@@ -54,14 +55,19 @@ $prototype
         for (int phase = 0; phase < $phases && found == -1; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
-            double floor[$most_sums], maximum[$most_sums], time[$most_sums];
+            double usual[$most_sums], floor[$most_sums], maximum[$most_sums], time[$most_sums];
             if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
-            for (int i = 0; i < sums[phase]; ++i)
-                floor[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency,
-                                                 coefficient + i * length, duration)
+            for (int i = 0; i < sums[phase]; ++i) {
+                const double *const function = coefficient + i * length;
+                usual[i] = opened[row + i] < 0
+                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
                     : least[opened[row + i]] * per_unit[row + i];
+                /* a phase that begins on a boundary and rises crosses it, however little */
+                const int rises = begins[row + i] && duration > 0.0 &&
+                                  nonsmooth_rises(terms[phase], frequency, function, noise);
+                floor[i] = rises ? -(double)INFINITY : usual[i];
+            }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
             for (int i = 0; i < sums[phase] && found == -1; ++i) {
@@ -71,8 +77,8 @@ $prototype
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
                     found = row + i;
-                    most = maximum[i];
-                    when = time[i];
+                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
+                    when = maximum[i] > usual[i] ? time[i] : 0.0;
                 }
             }
             row += sums[phase];
@@ -143,6 +149,7 @@ def admissible_source(orbit: EquationSystem) -> str:
         at_once=", ".join(str(int(link.duration == 0)) for link in orbit.chain.links),
         durations=", ".join(print_c(link.duration.xreplace(places)) for link in orbit.chain.links),
         opened=", ".join(map(str, opened)),
+        begins=", ".join(str(int(b.begins and b.open_parameter is None)) for b in functions),
         exits=", ".join(map(str, exits)),
         first_frequency=", ".join(map(str, [*accumulate(terms, initial=0)][:-1])),
         measures=", ".join(print_c(places[symbol]) for symbol in orbit.measures),

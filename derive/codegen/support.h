@@ -144,6 +144,20 @@ static inline nonsmooth_jet nonsmooth_evaluate(int terms, const double *frequenc
     return jet;
 }
 
+/* Does g rise at 0 beyond the error of its slope, where g itself is known to within noise? */
+static inline int nonsmooth_rises(int terms, const double *frequency, const double *row,
+                                  double noise)
+{
+    double slope = row[1], size = fabs(row[1]), fastest = 0.0;
+    for (int j = 0; j < terms; ++j) {
+        const double w = frequency[j];
+        slope += w * row[2 + terms + j];
+        size += w * (fabs(row[2 + j]) + fabs(row[2 + terms + j]));
+        fastest = w > fastest ? w : fastest;
+    }
+    return slope > 32.0 * DBL_EPSILON * size + fastest * noise;
+}
+
 /* Upper bound of g on a cell: the cubic Hermite interpolant as a quartic in Bernstein form. Its
  * error, at most M4 h^4/24 u^2 (1-u)^2 with |g''''| <= M4, is M4 h^4/144 = excess times the middle
  * Bernstein polynomial. */

@@ -92,6 +92,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
                 b.boundary,
                 None if b.open_parameter is None else str(b.open_parameter),
                 float(b.open_coefficient),
+                b.begins,
             )
             for b in orbit.boundary_functions
         ],
