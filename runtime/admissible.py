@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.crossing import TrigonometricSum, maximum
+from nonsmooth.runtime.crossing import LONGEST_PHASE, TrigonometricSum, maximum
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbit import Orbit
@@ -126,6 +126,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     noise = _noise(kernels, measures, sums, dwell)
     for boundary, function in sums:
         duration = dwell[boundary.phase]
+        _check_length(orbit.name, phases[boundary.phase][0], function, duration)
         opened = boundary.open_parameter
         if opened in least:
             floor = -boundary.open_coefficient * least[opened]
@@ -179,6 +180,17 @@ def _noise(
     exits = [name for _, name, _ in kernels.table["phases"]]
     missed = max(abs(g(dwell[b.phase])) for b, g in sums if b.name == exits[b.phase])
     return 32 * float(np.finfo(float).eps) * size + min(2 * missed, MOST_MISSED * size)
+
+
+def _check_length(
+    name: str, configuration: str, function: TrigonometricSum, duration: float
+) -> None:
+    """Say which phase is too long for a guaranteed search."""
+    if not duration * max(function.frequency, default=0.0) <= LONGEST_PHASE:
+        raise InputError(
+            f"{name}: whether it is admissible cannot be guaranteed: {configuration} lasts"
+            f" {duration:.6g}, more than {LONGEST_PHASE:g} radians of its fastest oscillation"
+        )
 
 
 def _rises(boundary: Boundary, function: TrigonometricSum, duration: float, noise: float) -> bool:

@@ -18,6 +18,8 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.errors import InputError
 
+LONGEST_PHASE = 1e5  # radians of the fastest oscillation; the compiled search's number
+
 
 class Maximum(NamedTuple):
     """The maximum of a boundary function and the time at which it is attained."""
@@ -164,7 +166,7 @@ def maximum(function: TrigonometricSum, duration: float, floor: float = -math.in
 def _phase(function: TrigonometricSum, duration: float) -> float:
     """Return w T for the largest frequency, or raise where no guarantee can be given."""
     phase = duration * max(function.frequency, default=0.0)
-    if not (duration >= 0 and phase <= 1e5 and function.rounding(duration) < 1e290):
+    if not (duration >= 0 and phase <= LONGEST_PHASE and function.rounding(duration) < 1e290):
         raise InputError(f"the duration {duration} is not within 0 and 1e5 / max w, or g overflows")
     return phase
 

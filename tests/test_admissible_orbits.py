@@ -140,7 +140,7 @@ def test_stiff_stops_are_never_refused_for_rounding():
         verdicts.append(orbit.admissibility.verdict)
         if violations and max(v.excess for v in violations) < 1e-5:
             doubtful.append((orbit, violations))
-    assert 0.1 < np.mean(verdicts) < 0.9
+    assert {True, False} <= set(verdicts)
     for orbit, violations in doubtful[:: 1 + len(doubtful) // 8]:
         assert max(exact_value(orbit, v) for v in violations) > 0
 
@@ -253,7 +253,7 @@ def test_what_meets_no_boundary_is_not_admissible(name):
 def test_beyond_the_guarantee_it_says_so():
     orbit = solve(RIGID, {"T": "1e6"})
     assert orbit.converged
-    with pytest.raises(ValueError, match=r"the duration 1000000\.0 is not within") as caught:
+    with pytest.raises(ValueError, match=r"cannot be guaranteed: free lasts 1e\+06") as caught:
         _ = orbit.admissibility
     assert "\n" not in str(caught.value)
     many = solve_many(RIGID, T=[6.28, 1e6])

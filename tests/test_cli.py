@@ -548,6 +548,7 @@ def test_interrupt_is_130_and_quiet(monkeypatch: pytest.MonkeyPatch) -> None:
         ("rigid-stop/one-impact r=-0.1", "r = -0.1 is outside its domain [0, 1]"),
         ("rigid-stop/one-impact k3=1", "unknown parameter 'k3'; did you mean 'k2'?"),
         ("rigid-stop/one-impact T=0", "T = 0 is outside its domain (0, oo)"),
+        ("rigid-stop/one-impact T=1e6", "more than 100000 radians of its fastest oscillation"),
         ("elastic-stop/one-contact k3=0", "k3 = 0 is outside its domain (0, oo)"),
         ("elastic-stop/one-contact k3=-1", "k3 = -1 is outside its domain (0, oo)"),
         ("elastic-stop/one-contact r=1", "unknown parameter 'r'"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import pytest
@@ -10,7 +11,7 @@ import sympy as sp
 from test_equations import MP, Derived
 
 from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.equations import derive_equations
+from nonsmooth.derive.equations import EquationSystem, derive_equations
 from nonsmooth.derive.errors import DeclarationError, DerivationError
 from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
 from nonsmooth.derive.parameter import Parameter
@@ -23,6 +24,20 @@ from nonsmooth.runtime.solve import solve
 X, V = sp.symbols("x v", real=True)
 z1, z2, v1, v2 = dry_friction.shifted.states
 x1, x2, w1, w2 = rigid_stop.states
+
+
+ORBITS = {
+    "one-impact": rigid_stop.one_impact,
+    "one-contact": elastic_stop.one_contact,
+    "symmetric": dry_friction.symmetric,
+    "solution-ii": dry_friction.solution_ii,
+}
+REVERSIBLE = ("one-impact", "one-contact", "symmetric")
+
+
+@cache
+def derived(name: str, rotation: int = 0) -> EquationSystem:
+    return derive_equations(ORBITS[name].rotated(rotation))
 
 
 # --- what is derived --------------------------------------------------------------------
@@ -56,18 +71,19 @@ def test_half_of_a_period_in_closed_form() -> None:
 
 
 def test_each_reversible_phase_gives_as_many_conditions_as_the_reversor_turns() -> None:
-    for itinerary in (rigid_stop.one_impact, elastic_stop.one_contact, dry_friction.symmetric):
-        for rotation in range(len(itinerary.phases)):
-            equations = derive_equations(itinerary.rotated(rotation))
+    for name in REVERSIBLE:
+        phases = ORBITS[name].phases
+        for rotation in range(len(phases)):
+            equations = derived(name, rotation)
             assert len(equations.equations) == len(equations.unknowns)
             halves = [m for m, _ in equations.equations if "halfway" in m]
-            assert len(halves) == 2 * len(itinerary.phases)
+            assert len(halves) == 2 * len(phases)
             assert len({m for m, _ in equations.equations}) == len(equations.equations)
 
 
 def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
     """Adding the named start's condition: chi (z2 - z1) = e2 at the symmetric orbit's start."""
-    equations = derive_equations(dry_friction.symmetric)
+    equations = derived("symmetric")
     assert [str(u) for u in equations.unknowns] == ["z10", "z20", "v10", "tau", "tau1"]
     (end,) = (e for m, e in equations.equations if m == "second-breaks-forward ends slip-stick")
     chi, excess = dry_friction.chi, sp.Symbol("e2", nonnegative=True)
@@ -78,8 +94,8 @@ def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
 
 
 def test_halves_are_affine_in_the_start() -> None:
-    for itinerary in (rigid_stop.one_impact, elastic_stop.one_contact, dry_friction.symmetric):
-        equations = derive_equations(itinerary)
+    for name in REVERSIBLE:
+        equations = derived(name)
         halves = half_phases(
             equations.itinerary, equations.system, equations.flows, equations.chain.start
         )
@@ -90,7 +106,7 @@ def test_halves_are_affine_in_the_start() -> None:
 
 def test_a_vanishing_dwell_time_is_no_unknown_and_its_parameter_is() -> None:
     for rotation in range(4):
-        equations = derive_equations(dry_friction.solution_ii.rotated(rotation))
+        equations = derived("solution-ii", rotation)
         names = [str(u) for u in equations.unknowns]
         assert "ta" not in names
         assert names[-1] == "e1"
@@ -104,7 +120,7 @@ def test_the_last_phase_completes_a_given_period() -> None:
     for rotation, (last, other) in enumerate((("tau1", "tau"), ("tau", "tau1"))):
         turned = elastic_stop.one_contact.rotated(rotation)
         assert turned.duration(1) == sp.Symbol("T", positive=True) - sp.Symbol(other, positive=True)
-        equations = derive_equations(turned)
+        equations = derived("one-contact", rotation)
         names = [str(u) for u in equations.unknowns]
         assert other in names
         assert last not in names
@@ -115,7 +131,7 @@ def test_a_reference_for_another_start_does_not_mislead() -> None:
     """Guesses of other unknowns leave the choice of equations to their order."""
     turned = elastic_stop.one_contact.rotated(1)
     bare = replace(turned, reference=None)
-    first, second = derive_equations(turned).reduction, derive_equations(bare).reduction
+    first, second = derived("one-contact", 1).reduction, derive_equations(bare).reduction
     assert first.unknowns == second.unknowns
     assert len(first.equations) == len(second.equations) == 1
 
@@ -243,13 +259,13 @@ def test_a_parameter_of_the_flows_is_not_solved_for(name: str) -> None:
 @pytest.mark.parametrize("name", ["V", "e2"])
 def test_any_other_parameter_may_be_solved_for(name: str) -> None:
     """The same border collision, found for another parameter at the e1 that belongs to it."""
-    derived = Derived(replace(dry_friction.solution_ii, solved_for=(name,)))
-    assert str(derived.orbit.unknowns[-1]) == name
+    found_for = Derived(replace(dry_friction.solution_ii, solved_for=(name,)))
+    assert str(found_for.orbit.unknowns[-1]) == name
     orbit = refine(solve("dry-friction/solution-ii"), 40)
     known = {n: MP.mpf(x) for n, x in orbit.values.items()}
-    guess = [known[str(u)] * (1 + MP.mpf(k) / 1000) for k, u in enumerate(derived.orbit.unknowns)]
-    found = derived.solved([known[n] for n in derived.names], guess)
-    for symbol, value in zip(derived.orbit.unknowns, found, strict=True):
+    guess = [known[str(u)] * (1 + MP.mpf(k) / 1000) for k, u in enumerate(found_for.orbit.unknowns)]
+    found = found_for.solved([known[n] for n in found_for.names], guess)
+    for symbol, value in zip(found_for.orbit.unknowns, found, strict=True):
         assert abs(value - known[str(symbol)]) < MP.mpf(10) ** -37
 
 
@@ -272,9 +288,8 @@ def test_specialised_values_join_the_presentation() -> None:
 
 
 def test_a_reference_is_not_needed() -> None:
-    for itinerary in (rigid_stop.one_impact, elastic_stop.one_contact, dry_friction.symmetric):
-        bare = derive_equations(replace(itinerary, reference=None))
-        full = derive_equations(itinerary)
+    for name in REVERSIBLE:
+        bare, full = derive_equations(replace(ORBITS[name], reference=None)), derived(name)
         assert bare.unknowns == full.unknowns
         assert [e for _, e in bare.equations] == [e for _, e in full.equations]
     cut = replace(elastic_stop.one_contact, reference=Reference({"m1": "1"}, {"tau": "2"}))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -39,6 +40,7 @@ class Body:
         return int(sum(sp.count_ops(e) for e in expressions))
 
 
+@lru_cache(maxsize=256)  # Python and C are printed from one body
 def body_of(kernel: Kernel) -> Body:
     """Eliminate the common subexpressions of a kernel.
 
