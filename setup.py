@@ -1,4 +1,4 @@
-"""The compiled kernels; everything else is declared in pyproject.toml."""
+"""The compiled kernels and engine; everything else is declared in pyproject.toml."""
 
 import os
 from glob import glob
@@ -35,5 +35,12 @@ kernels = Extension(
     include_dirs=[numpy.get_include(), "generated"],
     optional=True,
 )
+engine = Extension(
+    "nonsmooth.runtime._engine",
+    sources=sorted(glob("runtime/engine/*.c")),
+    depends=[*sorted(glob("runtime/engine/*.h")), "generated/support.h"],
+    include_dirs=["generated", "runtime/engine"],
+    optional=True,
+)
 without = os.environ.get("NONSMOOTH_WITHOUT_EXTENSION", "0") not in ("", "0")
-setup(ext_modules=[] if without else [kernels], cmdclass={"build_ext": BuildKernels})
+setup(ext_modules=[] if without else [kernels, engine], cmdclass={"build_ext": BuildKernels})

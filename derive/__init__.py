@@ -5,11 +5,12 @@ Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of t
 ===============  ==============================================================
 `parameter`      parameters with domains; what is positive on a whole domain
 `dynamics`       the linear motion inside a configuration
-`system`         Boundary, Configuration, Transition, System: the declaration
+`system`         Boundary, Configuration, Transition, Contact, System: what is declared
 `itinerary`      Itinerary: the phases of an orbit, and how it is presented
 `systems`        the systems of the source paper, declared
 `entire`         entire functions that never divide by an eigenvalue
 `modal`          flow of a configuration in closed form, and the spectrum
+`declaration`    the whole system as rows, fields, resets and modes: what a simulation needs
 `program`        stages of assignments and their derivatives
 `chain`          section, phases, transitions; Jacobians and Poincare map on it
 `explicit`       dwell times in closed form
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
         Boundary,
         Condition,
         Configuration,
+        Contact,
         System,
         Transition,
     )
@@ -46,6 +48,7 @@ __all__ = [
     "Boundary",
     "Condition",
     "Configuration",
+    "Contact",
     "DeclarationError",
     "DerivationError",
     "EquationSystem",
@@ -75,6 +78,7 @@ _HOMES = {
     "Boundary": "system",
     "Condition": "system",
     "Configuration": "system",
+    "Contact": "system",
     "FirstOrder": "dynamics",
     "SecondOrder": "dynamics",
     "System": "system",

@@ -12,7 +12,14 @@ import sympy as sp
 from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.parameter import Parameter, exact
-from nonsmooth.derive.system import Boundary, Condition, Configuration, System, Transition
+from nonsmooth.derive.system import (
+    Boundary,
+    Condition,
+    Configuration,
+    Contact,
+    System,
+    Transition,
+)
 
 __all__ = ["Itinerary", "Phase", "Presentation", "Reference", "dwell_symbol"]
 
@@ -114,6 +121,15 @@ class Presentation:
                 for t in system.transitions
             ),
             constraints=tuple(sp.expand(c.subs(values)) for c in system.constraints),
+            contacts=tuple(
+                Contact(
+                    c.name,
+                    affine(c.velocity),
+                    {name: affine(force) for name, force in c.forces.items()},
+                    affine(c.surface),
+                )
+                for c in system.contacts
+            ),
         )
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -21,6 +22,7 @@ __all__ = [
     "Boundary",
     "Condition",
     "Configuration",
+    "Contact",
     "System",
     "Transition",
 ]
@@ -131,6 +133,35 @@ class Transition:
 
 
 @dataclass(frozen=True)
+class Contact:
+    """Where the surroundings act on the oscillator: a stop, a belt.
+
+    Parameters
+    ----------
+    name : str
+    velocity : sympy expression
+        Velocity of the point of the oscillator, affine in the state.
+    forces : mapping of configuration to expression
+        Force on the oscillator in the direction of `velocity`, affine in the state; zero in
+        the configurations that are not named.
+    surface : sympy expression
+        Velocity of the surroundings there: of a belt, or zero. Their difference times the
+        force is the power that is dissipated.
+    """
+
+    name: str
+    velocity: sp.Expr
+    forces: Mapping[str, sp.Expr]
+    surface: sp.Expr = sp.Integer(0)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "velocity", exact(self.velocity))
+        object.__setattr__(self, "surface", exact(self.surface))
+        forces = {name: exact(force) for name, force in self.forces.items()}
+        object.__setattr__(self, "forces", MappingProxyType(forces))
+
+
+@dataclass(frozen=True)
 class System:
     """Configurations, transitions and parameters of a piecewise-linear oscillator.
 
@@ -148,6 +179,8 @@ class System:
         Ordered: the first whose set of boundaries matches and whose conditions hold.
     constraints : tuple of expressions
         Relations between parameters, each nonnegative.
+    contacts : tuple of Contact
+        Forces of the surroundings, to be observed along a motion.
 
     Raises
     ------
@@ -163,9 +196,17 @@ class System:
     configurations: tuple[Configuration, ...]
     transitions: tuple[Transition, ...] = ()
     constraints: tuple[sp.Expr, ...] = ()
+    contacts: tuple[Contact, ...] = ()
 
     def __post_init__(self) -> None:
-        for attribute in ("states", "parameters", "configurations", "transitions", "constraints"):
+        for attribute in (
+            "states",
+            "parameters",
+            "configurations",
+            "transitions",
+            "constraints",
+            "contacts",
+        ):
             object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
         object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))
         _unique([str(s) for s in self.states], "state")
@@ -182,6 +223,13 @@ class System:
             self._check_configuration(configuration)
         for transition in self.transitions:
             self._check_transition(transition)
+        _unique([c.name for c in self.contacts], "contact")
+        for contact in self.contacts:
+            where = f"contact {contact.name!r}"
+            for name in contact.forces:
+                self.configuration(name)
+            for function in (*contact.forces.values(), contact.velocity, contact.surface):
+                self._check_affine(function, where)
 
     def configuration(self, name: str) -> Configuration:
         """The configuration of that name; DeclarationError if there is none."""

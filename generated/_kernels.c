@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 9241baa35c1aa5bc */
+ * SymPy 1.14.0, derivation fc36c064c3e5d820 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -45,13 +45,13 @@ static void loop_rigid_stop_spectrum(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 4];
-        double a1[points * 6];
-        double a2[points * 24];
+        double a1[points * 7];
+        double a2[points * 28];
         GATHER(double, a0, args[0], steps[0], steps + 3, 4, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_spectrum((a0 + 4 * point), (a1 + 6 * point), (a2 + 24 * point));
-        SCATTER(double, a1, args[1], steps[1], steps + 4, 6, 0);
-        SCATTER(double, a2, args[2], steps[2], steps + 5, 24, 4);
+            rigid_stop_spectrum((a0 + 4 * point), (a1 + 7 * point), (a2 + 28 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 4, 7, 0);
+        SCATTER(double, a2, args[2], steps[2], steps + 5, 28, 4);
     }
 }
 
@@ -64,17 +64,112 @@ static void loop_rigid_stop_flow_free(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 1];
         double a3[points * 4];
         double a4[points * 4];
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_flow_free((a0 + 5 * point), (a1 + 6 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+            rigid_stop_flow_free((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
+static const char types_rigid_stop_flow_contact[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_rigid_stop_flow_contact(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 7];
+        double a2[points * 1];
+        double a3[points * 4];
+        double a4[points * 4];
+        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
+        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
+        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            rigid_stop_flow_contact((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
+static const char types_rigid_stop_fields[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_rigid_stop_fields(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 40];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            rigid_stop_fields((a0 + 5 * point), (a1 + 40 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 40, 5);
+    }
+}
+
+static const char types_rigid_stop_rows[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_rigid_stop_rows(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 25];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            rigid_stop_rows((a0 + 5 * point), (a1 + 25 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 25, 5);
+    }
+}
+
+static const char types_rigid_stop_resets[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_rigid_stop_resets(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 60];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            rigid_stop_resets((a0 + 5 * point), (a1 + 60 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 60, 5);
+    }
+}
+
+static const char types_rigid_stop_modes[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_rigid_stop_modes(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 7];
+        double a2[points * 10];
+        double a3[points * 180];
+        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            rigid_stop_modes((a0 + 5 * point), (a1 + 7 * point), (a2 + 10 * point), (a3 + 180 * point));
+        SCATTER(double, a2, args[2], steps[2], steps + 6, 10, 2);
+        SCATTER(double, a3, args[3], steps[3], steps + 8, 180, 5);
     }
 }
 
@@ -87,14 +182,14 @@ static void loop_rigid_stop_one_impact_residual(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 2];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_residual((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 2 * point));
+            rigid_stop_one_impact_residual((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 7, 2, 0);
     }
 }
@@ -108,14 +203,14 @@ static void loop_rigid_stop_one_impact_jacobian(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 4];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_jacobian((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 4 * point));
+            rigid_stop_one_impact_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 4 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
     }
 }
@@ -129,15 +224,15 @@ static void loop_rigid_stop_one_impact_residual_and_jacobian(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 2];
         double a4[points * 4];
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_residual_and_jacobian((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
+            rigid_stop_one_impact_residual_and_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 8, 2, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 2);
     }
@@ -152,16 +247,16 @@ static void loop_rigid_stop_one_impact_parameter_jacobian(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
-        double a2[points * 24];
+        double a1[points * 7];
+        double a2[points * 28];
         double a3[points * 2];
         double a4[points * 10];
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 6, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 24, 4);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
+        GATHER(double, a2, args[2], steps[2], steps + 7, 28, 4);
         GATHER(double, a3, args[3], steps[3], steps + 9, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_parameter_jacobian((a0 + 5 * point), (a1 + 6 * point), (a2 + 24 * point), (a3 + 2 * point), (a4 + 10 * point));
+            rigid_stop_one_impact_parameter_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 28 * point), (a3 + 2 * point), (a4 + 10 * point));
         SCATTER(double, a4, args[4], steps[4], steps + 10, 10, 5);
     }
 }
@@ -175,14 +270,14 @@ static void loop_rigid_stop_one_impact_poincare_jacobian(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 9];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_poincare_jacobian((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 9 * point));
+            rigid_stop_one_impact_poincare_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 9 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 7, 9, 3);
     }
 }
@@ -196,14 +291,14 @@ static void loop_rigid_stop_one_impact_saltations(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 16];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_saltations((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 16 * point));
+            rigid_stop_one_impact_saltations((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 16 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -217,14 +312,14 @@ static void loop_rigid_stop_one_impact_monodromy(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 16];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_monodromy((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 16 * point));
+            rigid_stop_one_impact_monodromy((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 16 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -238,14 +333,14 @@ static void loop_rigid_stop_one_impact_trace(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_trace((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 1 * point));
+            rigid_stop_one_impact_trace((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 1 * point));
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
     }
 }
@@ -259,16 +354,16 @@ static void loop_rigid_stop_one_impact_trace_gradient(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
-        double a2[points * 24];
+        double a1[points * 7];
+        double a2[points * 28];
         double a3[points * 2];
         double a4[points * 7];
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 6, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 24, 4);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
+        GATHER(double, a2, args[2], steps[2], steps + 7, 28, 4);
         GATHER(double, a3, args[3], steps[3], steps + 9, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_trace_gradient((a0 + 5 * point), (a1 + 6 * point), (a2 + 24 * point), (a3 + 2 * point), (a4 + 7 * point));
+            rigid_stop_one_impact_trace_gradient((a0 + 5 * point), (a1 + 7 * point), (a2 + 28 * point), (a3 + 2 * point), (a4 + 7 * point));
         SCATTER(double, a4, args[4], steps[4], steps + 10, 7, 0);
     }
 }
@@ -282,14 +377,14 @@ static void loop_rigid_stop_one_impact_states(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 8];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_states((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 8 * point));
+            rigid_stop_one_impact_states((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 8 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 7, 8, 4);
     }
 }
@@ -303,15 +398,15 @@ static void loop_rigid_stop_one_impact_boundary_functions(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 6];
         double a4[points * 2];
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_boundary_functions((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 6 * point), (a4 + 2 * point));
+            rigid_stop_one_impact_boundary_functions((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 6 * point), (a4 + 2 * point));
         SCATTER(double, a3, args[3], steps[3], steps + 8, 6, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 2, 0);
     }
@@ -326,16 +421,16 @@ static void loop_rigid_stop_one_impact_flow_free(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 1];
         double a3[points * 4];
         double a4[points * 4];
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_flow_free((a0 + 5 * point), (a1 + 6 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+            rigid_stop_one_impact_flow_free((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -349,13 +444,13 @@ static void loop_rigid_stop_one_impact_expand(
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
         double a0[points * 5];
-        double a1[points * 6];
+        double a1[points * 7];
         double a2[points * 2];
         double a3[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 6, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         for (npy_intp point = 0; point < here; ++point)
-            rigid_stop_one_impact_expand((a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 1 * point));
+            rigid_stop_one_impact_expand((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 1 * point));
         SCATTER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         SCATTER(double, a3, args[3], steps[3], steps + 7, 1, 0);
     }
@@ -469,6 +564,78 @@ static void loop_elastic_stop_flow_free(
         for (npy_intp point = 0; point < here; ++point)
             elastic_stop_flow_free((a0 + 5 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
+static const char types_elastic_stop_fields[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_elastic_stop_fields(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 40];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            elastic_stop_fields((a0 + 5 * point), (a1 + 40 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 40, 5);
+    }
+}
+
+static const char types_elastic_stop_rows[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_elastic_stop_rows(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 25];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            elastic_stop_rows((a0 + 5 * point), (a1 + 25 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 25, 5);
+    }
+}
+
+static const char types_elastic_stop_resets[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_elastic_stop_resets(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 20];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            elastic_stop_resets((a0 + 5 * point), (a1 + 20 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 20, 5);
+    }
+}
+
+static const char types_elastic_stop_modes[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_elastic_stop_modes(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 5];
+        double a1[points * 12];
+        double a2[points * 12];
+        double a3[points * 200];
+        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            elastic_stop_modes((a0 + 5 * point), (a1 + 12 * point), (a2 + 12 * point), (a3 + 200 * point));
+        SCATTER(double, a2, args[2], steps[2], steps + 6, 12, 2);
+        SCATTER(double, a3, args[3], steps[3], steps + 8, 200, 5);
     }
 }
 
@@ -1074,6 +1241,78 @@ static void loop_dry_friction_flow_overshoot_overshoot(
         for (npy_intp point = 0; point < here; ++point)
             dry_friction_flow_overshoot_overshoot((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
+    }
+}
+
+static const char types_dry_friction_fields[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_fields(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 7];
+        double a1[points * 180];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_fields((a0 + 7 * point), (a1 + 180 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 180, 5);
+    }
+}
+
+static const char types_dry_friction_rows[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_rows(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 7];
+        double a1[points * 85];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_rows((a0 + 7 * point), (a1 + 85 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 85, 5);
+    }
+}
+
+static const char types_dry_friction_resets[] = {NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_resets(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 7];
+        double a1[points * 80];
+        GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_resets((a0 + 7 * point), (a1 + 80 * point));
+        SCATTER(double, a1, args[1], steps[1], steps + 3, 80, 5);
+    }
+}
+
+static const char types_dry_friction_modes[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_modes(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        double a0[points * 7];
+        double a1[points * 7];
+        double a2[points * 42];
+        double a3[points * 760];
+        GATHER(double, a0, args[0], steps[0], steps + 4, 7, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
+        for (npy_intp point = 0; point < here; ++point)
+            dry_friction_modes((a0 + 7 * point), (a1 + 7 * point), (a2 + 42 * point), (a3 + 760 * point));
+        SCATTER(double, a2, args[2], steps[2], steps + 6, 42, 2);
+        SCATTER(double, a3, args[3], steps[3], steps + 8, 760, 5);
     }
 }
 
@@ -2316,35 +2555,45 @@ typedef struct {
 } wrapped;
 
 static const wrapped functions[] = {
-    {"rigid_stop_spectrum", "(4)->(6),(6,4)", loop_rigid_stop_spectrum,
+    {"rigid_stop_spectrum", "(4)->(7),(7,4)", loop_rigid_stop_spectrum,
      types_rigid_stop_spectrum, 1, 2},
-    {"rigid_stop_flow_free", "(5),(6),(),(4)->(4)", loop_rigid_stop_flow_free,
+    {"rigid_stop_flow_free", "(5),(7),(),(4)->(4)", loop_rigid_stop_flow_free,
      types_rigid_stop_flow_free, 4, 1},
-    {"rigid_stop_one_impact_residual", "(5),(6),(2)->(2)", loop_rigid_stop_one_impact_residual,
+    {"rigid_stop_flow_contact", "(5),(7),(),(4)->(4)", loop_rigid_stop_flow_contact,
+     types_rigid_stop_flow_contact, 4, 1},
+    {"rigid_stop_fields", "(5)->(8,5)", loop_rigid_stop_fields,
+     types_rigid_stop_fields, 1, 1},
+    {"rigid_stop_rows", "(5)->(5,5)", loop_rigid_stop_rows,
+     types_rigid_stop_rows, 1, 1},
+    {"rigid_stop_resets", "(5)->(12,5)", loop_rigid_stop_resets,
+     types_rigid_stop_resets, 1, 1},
+    {"rigid_stop_modes", "(5),(7)->(5,2),(36,5)", loop_rigid_stop_modes,
+     types_rigid_stop_modes, 2, 2},
+    {"rigid_stop_one_impact_residual", "(5),(7),(2)->(2)", loop_rigid_stop_one_impact_residual,
      types_rigid_stop_one_impact_residual, 3, 1},
-    {"rigid_stop_one_impact_jacobian", "(5),(6),(2)->(2,2)", loop_rigid_stop_one_impact_jacobian,
+    {"rigid_stop_one_impact_jacobian", "(5),(7),(2)->(2,2)", loop_rigid_stop_one_impact_jacobian,
      types_rigid_stop_one_impact_jacobian, 3, 1},
-    {"rigid_stop_one_impact_residual_and_jacobian", "(5),(6),(2)->(2),(2,2)", loop_rigid_stop_one_impact_residual_and_jacobian,
+    {"rigid_stop_one_impact_residual_and_jacobian", "(5),(7),(2)->(2),(2,2)", loop_rigid_stop_one_impact_residual_and_jacobian,
      types_rigid_stop_one_impact_residual_and_jacobian, 3, 2},
-    {"rigid_stop_one_impact_parameter_jacobian", "(5),(6),(6,4),(2)->(2,5)", loop_rigid_stop_one_impact_parameter_jacobian,
+    {"rigid_stop_one_impact_parameter_jacobian", "(5),(7),(7,4),(2)->(2,5)", loop_rigid_stop_one_impact_parameter_jacobian,
      types_rigid_stop_one_impact_parameter_jacobian, 4, 1},
-    {"rigid_stop_one_impact_poincare_jacobian", "(5),(6),(2)->(3,3)", loop_rigid_stop_one_impact_poincare_jacobian,
+    {"rigid_stop_one_impact_poincare_jacobian", "(5),(7),(2)->(3,3)", loop_rigid_stop_one_impact_poincare_jacobian,
      types_rigid_stop_one_impact_poincare_jacobian, 3, 1},
-    {"rigid_stop_one_impact_saltations", "(5),(6),(2)->(4,4)", loop_rigid_stop_one_impact_saltations,
+    {"rigid_stop_one_impact_saltations", "(5),(7),(2)->(4,4)", loop_rigid_stop_one_impact_saltations,
      types_rigid_stop_one_impact_saltations, 3, 1},
-    {"rigid_stop_one_impact_monodromy", "(5),(6),(2)->(4,4)", loop_rigid_stop_one_impact_monodromy,
+    {"rigid_stop_one_impact_monodromy", "(5),(7),(2)->(4,4)", loop_rigid_stop_one_impact_monodromy,
      types_rigid_stop_one_impact_monodromy, 3, 1},
-    {"rigid_stop_one_impact_trace", "(5),(6),(2)->()", loop_rigid_stop_one_impact_trace,
+    {"rigid_stop_one_impact_trace", "(5),(7),(2)->()", loop_rigid_stop_one_impact_trace,
      types_rigid_stop_one_impact_trace, 3, 1},
-    {"rigid_stop_one_impact_trace_gradient", "(5),(6),(6,4),(2)->(7)", loop_rigid_stop_one_impact_trace_gradient,
+    {"rigid_stop_one_impact_trace_gradient", "(5),(7),(7,4),(2)->(7)", loop_rigid_stop_one_impact_trace_gradient,
      types_rigid_stop_one_impact_trace_gradient, 4, 1},
-    {"rigid_stop_one_impact_states", "(5),(6),(2)->(2,4)", loop_rigid_stop_one_impact_states,
+    {"rigid_stop_one_impact_states", "(5),(7),(2)->(2,4)", loop_rigid_stop_one_impact_states,
      types_rigid_stop_one_impact_states, 3, 1},
-    {"rigid_stop_one_impact_boundary_functions", "(5),(6),(2)->(6),(2)", loop_rigid_stop_one_impact_boundary_functions,
+    {"rigid_stop_one_impact_boundary_functions", "(5),(7),(2)->(6),(2)", loop_rigid_stop_one_impact_boundary_functions,
      types_rigid_stop_one_impact_boundary_functions, 3, 2},
-    {"rigid_stop_one_impact_flow_free", "(5),(6),(),(4)->(4)", loop_rigid_stop_one_impact_flow_free,
+    {"rigid_stop_one_impact_flow_free", "(5),(7),(),(4)->(4)", loop_rigid_stop_one_impact_flow_free,
      types_rigid_stop_one_impact_flow_free, 4, 1},
-    {"rigid_stop_one_impact_expand", "(5),(6)->(2),(1)", loop_rigid_stop_one_impact_expand,
+    {"rigid_stop_one_impact_expand", "(5),(7)->(2),(1)", loop_rigid_stop_one_impact_expand,
      types_rigid_stop_one_impact_expand, 2, 2},
     {"rigid_stop_one_impact_solve", "(5)->(2),(),(),(),()", loop_rigid_stop_one_impact_solve,
      types_rigid_stop_one_impact_solve, 1, 5},
@@ -2356,6 +2605,14 @@ static const wrapped functions[] = {
      types_elastic_stop_flow_contact, 4, 1},
     {"elastic_stop_flow_free", "(5),(12),(),(4)->(4)", loop_elastic_stop_flow_free,
      types_elastic_stop_flow_free, 4, 1},
+    {"elastic_stop_fields", "(5)->(8,5)", loop_elastic_stop_fields,
+     types_elastic_stop_fields, 1, 1},
+    {"elastic_stop_rows", "(5)->(5,5)", loop_elastic_stop_rows,
+     types_elastic_stop_rows, 1, 1},
+    {"elastic_stop_resets", "(5)->(4,5)", loop_elastic_stop_resets,
+     types_elastic_stop_resets, 1, 1},
+    {"elastic_stop_modes", "(5),(12)->(6,2),(40,5)", loop_elastic_stop_modes,
+     types_elastic_stop_modes, 2, 2},
     {"elastic_stop_one_contact_residual", "(6),(12),(4)->(4)", loop_elastic_stop_one_contact_residual,
      types_elastic_stop_one_contact_residual, 3, 1},
     {"elastic_stop_one_contact_jacobian", "(6),(12),(4)->(4,4)", loop_elastic_stop_one_contact_jacobian,
@@ -2410,6 +2667,14 @@ static const wrapped functions[] = {
      types_dry_friction_flow_overshoot_stick, 4, 1},
     {"dry_friction_flow_overshoot_overshoot", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_overshoot_overshoot,
      types_dry_friction_flow_overshoot_overshoot, 4, 1},
+    {"dry_friction_fields", "(7)->(36,5)", loop_dry_friction_fields,
+     types_dry_friction_fields, 1, 1},
+    {"dry_friction_rows", "(7)->(17,5)", loop_dry_friction_rows,
+     types_dry_friction_rows, 1, 1},
+    {"dry_friction_resets", "(7)->(16,5)", loop_dry_friction_resets,
+     types_dry_friction_resets, 1, 1},
+    {"dry_friction_modes", "(7),(7)->(21,2),(152,5)", loop_dry_friction_modes,
+     types_dry_friction_modes, 2, 2},
     {"dry_friction_symmetric_residual", "(4),(7),(5)->(5)", loop_dry_friction_symmetric_residual,
      types_dry_friction_symmetric_residual, 3, 1},
     {"dry_friction_symmetric_jacobian", "(4),(7),(5)->(5,5)", loop_dry_friction_symmetric_jacobian,
@@ -2538,11 +2803,11 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "285fba22a62d8fab") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "1517b54b58de6c99") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "a14eb0e1cda9af70") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "9bae1b2ad48e3e5c") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "8d536a12182b264e") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "cdcb25b697087e21") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 8d536a12182b264e */
+ * SymPy 1.14.0, derivation cdcb25b697087e21 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 
@@ -32,6 +32,14 @@ void dry_friction_flow_overshoot_stick(
     const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4]);
 void dry_friction_flow_overshoot_overshoot(
     const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4]);
+void dry_friction_fields(
+    const double parameters[7], double fields[180]);
+void dry_friction_rows(
+    const double parameters[7], double rows[85]);
+void dry_friction_resets(
+    const double parameters[7], double resets[80]);
+void dry_friction_modes(
+    const double parameters[7], const double spectrum[7], double exponents[42], double coefficients[760]);
 void dry_friction_symmetric_residual(
     const double parameters[4], const double spectrum[7], const double unknowns[5], double residual[5]);
 void dry_friction_symmetric_jacobian(

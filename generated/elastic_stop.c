@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation a14eb0e1cda9af70 */
+ * SymPy 1.14.0, derivation 9bae1b2ad48e3e5c */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -332,6 +332,382 @@ void elastic_stop_flow_free(
     state_after[1] = t12*x1 + t13*x2 + v1*(p6*t0*t2 - p6*t7) + v2*(p4*t7 + t3*t4);
     state_after[2] = t10*v1 + t11*v2 + x1*(-p4*t14 - t15*t4) + x2*(omega4*p5*t6 - p5*t14);
     state_after[3] = t12*v1 + t13*v2 + x1*(omega4*p6*t6 - p6*t14) + x2*(-p4*t15 - t14*t4);
+}
+
+/* Vector fields of the configurations, one below the other, offsets last.
+ * Takes parameters (5); gives fields (8, 5), row by row.
+ * Operations: 12. Intermediate terms: 5. */
+void elastic_stop_fields(
+    const double parameters[5], double fields[40])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double k3 = parameters[4];
+    /* outputs */
+    const double t0 = (1.0/(m1));
+    const double t1 = k1*t0;
+    const double t2 = (1.0/(m2));
+    const double t3 = k1*t2;
+    const double t4 = -t2*(k1 + k2);
+    fields[0] = 0;
+    fields[1] = 0;
+    fields[2] = 1;
+    fields[3] = 0;
+    fields[4] = 0;
+    fields[5] = 0;
+    fields[6] = 0;
+    fields[7] = 0;
+    fields[8] = 1;
+    fields[9] = 0;
+    fields[10] = -t0*(k1 + k3);
+    fields[11] = t1;
+    fields[12] = 0;
+    fields[13] = 0;
+    fields[14] = k3*t0;
+    fields[15] = t3;
+    fields[16] = t4;
+    fields[17] = 0;
+    fields[18] = 0;
+    fields[19] = 0;
+    fields[20] = 0;
+    fields[21] = 0;
+    fields[22] = 1;
+    fields[23] = 0;
+    fields[24] = 0;
+    fields[25] = 0;
+    fields[26] = 0;
+    fields[27] = 0;
+    fields[28] = 1;
+    fields[29] = 0;
+    fields[30] = -t1;
+    fields[31] = t1;
+    fields[32] = 0;
+    fields[33] = 0;
+    fields[34] = 0;
+    fields[35] = t3;
+    fields[36] = t4;
+    fields[37] = 0;
+    fields[38] = 0;
+    fields[39] = 0;
+}
+
+/* Affine functions of the state: gradients, constants last.
+ * Takes parameters (5); gives rows (5, 5), row by row.
+ * Operations: 3. Intermediate terms: 0. */
+void elastic_stop_rows(
+    const double parameters[5], double rows[25])
+{
+    const double k3 = parameters[4];
+    rows[0] = -1;
+    rows[1] = 0;
+    rows[2] = 0;
+    rows[3] = 0;
+    rows[4] = 1;
+    rows[5] = 1;
+    rows[6] = 0;
+    rows[7] = 0;
+    rows[8] = 0;
+    rows[9] = -1;
+    rows[10] = -k3;
+    rows[11] = 0;
+    rows[12] = 0;
+    rows[13] = 0;
+    rows[14] = k3;
+    rows[15] = 0;
+    rows[16] = 0;
+    rows[17] = 1;
+    rows[18] = 0;
+    rows[19] = 0;
+    rows[20] = 0;
+    rows[21] = 0;
+    rows[22] = 0;
+    rows[23] = 0;
+    rows[24] = 0;
+}
+
+/* Affine resets of the state, one below the other, offsets last.
+ * Takes parameters (5); gives resets (4, 5), row by row.
+ * Operations: 0. Intermediate terms: 0. */
+void elastic_stop_resets(
+    const double parameters[5], double resets[20])
+{
+    (void)parameters;
+    resets[0] = 1;
+    resets[1] = 0;
+    resets[2] = 0;
+    resets[3] = 0;
+    resets[4] = 0;
+    resets[5] = 0;
+    resets[6] = 1;
+    resets[7] = 0;
+    resets[8] = 0;
+    resets[9] = 0;
+    resets[10] = 0;
+    resets[11] = 0;
+    resets[12] = 1;
+    resets[13] = 0;
+    resets[14] = 0;
+    resets[15] = 0;
+    resets[16] = 0;
+    resets[17] = 0;
+    resets[18] = 1;
+    resets[19] = 0;
+}
+
+/* Exponents of the modes; coefficients of their functions, offsets last.
+ * Takes parameters (5), spectrum (12); gives exponents (6, 2), coefficients (40, 5), row by row.
+ * Operations: 104. Intermediate terms: 20. */
+void elastic_stop_modes(
+    const double parameters[5], const double spectrum[12], double exponents[12], double coefficients[200])
+{
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double k3 = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[7];
+    const double omega4 = spectrum[8];
+    const double p4 = spectrum[9];
+    const double p5 = spectrum[10];
+    const double p6 = spectrum[11];
+    /* outputs */
+    const double t0 = k1*k3;
+    const double t1 = k2*k3 + t0;
+    const double t2 = (1.0/((k1*k2 + t1)));
+    const double t3 = t1*t2;
+    const double t4 = t0*t2;
+    const double t5 = p2*t4;
+    const double t6 = p1 - 1;
+    const double t8 = -p3*t3;
+    const double t9 = (1.0/(omega1));
+    const double t10 = omega1*p1;
+    const double t11 = omega1*p2;
+    const double t12 = omega1*p3;
+    const double t13 = -omega1*t6;
+    const double t16 = (1.0/(omega2));
+    const double t17 = omega2*p2;
+    const double t18 = omega2*p3;
+    const double t19 = omega2*p1;
+    const double t20 = 1 - p4;
+    const double t21 = (1.0/(omega3));
+    const double t24 = (1.0/(omega4));
+    exponents[0] = 0;
+    exponents[1] = 0;
+    exponents[2] = 0;
+    exponents[3] = omega1;
+    exponents[4] = 0;
+    exponents[5] = omega2;
+    exponents[6] = 0;
+    exponents[7] = 0;
+    exponents[8] = 0;
+    exponents[9] = omega3;
+    exponents[10] = 0;
+    exponents[11] = omega4;
+    coefficients[0] = 0;
+    coefficients[1] = 0;
+    coefficients[2] = 0;
+    coefficients[3] = 0;
+    coefficients[4] = t3;
+    coefficients[5] = 0;
+    coefficients[6] = 0;
+    coefficients[7] = 0;
+    coefficients[8] = 0;
+    coefficients[9] = t4;
+    coefficients[10] = 0;
+    coefficients[11] = 0;
+    coefficients[12] = 0;
+    coefficients[13] = 0;
+    coefficients[14] = 0;
+    coefficients[15] = 0;
+    coefficients[16] = 0;
+    coefficients[17] = 0;
+    coefficients[18] = 0;
+    coefficients[19] = 0;
+    coefficients[20] = p1;
+    coefficients[21] = p2;
+    coefficients[22] = 0;
+    coefficients[23] = 0;
+    coefficients[24] = -p1*t3 - t5;
+    coefficients[25] = p3;
+    coefficients[26] = -t6;
+    coefficients[27] = 0;
+    coefficients[28] = 0;
+    coefficients[29] = t4*t6 + t8;
+    coefficients[30] = 0;
+    coefficients[31] = 0;
+    coefficients[32] = p1;
+    coefficients[33] = p2;
+    coefficients[34] = 0;
+    coefficients[35] = 0;
+    coefficients[36] = 0;
+    coefficients[37] = p3;
+    coefficients[38] = -t6;
+    coefficients[39] = 0;
+    coefficients[40] = 0;
+    coefficients[41] = 0;
+    coefficients[42] = p1*t9;
+    coefficients[43] = p2*t9;
+    coefficients[44] = 0;
+    coefficients[45] = 0;
+    coefficients[46] = 0;
+    coefficients[47] = p3*t9;
+    coefficients[48] = -t6*t9;
+    coefficients[49] = 0;
+    coefficients[50] = -t10;
+    coefficients[51] = -t11;
+    coefficients[52] = 0;
+    coefficients[53] = 0;
+    coefficients[54] = t10*t3 + t11*t4;
+    coefficients[55] = -t12;
+    coefficients[56] = -t13;
+    coefficients[57] = 0;
+    coefficients[58] = 0;
+    coefficients[59] = t12*t3 + t13*t4;
+    coefficients[60] = -t6;
+    coefficients[61] = -p2;
+    coefficients[62] = 0;
+    coefficients[63] = 0;
+    coefficients[64] = t3*t6 + t5;
+    coefficients[65] = -p3;
+    coefficients[66] = p1;
+    coefficients[67] = 0;
+    coefficients[68] = 0;
+    coefficients[69] = -p1*t4 - t8;
+    coefficients[70] = 0;
+    coefficients[71] = 0;
+    coefficients[72] = -t6;
+    coefficients[73] = -p2;
+    coefficients[74] = 0;
+    coefficients[75] = 0;
+    coefficients[76] = 0;
+    coefficients[77] = -p3;
+    coefficients[78] = p1;
+    coefficients[79] = 0;
+    coefficients[80] = 0;
+    coefficients[81] = 0;
+    coefficients[82] = -t16*t6;
+    coefficients[83] = -p2*t16;
+    coefficients[84] = 0;
+    coefficients[85] = 0;
+    coefficients[86] = 0;
+    coefficients[87] = -p3*t16;
+    coefficients[88] = p1*t16;
+    coefficients[89] = 0;
+    coefficients[90] = omega2*t6;
+    coefficients[91] = t17;
+    coefficients[92] = 0;
+    coefficients[93] = 0;
+    coefficients[94] = -omega2*t1*t2*t6 - t17*t4;
+    coefficients[95] = t18;
+    coefficients[96] = -t19;
+    coefficients[97] = 0;
+    coefficients[98] = 0;
+    coefficients[99] = -t18*t3 + t19*t4;
+    coefficients[100] = 0;
+    coefficients[101] = 0;
+    coefficients[102] = 0;
+    coefficients[103] = 0;
+    coefficients[104] = 0;
+    coefficients[105] = 0;
+    coefficients[106] = 0;
+    coefficients[107] = 0;
+    coefficients[108] = 0;
+    coefficients[109] = 0;
+    coefficients[110] = 0;
+    coefficients[111] = 0;
+    coefficients[112] = 0;
+    coefficients[113] = 0;
+    coefficients[114] = 0;
+    coefficients[115] = 0;
+    coefficients[116] = 0;
+    coefficients[117] = 0;
+    coefficients[118] = 0;
+    coefficients[119] = 0;
+    coefficients[120] = p4;
+    coefficients[121] = p5;
+    coefficients[122] = 0;
+    coefficients[123] = 0;
+    coefficients[124] = 0;
+    coefficients[125] = p6;
+    coefficients[126] = t20;
+    coefficients[127] = 0;
+    coefficients[128] = 0;
+    coefficients[129] = 0;
+    coefficients[130] = 0;
+    coefficients[131] = 0;
+    coefficients[132] = p4;
+    coefficients[133] = p5;
+    coefficients[134] = 0;
+    coefficients[135] = 0;
+    coefficients[136] = 0;
+    coefficients[137] = p6;
+    coefficients[138] = t20;
+    coefficients[139] = 0;
+    coefficients[140] = 0;
+    coefficients[141] = 0;
+    coefficients[142] = p4*t21;
+    coefficients[143] = p5*t21;
+    coefficients[144] = 0;
+    coefficients[145] = 0;
+    coefficients[146] = 0;
+    coefficients[147] = p6*t21;
+    coefficients[148] = t20*t21;
+    coefficients[149] = 0;
+    coefficients[150] = -omega3*p4;
+    coefficients[151] = -omega3*p5;
+    coefficients[152] = 0;
+    coefficients[153] = 0;
+    coefficients[154] = 0;
+    coefficients[155] = -omega3*p6;
+    coefficients[156] = -omega3*t20;
+    coefficients[157] = 0;
+    coefficients[158] = 0;
+    coefficients[159] = 0;
+    coefficients[160] = t20;
+    coefficients[161] = -p5;
+    coefficients[162] = 0;
+    coefficients[163] = 0;
+    coefficients[164] = 0;
+    coefficients[165] = -p6;
+    coefficients[166] = p4;
+    coefficients[167] = 0;
+    coefficients[168] = 0;
+    coefficients[169] = 0;
+    coefficients[170] = 0;
+    coefficients[171] = 0;
+    coefficients[172] = t20;
+    coefficients[173] = -p5;
+    coefficients[174] = 0;
+    coefficients[175] = 0;
+    coefficients[176] = 0;
+    coefficients[177] = -p6;
+    coefficients[178] = p4;
+    coefficients[179] = 0;
+    coefficients[180] = 0;
+    coefficients[181] = 0;
+    coefficients[182] = t20*t24;
+    coefficients[183] = -p5*t24;
+    coefficients[184] = 0;
+    coefficients[185] = 0;
+    coefficients[186] = 0;
+    coefficients[187] = -p6*t24;
+    coefficients[188] = p4*t24;
+    coefficients[189] = 0;
+    coefficients[190] = -omega4*t20;
+    coefficients[191] = omega4*p5;
+    coefficients[192] = 0;
+    coefficients[193] = 0;
+    coefficients[194] = 0;
+    coefficients[195] = omega4*p6;
+    coefficients[196] = -omega4*p4;
+    coefficients[197] = 0;
+    coefficients[198] = 0;
+    coefficients[199] = 0;
 }
 
 /* Switching and periodicity equations.

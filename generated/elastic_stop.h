@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation a14eb0e1cda9af70 */
+ * SymPy 1.14.0, derivation 9bae1b2ad48e3e5c */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 
@@ -18,6 +18,14 @@ void elastic_stop_flow_contact(
     const double parameters[5], const double spectrum[12], double time, const double state[4], double state_after[4]);
 void elastic_stop_flow_free(
     const double parameters[5], const double spectrum[12], double time, const double state[4], double state_after[4]);
+void elastic_stop_fields(
+    const double parameters[5], double fields[40]);
+void elastic_stop_rows(
+    const double parameters[5], double rows[25]);
+void elastic_stop_resets(
+    const double parameters[5], double resets[20]);
+void elastic_stop_modes(
+    const double parameters[5], const double spectrum[12], double exponents[12], double coefficients[200]);
 void elastic_stop_one_contact_residual(
     const double parameters[6], const double spectrum[12], const double unknowns[4], double residual[4]);
 void elastic_stop_one_contact_jacobian(

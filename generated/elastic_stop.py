@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation a14eb0e1cda9af70
+# SymPy 1.14.0, derivation 9bae1b2ad48e3e5c
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "a14eb0e1cda9af70"
+DERIVATION = "9bae1b2ad48e3e5c"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -43,8 +43,6 @@ SYSTEM = {'name': 'elastic-stop',
  'constraints': [],
  'configurations': {'contact': [{'name': 'first-leaves-stop', 'acts_when': 'exceeded'}],
                     'free': [{'name': 'first-reaches-stop', 'acts_when': 'exceeded'}]},
- 'transitions': [('contact', ['first-leaves-stop'], 'free'),
-                 ('free', ['first-reaches-stop'], 'contact')],
  'spectrum': ['gap1',
               'omega1',
               'omega2',
@@ -57,7 +55,26 @@ SYSTEM = {'name': 'elastic-stop',
               'p4',
               'p5',
               'p6'],
- 'spectrum_parameters': ['k1', 'k2', 'k3', 'm1', 'm2']}
+ 'spectrum_parameters': ['k1', 'k2', 'k3', 'm1', 'm2'],
+ 'modes': {'contact': [{'length': 1, 'oscillates': False},
+                       {'length': 1, 'oscillates': True},
+                       {'length': 1, 'oscillates': True}],
+           'free': [{'length': 1, 'oscillates': False},
+                    {'length': 1, 'oscillates': True},
+                    {'length': 1, 'oscillates': True}]},
+ 'held': {'contact': [], 'free': []},
+ 'boundary_rows': {'contact': [0], 'free': [1]},
+ 'transitions': [{'source': 'contact',
+                  'boundaries': ['first-leaves-stop'],
+                  'conditions': [],
+                  'reset': 0,
+                  'target': 'free'},
+                 {'source': 'free',
+                  'boundaries': ['first-reaches-stop'],
+                  'conditions': [],
+                  'reset': 0,
+                  'target': 'contact'}],
+ 'contacts': {'stop': {'forces': {'contact': 2}, 'velocity': 3, 'surface': 4}}}
 
 ORBITS = {'one-contact': {'phases': [('contact', 'first-leaves-stop', 'tau'),
                             ('free', 'first-reaches-stop', 'tau1')],
@@ -151,6 +168,10 @@ ORBITS = {'one-contact': {'phases': [('contact', 'first-leaves-stop', 'tau'),
 KERNELS = {'spectrum': ([(5,)], [(12,), (12, 5)]),
  'flow_contact': ([(5,), (12,), (), (4,)], [(4,)]),
  'flow_free': ([(5,), (12,), (), (4,)], [(4,)]),
+ 'fields': ([(5,)], [(8, 5)]),
+ 'rows': ([(5,)], [(5, 5)]),
+ 'resets': ([(5,)], [(4, 5)]),
+ 'modes': ([(5,), (12,)], [(6, 2), (40, 5)]),
  'one_contact_residual': ([(6,), (12,), (4,)], [(4,)]),
  'one_contact_jacobian': ([(6,), (12,), (4,)], [(4, 4)]),
  'one_contact_residual_and_jacobian': ([(6,), (12,), (4,)], [(4,), (4, 4)]),
@@ -406,6 +427,82 @@ def flow_free(parameters, spectrum, time, state, lib):
     t14 = omega3*t2
     t15 = omega4*t6
     return [t10*x1 + t11*x2 + v1*(p4*t3 + t4*t7) + v2*(p5*t0*t2 - p5*t7), t12*x1 + t13*x2 + v1*(p6*t0*t2 - p6*t7) + v2*(p4*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p4*t14 - t15*t4) + x2*(omega4*p5*t6 - p5*t14), t12*v1 + t13*v2 + x1*(omega4*p6*t6 - p6*t14) + x2*(-p4*t15 - t14*t4)]
+
+
+def fields(parameters, lib):
+    """Vector fields of the configurations, one below the other, offsets last.
+
+    Takes parameters (5): m1, m2, k1, k2, k3.
+    Gives fields (8, 5).
+    Operations: 12. Intermediate terms: 5.
+    """
+    [m1, m2, k1, k2, k3] = parameters
+    # outputs
+    t0 = 1/m1
+    t1 = k1*t0
+    t2 = 1/m2
+    t3 = k1*t2
+    t4 = -t2*(k1 + k2)
+    return [[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-t0*(k1 + k3), t1, 0, 0, k3*t0], [t3, t4, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-t1, t1, 0, 0, 0], [t3, t4, 0, 0, 0]]
+
+
+def rows(parameters, lib):
+    """Affine functions of the state: gradients, constants last.
+
+    Takes parameters (5): m1, m2, k1, k2, k3.
+    Gives rows (5, 5).
+    Operations: 3. Intermediate terms: 0.
+    """
+    [_, _, _, _, k3] = parameters
+    return [[-1, 0, 0, 0, 1], [1, 0, 0, 0, -1], [-k3, 0, 0, 0, k3], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0]]
+
+
+def resets(parameters, lib):
+    """Affine resets of the state, one below the other, offsets last.
+
+    Takes parameters (5): m1, m2, k1, k2, k3.
+    Gives resets (4, 5).
+    Operations: 0. Intermediate terms: 0.
+    """
+    return [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0]]
+
+
+def modes(parameters, spectrum, lib):
+    """Exponents of the modes; coefficients of their functions, offsets last.
+
+    Takes parameters (5): m1, m2, k1, k2, k3.
+    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
+    Gives exponents (6, 2).
+    Gives coefficients (40, 5).
+    Operations: 104. Intermediate terms: 20.
+    """
+    [_, _, k1, k2, k3] = parameters
+    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
+    # outputs
+    t0 = k1*k3
+    t1 = k2*k3 + t0
+    t2 = 1/(k1*k2 + t1)
+    t3 = t1*t2
+    t4 = t0*t2
+    t5 = p2*t4
+    t6 = p1 - 1
+    t8 = -p3*t3
+    t9 = 1/omega1
+    t10 = omega1*p1
+    t11 = omega1*p2
+    t12 = omega1*p3
+    t13 = -omega1*t6
+    t16 = 1/omega2
+    t17 = omega2*p2
+    t18 = omega2*p3
+    t19 = omega2*p1
+    t20 = 1 - p4
+    t21 = 1/omega3
+    t24 = 1/omega4
+    return (
+        [[0, 0], [0, omega1], [0, omega2], [0, 0], [0, omega3], [0, omega4]],
+        [[0, 0, 0, 0, t3], [0, 0, 0, 0, t4], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t3 - t5], [p3, -t6, 0, 0, t4*t6 + t8], [0, 0, p1, p2, 0], [0, 0, p3, -t6, 0], [0, 0, p1*t9, p2*t9, 0], [0, 0, p3*t9, -t6*t9, 0], [-t10, -t11, 0, 0, t10*t3 + t11*t4], [-t12, -t13, 0, 0, t12*t3 + t13*t4], [-t6, -p2, 0, 0, t3*t6 + t5], [-p3, p1, 0, 0, -p1*t4 - t8], [0, 0, -t6, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, -t16*t6, -p2*t16, 0], [0, 0, -p3*t16, p1*t16, 0], [omega2*t6, t17, 0, 0, -omega2*t1*t2*t6 - t17*t4], [t18, -t19, 0, 0, -t18*t3 + t19*t4], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p4, p5, 0, 0, 0], [p6, t20, 0, 0, 0], [0, 0, p4, p5, 0], [0, 0, p6, t20, 0], [0, 0, p4*t21, p5*t21, 0], [0, 0, p6*t21, t20*t21, 0], [-omega3*p4, -omega3*p5, 0, 0, 0], [-omega3*p6, -omega3*t20, 0, 0, 0], [t20, -p5, 0, 0, 0], [-p6, p4, 0, 0, 0], [0, 0, t20, -p5, 0], [0, 0, -p6, p4, 0], [0, 0, t20*t24, -p5*t24, 0], [0, 0, -p6*t24, p4*t24, 0], [-omega4*t20, omega4*p5, 0, 0, 0], [omega4*p6, -omega4*p4, 0, 0, 0]],
+    )
 
 
 def one_contact_residual(parameters, spectrum, unknowns, lib):

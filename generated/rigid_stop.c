@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 285fba22a62d8fab */
+ * SymPy 1.14.0, derivation 1517b54b58de6c99 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -9,10 +9,10 @@
 #include "support.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Takes parameters (4); gives spectrum (6), derivatives (6, 4), row by row.
- * Operations: 170. Intermediate terms: 64. */
+ * Takes parameters (4); gives spectrum (7), derivatives (7, 4), row by row.
+ * Operations: 179. Intermediate terms: 70. */
 void rigid_stop_spectrum(
-    const double parameters[4], double spectrum[6], double derivatives[24])
+    const double parameters[4], double spectrum[7], double derivatives[28])
 {
     const double k1 = parameters[0];
     const double k2 = parameters[1];
@@ -31,9 +31,9 @@ void rigid_stop_spectrum(
     const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t1 + (1.0/2.0)*t4);
     const double t8 = (1.0/(omega1));
     const double t9 = sqrt(k1);
-    const double t10 = sqrt(k2);
-    const double t11 = (1.0/sqrt(m1));
-    const double t12 = (1.0/sqrt(m2));
+    const double t10 = (1.0/sqrt(m2));
+    const double t11 = sqrt(k2);
+    const double t12 = (1.0/sqrt(m1));
     const double t13 = t10*t11*t12*t9;
     const double omega2 = t13*t8;
     const double t14 = (1.0/(gap1));
@@ -42,57 +42,64 @@ void rigid_stop_spectrum(
     const double p2 = -t1*t14;
     const double t16 = t14*t2;
     const double p3 = -k1*t16;
+    const double t17 = sqrt(t3);
+    const double omega3 = t10*t17;
     /* d/dk1 of: spectrum */
     const double gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2));
-    const double t17 = (1.0/2.0)*gap1_by_k1;
-    const double t18 = (1.0/2.0)*t2;
-    const double t19 = (1.0/2.0)*t8;
-    const double omega1_by_k1 = t19*((1.0/2.0)*t0 + t17 + t18);
-    const double t20 = t13/(omega1*omega1);
-    const double omega2_by_k1 = -omega1_by_k1*t20 + (1.0/2.0)*t10*t11*t12*t8/t9;
-    const double t21 = (1.0/(gap1*gap1));
-    const double t22 = t21*t5;
-    const double p1_by_k1 = t15*(t0 - t2) - t17*t22;
-    const double p2_by_k1 = gap1_by_k1*k1*t0*t21 - t0*t14;
-    const double p3_by_k1 = gap1_by_k1*k1*t2*t21 - t16;
+    const double t18 = (1.0/2.0)*gap1_by_k1;
+    const double t19 = (1.0/2.0)*t2;
+    const double t20 = (1.0/2.0)*t8;
+    const double omega1_by_k1 = t20*((1.0/2.0)*t0 + t18 + t19);
+    const double t21 = t13/(omega1*omega1);
+    const double omega2_by_k1 = -omega1_by_k1*t21 + (1.0/2.0)*t10*t11*t12*t8/t9;
+    const double t22 = (1.0/(gap1*gap1));
+    const double t23 = t22*t5;
+    const double p1_by_k1 = t15*(t0 - t2) - t18*t23;
+    const double p2_by_k1 = gap1_by_k1*k1*t0*t22 - t0*t14;
+    const double p3_by_k1 = gap1_by_k1*k1*t2*t22 - t16;
+    const double omega3_by_k1 = (1.0/2.0)*t10/t17;
     /* d/dk2 of: spectrum */
     const double gap1_by_k2 = -t16*t5;
-    const double t23 = (1.0/2.0)*gap1_by_k2;
-    const double omega1_by_k2 = t19*(t18 + t23);
-    const double omega2_by_k2 = -omega1_by_k2*t20 + (1.0/2.0)*t11*t12*t8*t9/t10;
-    const double p1_by_k2 = -t14*t18 - t22*t23;
-    const double t24 = gap1_by_k2*t21;
-    const double p2_by_k2 = t1*t24;
-    const double t25 = k1*t2;
-    const double p3_by_k2 = t24*t25;
+    const double t25 = (1.0/2.0)*gap1_by_k2;
+    const double omega1_by_k2 = t20*(t19 + t25);
+    const double omega2_by_k2 = -omega1_by_k2*t21 + (1.0/2.0)*t10*t12*t8*t9/t11;
+    const double p1_by_k2 = -t14*t19 - t23*t25;
+    const double t26 = gap1_by_k2*t22;
+    const double p2_by_k2 = t1*t26;
+    const double t27 = k1*t2;
+    const double p3_by_k2 = t26*t27;
+    const double omega3_by_k2 = omega3_by_k1;
     /* d/dm1 of: spectrum */
-    const double t26 = (1.0/(m1*m1));
-    const double t27 = k1*t26;
-    const double gap1_by_m1 = t15*(-t26*t7 - 2*t27*t5);
-    const double t28 = (1.0/2.0)*gap1_by_m1;
-    const double omega1_by_m1 = t19*(-1.0/2.0*t27 + t28);
-    const double omega2_by_m1 = -omega1_by_m1*t20 - t10*t12*t19*t9/(sqrt(m1)*sqrt(m1)*sqrt(m1));
-    const double p1_by_m1 = -t15*t27 - t22*t28;
-    const double t29 = gap1_by_m1*t21;
-    const double p2_by_m1 = t1*t29 + t14*t27;
-    const double p3_by_m1 = t25*t29;
+    const double t28 = (1.0/(m1*m1));
+    const double t29 = k1*t28;
+    const double gap1_by_m1 = t15*(-t28*t7 - 2*t29*t5);
+    const double t30 = (1.0/2.0)*gap1_by_m1;
+    const double omega1_by_m1 = t20*(-1.0/2.0*t29 + t30);
+    const double omega2_by_m1 = -omega1_by_m1*t21 - t10*t11*t20*t9/(sqrt(m1)*sqrt(m1)*sqrt(m1));
+    const double p1_by_m1 = -t15*t29 - t23*t30;
+    const double t31 = gap1_by_m1*t22;
+    const double p2_by_m1 = t1*t31 + t14*t29;
+    const double p3_by_m1 = t27*t31;
     /* d/dm2 of: spectrum */
-    const double t30 = (1.0/(m2*m2));
-    const double gap1_by_m2 = t15*(-4*t0*t30*t6 + 2*t3*t30*t5);
-    const double t31 = (1.0/2.0)*gap1_by_m2;
-    const double t32 = t3*t30;
-    const double omega1_by_m2 = t19*(t31 - 1.0/2.0*t32);
-    const double omega2_by_m2 = -omega1_by_m2*t20 - t10*t11*t19*t9/(sqrt(m2)*sqrt(m2)*sqrt(m2));
-    const double p1_by_m2 = t15*t32 - t22*t31;
-    const double t33 = gap1_by_m2*t21;
-    const double p2_by_m2 = t1*t33;
-    const double p3_by_m2 = k1*t14*t30 + t25*t33;
+    const double t32 = (1.0/(m2*m2));
+    const double gap1_by_m2 = t15*(-4*t0*t32*t6 + 2*t3*t32*t5);
+    const double t33 = (1.0/2.0)*gap1_by_m2;
+    const double t34 = t3*t32;
+    const double omega1_by_m2 = t20*(t33 - 1.0/2.0*t34);
+    const double t35 = (1.0/(sqrt(m2)*sqrt(m2)*sqrt(m2)));
+    const double omega2_by_m2 = -omega1_by_m2*t21 - t11*t12*t20*t35*t9;
+    const double p1_by_m2 = t15*t34 - t23*t33;
+    const double t36 = gap1_by_m2*t22;
+    const double p2_by_m2 = t1*t36;
+    const double p3_by_m2 = k1*t14*t32 + t27*t36;
+    const double omega3_by_m2 = -1.0/2.0*t17*t35;
     spectrum[0] = gap1;
     spectrum[1] = omega1;
     spectrum[2] = omega2;
     spectrum[3] = p1;
     spectrum[4] = p2;
     spectrum[5] = p3;
+    spectrum[6] = omega3;
     derivatives[0] = gap1_by_k1;
     derivatives[1] = gap1_by_k2;
     derivatives[2] = gap1_by_m1;
@@ -117,13 +124,17 @@ void rigid_stop_spectrum(
     derivatives[21] = p3_by_k2;
     derivatives[22] = p3_by_m1;
     derivatives[23] = p3_by_m2;
+    derivatives[24] = omega3_by_k1;
+    derivatives[25] = omega3_by_k2;
+    derivatives[26] = 0;
+    derivatives[27] = omega3_by_m2;
 }
 
 /* State after a time in free.
- * Takes parameters (5), spectrum (6), time, state (4); gives state_after (4), row by row.
+ * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
 void rigid_stop_flow_free(
-    const double parameters[5], const double spectrum[6], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -159,11 +170,412 @@ void rigid_stop_flow_free(
     state_after[3] = t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4);
 }
 
+/* State after a time in contact.
+ * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
+ * Operations: 31. Intermediate terms: 8. */
+void rigid_stop_flow_contact(
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+{
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double omega3 = spectrum[6];
+    const double t = time;
+    const double x1 = state[0];
+    const double x2 = state[1];
+    const double v1 = state[2];
+    const double v2 = state[3];
+    /* outputs */
+    const double t0 = (1.0/((k1 + k2)));
+    const double t1 = k1*t0;
+    const double t2 = omega3*t;
+    const double t3 = sin(t2);
+    const double t4 = t3/omega3;
+    const double t5 = cos(t2);
+    const double t6 = k1*t0 - t1*t5;
+    const double t7 = omega3*t3;
+    state_after[0] = t*v1 + x1;
+    state_after[1] = t4*v2 + t5*x2 + t6*x1 + v1*(t*t1 - t1*t4);
+    state_after[2] = v1;
+    state_after[3] = t1*t7*x1 + t5*v2 + t6*v1 - t7*x2;
+}
+
+/* Vector fields of the configurations, one below the other, offsets last.
+ * Takes parameters (5); gives fields (8, 5), row by row.
+ * Operations: 7. Intermediate terms: 4. */
+void rigid_stop_fields(
+    const double parameters[5], double fields[40])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    /* outputs */
+    const double t0 = k1/m1;
+    const double t1 = (1.0/(m2));
+    const double t2 = k1*t1;
+    const double t3 = -t1*(k1 + k2);
+    fields[0] = 0;
+    fields[1] = 0;
+    fields[2] = 1;
+    fields[3] = 0;
+    fields[4] = 0;
+    fields[5] = 0;
+    fields[6] = 0;
+    fields[7] = 0;
+    fields[8] = 1;
+    fields[9] = 0;
+    fields[10] = -t0;
+    fields[11] = t0;
+    fields[12] = 0;
+    fields[13] = 0;
+    fields[14] = 0;
+    fields[15] = t2;
+    fields[16] = t3;
+    fields[17] = 0;
+    fields[18] = 0;
+    fields[19] = 0;
+    fields[20] = 0;
+    fields[21] = 0;
+    fields[22] = 1;
+    fields[23] = 0;
+    fields[24] = 0;
+    fields[25] = 0;
+    fields[26] = 0;
+    fields[27] = 0;
+    fields[28] = 1;
+    fields[29] = 0;
+    fields[30] = 0;
+    fields[31] = 0;
+    fields[32] = 0;
+    fields[33] = 0;
+    fields[34] = 0;
+    fields[35] = t2;
+    fields[36] = t3;
+    fields[37] = 0;
+    fields[38] = 0;
+    fields[39] = 0;
+}
+
+/* Affine functions of the state: gradients, constants last.
+ * Takes parameters (5); gives rows (5, 5), row by row.
+ * Operations: 3. Intermediate terms: 0. */
+void rigid_stop_rows(
+    const double parameters[5], double rows[25])
+{
+    const double k1 = parameters[2];
+    rows[0] = 1;
+    rows[1] = 0;
+    rows[2] = 0;
+    rows[3] = 0;
+    rows[4] = -1;
+    rows[5] = k1;
+    rows[6] = -k1;
+    rows[7] = 0;
+    rows[8] = 0;
+    rows[9] = 0;
+    rows[10] = 0;
+    rows[11] = 0;
+    rows[12] = 1;
+    rows[13] = 0;
+    rows[14] = 0;
+    rows[15] = -k1;
+    rows[16] = k1;
+    rows[17] = 0;
+    rows[18] = 0;
+    rows[19] = 0;
+    rows[20] = 0;
+    rows[21] = 0;
+    rows[22] = 0;
+    rows[23] = 0;
+    rows[24] = 0;
+}
+
+/* Affine resets of the state, one below the other, offsets last.
+ * Takes parameters (5); gives resets (12, 5), row by row.
+ * Operations: 1. Intermediate terms: 0. */
+void rigid_stop_resets(
+    const double parameters[5], double resets[60])
+{
+    const double r = parameters[4];
+    resets[0] = 1;
+    resets[1] = 0;
+    resets[2] = 0;
+    resets[3] = 0;
+    resets[4] = 0;
+    resets[5] = 0;
+    resets[6] = 1;
+    resets[7] = 0;
+    resets[8] = 0;
+    resets[9] = 0;
+    resets[10] = 0;
+    resets[11] = 0;
+    resets[12] = 1;
+    resets[13] = 0;
+    resets[14] = 0;
+    resets[15] = 0;
+    resets[16] = 0;
+    resets[17] = 0;
+    resets[18] = 1;
+    resets[19] = 0;
+    resets[20] = 1;
+    resets[21] = 0;
+    resets[22] = 0;
+    resets[23] = 0;
+    resets[24] = 0;
+    resets[25] = 0;
+    resets[26] = 1;
+    resets[27] = 0;
+    resets[28] = 0;
+    resets[29] = 0;
+    resets[30] = 0;
+    resets[31] = 0;
+    resets[32] = -r;
+    resets[33] = 0;
+    resets[34] = 0;
+    resets[35] = 0;
+    resets[36] = 0;
+    resets[37] = 0;
+    resets[38] = 1;
+    resets[39] = 0;
+    resets[40] = 0;
+    resets[41] = 0;
+    resets[42] = 0;
+    resets[43] = 0;
+    resets[44] = 1;
+    resets[45] = 0;
+    resets[46] = 1;
+    resets[47] = 0;
+    resets[48] = 0;
+    resets[49] = 0;
+    resets[50] = 0;
+    resets[51] = 0;
+    resets[52] = 0;
+    resets[53] = 0;
+    resets[54] = 0;
+    resets[55] = 0;
+    resets[56] = 0;
+    resets[57] = 0;
+    resets[58] = 1;
+    resets[59] = 0;
+}
+
+/* Exponents of the modes; coefficients of their functions, offsets last.
+ * Takes parameters (5), spectrum (7); gives exponents (5, 2), coefficients (36, 5), row by row.
+ * Operations: 40. Intermediate terms: 5. */
+void rigid_stop_modes(
+    const double parameters[5], const double spectrum[7], double exponents[10], double coefficients[180])
+{
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    /* outputs */
+    const double t0 = 1 - p1;
+    const double t1 = (1.0/(omega1));
+    const double t4 = (1.0/(omega2));
+    const double t5 = k1/(k1 + k2);
+    const double t7 = (1.0/(omega3));
+    exponents[0] = 0;
+    exponents[1] = 0;
+    exponents[2] = 0;
+    exponents[3] = omega1;
+    exponents[4] = 0;
+    exponents[5] = omega2;
+    exponents[6] = 0;
+    exponents[7] = 0;
+    exponents[8] = 0;
+    exponents[9] = omega3;
+    coefficients[0] = 0;
+    coefficients[1] = 0;
+    coefficients[2] = 0;
+    coefficients[3] = 0;
+    coefficients[4] = 0;
+    coefficients[5] = 0;
+    coefficients[6] = 0;
+    coefficients[7] = 0;
+    coefficients[8] = 0;
+    coefficients[9] = 0;
+    coefficients[10] = 0;
+    coefficients[11] = 0;
+    coefficients[12] = 0;
+    coefficients[13] = 0;
+    coefficients[14] = 0;
+    coefficients[15] = 0;
+    coefficients[16] = 0;
+    coefficients[17] = 0;
+    coefficients[18] = 0;
+    coefficients[19] = 0;
+    coefficients[20] = p1;
+    coefficients[21] = p2;
+    coefficients[22] = 0;
+    coefficients[23] = 0;
+    coefficients[24] = 0;
+    coefficients[25] = p3;
+    coefficients[26] = t0;
+    coefficients[27] = 0;
+    coefficients[28] = 0;
+    coefficients[29] = 0;
+    coefficients[30] = 0;
+    coefficients[31] = 0;
+    coefficients[32] = p1;
+    coefficients[33] = p2;
+    coefficients[34] = 0;
+    coefficients[35] = 0;
+    coefficients[36] = 0;
+    coefficients[37] = p3;
+    coefficients[38] = t0;
+    coefficients[39] = 0;
+    coefficients[40] = 0;
+    coefficients[41] = 0;
+    coefficients[42] = p1*t1;
+    coefficients[43] = p2*t1;
+    coefficients[44] = 0;
+    coefficients[45] = 0;
+    coefficients[46] = 0;
+    coefficients[47] = p3*t1;
+    coefficients[48] = t0*t1;
+    coefficients[49] = 0;
+    coefficients[50] = -omega1*p1;
+    coefficients[51] = -omega1*p2;
+    coefficients[52] = 0;
+    coefficients[53] = 0;
+    coefficients[54] = 0;
+    coefficients[55] = -omega1*p3;
+    coefficients[56] = -omega1*t0;
+    coefficients[57] = 0;
+    coefficients[58] = 0;
+    coefficients[59] = 0;
+    coefficients[60] = t0;
+    coefficients[61] = -p2;
+    coefficients[62] = 0;
+    coefficients[63] = 0;
+    coefficients[64] = 0;
+    coefficients[65] = -p3;
+    coefficients[66] = p1;
+    coefficients[67] = 0;
+    coefficients[68] = 0;
+    coefficients[69] = 0;
+    coefficients[70] = 0;
+    coefficients[71] = 0;
+    coefficients[72] = t0;
+    coefficients[73] = -p2;
+    coefficients[74] = 0;
+    coefficients[75] = 0;
+    coefficients[76] = 0;
+    coefficients[77] = -p3;
+    coefficients[78] = p1;
+    coefficients[79] = 0;
+    coefficients[80] = 0;
+    coefficients[81] = 0;
+    coefficients[82] = t0*t4;
+    coefficients[83] = -p2*t4;
+    coefficients[84] = 0;
+    coefficients[85] = 0;
+    coefficients[86] = 0;
+    coefficients[87] = -p3*t4;
+    coefficients[88] = p1*t4;
+    coefficients[89] = 0;
+    coefficients[90] = -omega2*t0;
+    coefficients[91] = omega2*p2;
+    coefficients[92] = 0;
+    coefficients[93] = 0;
+    coefficients[94] = 0;
+    coefficients[95] = omega2*p3;
+    coefficients[96] = -omega2*p1;
+    coefficients[97] = 0;
+    coefficients[98] = 0;
+    coefficients[99] = 0;
+    coefficients[100] = 1;
+    coefficients[101] = 0;
+    coefficients[102] = 0;
+    coefficients[103] = 0;
+    coefficients[104] = 0;
+    coefficients[105] = t5;
+    coefficients[106] = 0;
+    coefficients[107] = 0;
+    coefficients[108] = 0;
+    coefficients[109] = 0;
+    coefficients[110] = 0;
+    coefficients[111] = 0;
+    coefficients[112] = 1;
+    coefficients[113] = 0;
+    coefficients[114] = 0;
+    coefficients[115] = 0;
+    coefficients[116] = 0;
+    coefficients[117] = t5;
+    coefficients[118] = 0;
+    coefficients[119] = 0;
+    coefficients[120] = 0;
+    coefficients[121] = 0;
+    coefficients[122] = 1;
+    coefficients[123] = 0;
+    coefficients[124] = 0;
+    coefficients[125] = 0;
+    coefficients[126] = 0;
+    coefficients[127] = t5;
+    coefficients[128] = 0;
+    coefficients[129] = 0;
+    coefficients[130] = 0;
+    coefficients[131] = 0;
+    coefficients[132] = 0;
+    coefficients[133] = 0;
+    coefficients[134] = 0;
+    coefficients[135] = 0;
+    coefficients[136] = 0;
+    coefficients[137] = 0;
+    coefficients[138] = 0;
+    coefficients[139] = 0;
+    coefficients[140] = 0;
+    coefficients[141] = 0;
+    coefficients[142] = 0;
+    coefficients[143] = 0;
+    coefficients[144] = 0;
+    coefficients[145] = -t5;
+    coefficients[146] = 1;
+    coefficients[147] = 0;
+    coefficients[148] = 0;
+    coefficients[149] = 0;
+    coefficients[150] = 0;
+    coefficients[151] = 0;
+    coefficients[152] = 0;
+    coefficients[153] = 0;
+    coefficients[154] = 0;
+    coefficients[155] = 0;
+    coefficients[156] = 0;
+    coefficients[157] = -t5;
+    coefficients[158] = 1;
+    coefficients[159] = 0;
+    coefficients[160] = 0;
+    coefficients[161] = 0;
+    coefficients[162] = 0;
+    coefficients[163] = 0;
+    coefficients[164] = 0;
+    coefficients[165] = 0;
+    coefficients[166] = 0;
+    coefficients[167] = -t5*t7;
+    coefficients[168] = t7;
+    coefficients[169] = 0;
+    coefficients[170] = 0;
+    coefficients[171] = 0;
+    coefficients[172] = 0;
+    coefficients[173] = 0;
+    coefficients[174] = 0;
+    coefficients[175] = omega3*t5;
+    coefficients[176] = -omega3;
+    coefficients[177] = 0;
+    coefficients[178] = 0;
+    coefficients[179] = 0;
+}
+
 /* Switching and periodicity equations.
- * Takes parameters (5), spectrum (6), unknowns (2); gives residual (2), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives residual (2), row by row.
  * Operations: 34. Intermediate terms: 13. */
 void rigid_stop_one_impact_residual(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double residual[2])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double residual[2])
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -194,10 +606,10 @@ void rigid_stop_one_impact_residual(
 }
 
 /* Derivatives of the equations by the unknowns.
- * Takes parameters (5), spectrum (6), unknowns (2); gives jacobian (2, 2), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives jacobian (2, 2), row by row.
  * Operations: 23. Intermediate terms: 9. */
 void rigid_stop_one_impact_jacobian(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double jacobian[4])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double jacobian[4])
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -225,10 +637,10 @@ void rigid_stop_one_impact_jacobian(
 }
 
 /* Equations and their derivatives by the unknowns, sharing all intermediate terms.
- * Takes parameters (5), spectrum (6), unknowns (2); gives residual (2), jacobian (2, 2), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives residual (2), jacobian (2, 2), row by row.
  * Operations: 45. Intermediate terms: 15. */
 void rigid_stop_one_impact_residual_and_jacobian(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double residual[2], double jacobian[4])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double residual[2], double jacobian[4])
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -265,10 +677,10 @@ void rigid_stop_one_impact_residual_and_jacobian(
 }
 
 /* Total derivatives of the equations by the parameters, through the spectrum too.
- * Takes parameters (5), spectrum (6), spectrum_derivatives (6, 4), unknowns (2); gives parameter_jacobian (2, 5), row by row.
+ * Takes parameters (5), spectrum (7), spectrum_derivatives (7, 4), unknowns (2); gives parameter_jacobian (2, 5), row by row.
  * Operations: 212. Intermediate terms: 57. */
 void rigid_stop_one_impact_parameter_jacobian(
-    const double parameters[5], const double spectrum[6], const double spectrum_derivatives[24], const double unknowns[2], double parameter_jacobian[10])
+    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[28], const double unknowns[2], double parameter_jacobian[10])
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -376,10 +788,10 @@ void rigid_stop_one_impact_parameter_jacobian(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates.
- * Takes parameters (5), spectrum (6), unknowns (2); gives poincare_jacobian (3, 3), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives poincare_jacobian (3, 3), row by row.
  * Operations: 109. Intermediate terms: 53. */
 void rigid_stop_one_impact_poincare_jacobian(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double poincare_jacobian[9])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double poincare_jacobian[9])
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -463,10 +875,10 @@ void rigid_stop_one_impact_poincare_jacobian(
 }
 
 /* Saltation matrices of the transitions, one below the other.
- * Takes parameters (5), spectrum (6), unknowns (2); gives saltations (4, 4), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives saltations (4, 4), row by row.
  * Operations: 73. Intermediate terms: 22. */
 void rigid_stop_one_impact_saltations(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double saltations[16])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double saltations[16])
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -526,10 +938,10 @@ void rigid_stop_one_impact_saltations(
 }
 
 /* Monodromy matrix: the product of flows and saltation matrices over a period.
- * Takes parameters (5), spectrum (6), unknowns (2); gives monodromy (4, 4), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives monodromy (4, 4), row by row.
  * Operations: 108. Intermediate terms: 62. */
 void rigid_stop_one_impact_monodromy(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double monodromy[16])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double monodromy[16])
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -630,10 +1042,10 @@ void rigid_stop_one_impact_monodromy(
 }
 
 /* Trace of the Poincare map's Jacobian.
- * Takes parameters (5), spectrum (6), unknowns (2); gives trace, row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives trace, row by row.
  * Operations: 94. Intermediate terms: 35. */
 void rigid_stop_one_impact_trace(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double *trace)
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double *trace)
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -691,10 +1103,10 @@ void rigid_stop_one_impact_trace(
 }
 
 /* Derivatives of the trace by the unknowns, then in total by the parameters.
- * Takes parameters (5), spectrum (6), spectrum_derivatives (6, 4), unknowns (2); gives trace_gradient (7), row by row.
+ * Takes parameters (5), spectrum (7), spectrum_derivatives (7, 4), unknowns (2); gives trace_gradient (7), row by row.
  * Operations: 853. Intermediate terms: 269. */
 void rigid_stop_one_impact_trace_gradient(
-    const double parameters[5], const double spectrum[6], const double spectrum_derivatives[24], const double unknowns[2], double trace_gradient[7])
+    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[28], const double unknowns[2], double trace_gradient[7])
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -1042,10 +1454,10 @@ void rigid_stop_one_impact_trace_gradient(
 }
 
 /* State at the start and behind each transition, row by row.
- * Takes parameters (5), spectrum (6), unknowns (2); gives states (2, 4), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives states (2, 4), row by row.
  * Operations: 62. Intermediate terms: 18. */
 void rigid_stop_one_impact_states(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double states[8])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double states[8])
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -1087,10 +1499,10 @@ void rigid_stop_one_impact_states(
 }
 
 /* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
- * Takes parameters (5), spectrum (6), unknowns (2); gives coefficients (6), frequencies (2), row by row.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives coefficients (6), frequencies (2), row by row.
  * Operations: 9. Intermediate terms: 1. */
 void rigid_stop_one_impact_boundary_functions(
-    const double parameters[5], const double spectrum[6], const double unknowns[2], double coefficients[6], double frequencies[2])
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double coefficients[6], double frequencies[2])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -1112,10 +1524,10 @@ void rigid_stop_one_impact_boundary_functions(
 }
 
 /* State after a time in free.
- * Takes parameters (5), spectrum (6), time, state (4); gives state_after (4), row by row.
+ * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
 void rigid_stop_one_impact_flow_free(
-    const double parameters[5], const double spectrum[6], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -1152,10 +1564,10 @@ void rigid_stop_one_impact_flow_free(
 }
 
 /* All unknowns: they are explicit, and how singular the linear equations for them are: 0 if they are.
- * Takes parameters (5), spectrum (6); gives unknowns (2), determinants (1), row by row.
+ * Takes parameters (5), spectrum (7); gives unknowns (2), determinants (1), row by row.
  * Operations: 76. Intermediate terms: 28. */
 void rigid_stop_one_impact_expand(
-    const double parameters[5], const double spectrum[6], double unknowns[2], double determinants[1])
+    const double parameters[5], const double spectrum[7], double unknowns[2], double determinants[1])
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -1387,7 +1799,7 @@ void rigid_stop_one_impact_admissible(
         const double *const p = parameters + 5 * point, *const u = unknowns + 2 * point;
         const double q[4] = {p[2], p[3], p[0], p[1]};
         const double durations[] = {p[4]};
-        double spectral[6], derivatives[24], coefficients[6], frequencies[2];
+        double spectral[7], derivatives[28], coefficients[6], frequencies[2];
         rigid_stop_spectrum(q, spectral, derivatives);
         rigid_stop_one_impact_boundary_functions(p, spectral, u, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 285fba22a62d8fab
+# SymPy 1.14.0, derivation 1517b54b58de6c99
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "285fba22a62d8fab"
+DERIVATION = "1517b54b58de6c99"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -41,10 +41,37 @@ SYSTEM = {'name': 'rigid-stop',
                  'closed': True,
                  'upper_closed': True}],
  'constraints': [],
- 'configurations': {'free': [{'name': 'first-reaches-stop', 'acts_when': 'exceeded'}]},
- 'transitions': [('free', ['first-reaches-stop'], 'free')],
- 'spectrum': ['gap1', 'omega1', 'omega2', 'p1', 'p2', 'p3'],
- 'spectrum_parameters': ['k1', 'k2', 'm1', 'm2']}
+ 'configurations': {'free': [{'name': 'first-reaches-stop', 'acts_when': 'exceeded'}],
+                    'contact': [{'name': 'first-leaves-stop', 'acts_when': 'exceeded'}]},
+ 'spectrum': ['gap1', 'omega1', 'omega2', 'p1', 'p2', 'p3', 'omega3'],
+ 'spectrum_parameters': ['k1', 'k2', 'm1', 'm2'],
+ 'modes': {'free': [{'length': 1, 'oscillates': False},
+                    {'length': 1, 'oscillates': True},
+                    {'length': 1, 'oscillates': True}],
+           'contact': [{'length': 2, 'oscillates': False}, {'length': 1, 'oscillates': True}]},
+ 'held': {'free': [], 'contact': ['x1']},
+ 'boundary_rows': {'free': [0], 'contact': [1]},
+ 'transitions': [{'source': 'free',
+                  'boundaries': ['first-reaches-stop'],
+                  'conditions': [(2, 'contact', True)],
+                  'reset': 1,
+                  'target': 'free'},
+                 {'source': 'free',
+                  'boundaries': ['first-reaches-stop'],
+                  'conditions': [(3, 'contact', True)],
+                  'reset': 2,
+                  'target': 'contact'},
+                 {'source': 'free',
+                  'boundaries': ['first-reaches-stop'],
+                  'conditions': [],
+                  'reset': 0,
+                  'target': 'free'},
+                 {'source': 'contact',
+                  'boundaries': ['first-leaves-stop'],
+                  'conditions': [],
+                  'reset': 0,
+                  'target': 'free'}],
+ 'contacts': {'stop': {'forces': {'contact': 1}, 'velocity': 2, 'surface': 4}}}
 
 ORBITS = {'one-impact': {'phases': [('free', 'first-reaches-stop', 'T')],
                 'states': ['x1', 'x2', 'v1', 'v2'],
@@ -118,29 +145,34 @@ ORBITS = {'one-impact': {'phases': [('free', 'first-reaches-stop', 'T')],
                                              'T': '2*pi'},
                               'guess': {'y': '0.162', 'u': '-0.372'}}}}
 
-KERNELS = {'spectrum': ([(4,)], [(6,), (6, 4)]),
- 'flow_free': ([(5,), (6,), (), (4,)], [(4,)]),
- 'one_impact_residual': ([(5,), (6,), (2,)], [(2,)]),
- 'one_impact_jacobian': ([(5,), (6,), (2,)], [(2, 2)]),
- 'one_impact_residual_and_jacobian': ([(5,), (6,), (2,)], [(2,), (2, 2)]),
- 'one_impact_parameter_jacobian': ([(5,), (6,), (6, 4), (2,)], [(2, 5)]),
- 'one_impact_poincare_jacobian': ([(5,), (6,), (2,)], [(3, 3)]),
- 'one_impact_saltations': ([(5,), (6,), (2,)], [(4, 4)]),
- 'one_impact_monodromy': ([(5,), (6,), (2,)], [(4, 4)]),
- 'one_impact_trace': ([(5,), (6,), (2,)], [()]),
- 'one_impact_trace_gradient': ([(5,), (6,), (6, 4), (2,)], [(7,)]),
- 'one_impact_states': ([(5,), (6,), (2,)], [(2, 4)]),
- 'one_impact_boundary_functions': ([(5,), (6,), (2,)], [(6,), (2,)]),
- 'one_impact_flow_free': ([(5,), (6,), (), (4,)], [(4,)]),
- 'one_impact_expand': ([(5,), (6,)], [(2,), (1,)])}
+KERNELS = {'spectrum': ([(4,)], [(7,), (7, 4)]),
+ 'flow_free': ([(5,), (7,), (), (4,)], [(4,)]),
+ 'flow_contact': ([(5,), (7,), (), (4,)], [(4,)]),
+ 'fields': ([(5,)], [(8, 5)]),
+ 'rows': ([(5,)], [(5, 5)]),
+ 'resets': ([(5,)], [(12, 5)]),
+ 'modes': ([(5,), (7,)], [(5, 2), (36, 5)]),
+ 'one_impact_residual': ([(5,), (7,), (2,)], [(2,)]),
+ 'one_impact_jacobian': ([(5,), (7,), (2,)], [(2, 2)]),
+ 'one_impact_residual_and_jacobian': ([(5,), (7,), (2,)], [(2,), (2, 2)]),
+ 'one_impact_parameter_jacobian': ([(5,), (7,), (7, 4), (2,)], [(2, 5)]),
+ 'one_impact_poincare_jacobian': ([(5,), (7,), (2,)], [(3, 3)]),
+ 'one_impact_saltations': ([(5,), (7,), (2,)], [(4, 4)]),
+ 'one_impact_monodromy': ([(5,), (7,), (2,)], [(4, 4)]),
+ 'one_impact_trace': ([(5,), (7,), (2,)], [()]),
+ 'one_impact_trace_gradient': ([(5,), (7,), (7, 4), (2,)], [(7,)]),
+ 'one_impact_states': ([(5,), (7,), (2,)], [(2, 4)]),
+ 'one_impact_boundary_functions': ([(5,), (7,), (2,)], [(6,), (2,)]),
+ 'one_impact_flow_free': ([(5,), (7,), (), (4,)], [(4,)]),
+ 'one_impact_expand': ([(5,), (7,)], [(2,), (1,)])}
 
 def spectrum(parameters, lib):
     """Frequencies and projector coefficients, with their derivatives by the parameters.
 
     Takes parameters (4): k1, k2, m1, m2.
-    Gives spectrum (6).
-    Gives derivatives (6, 4).
-    Operations: 170. Intermediate terms: 64.
+    Gives spectrum (7).
+    Gives derivatives (7, 4).
+    Operations: 179. Intermediate terms: 70.
     """
     [k1, k2, m1, m2] = parameters
     # spectrum
@@ -156,9 +188,9 @@ def spectrum(parameters, lib):
     omega1 = lib.sqrt(gap1/2 + t1/2 + t4/2)
     t8 = 1/omega1
     t9 = lib.sqrt(k1)
-    t10 = lib.sqrt(k2)
-    t11 = 1/lib.sqrt(m1)
-    t12 = 1/lib.sqrt(m2)
+    t10 = 1/lib.sqrt(m2)
+    t11 = lib.sqrt(k2)
+    t12 = 1/lib.sqrt(m1)
     t13 = t10*t11*t12*t9
     omega2 = t13*t8
     t14 = 1/gap1
@@ -167,54 +199,60 @@ def spectrum(parameters, lib):
     p2 = -t1*t14
     t16 = t14*t2
     p3 = -k1*t16
+    t17 = lib.sqrt(t3)
+    omega3 = t10*t17
     # d/dk1 of: spectrum
     gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2))
-    t17 = gap1_by_k1/2
-    t18 = t2/2
-    t19 = t8/2
-    omega1_by_k1 = t19*(t0/2 + t17 + t18)
-    t20 = t13/omega1**2
-    omega2_by_k1 = -omega1_by_k1*t20 + t10*t11*t12*t8/(2*t9)
-    t21 = 1/gap1**2
-    t22 = t21*t5
-    p1_by_k1 = t15*(t0 - t2) - t17*t22
-    p2_by_k1 = gap1_by_k1*k1*t0*t21 - t0*t14
-    p3_by_k1 = gap1_by_k1*k1*t2*t21 - t16
+    t18 = gap1_by_k1/2
+    t19 = t2/2
+    t20 = t8/2
+    omega1_by_k1 = t20*(t0/2 + t18 + t19)
+    t21 = t13/omega1**2
+    omega2_by_k1 = -omega1_by_k1*t21 + t10*t11*t12*t8/(2*t9)
+    t22 = 1/gap1**2
+    t23 = t22*t5
+    p1_by_k1 = t15*(t0 - t2) - t18*t23
+    p2_by_k1 = gap1_by_k1*k1*t0*t22 - t0*t14
+    p3_by_k1 = gap1_by_k1*k1*t2*t22 - t16
+    omega3_by_k1 = t10/(2*t17)
     # d/dk2 of: spectrum
     gap1_by_k2 = -t16*t5
-    t23 = gap1_by_k2/2
-    omega1_by_k2 = t19*(t18 + t23)
-    omega2_by_k2 = -omega1_by_k2*t20 + t11*t12*t8*t9/(2*t10)
-    p1_by_k2 = -t14*t18 - t22*t23
-    t24 = gap1_by_k2*t21
-    p2_by_k2 = t1*t24
-    t25 = k1*t2
-    p3_by_k2 = t24*t25
+    t25 = gap1_by_k2/2
+    omega1_by_k2 = t20*(t19 + t25)
+    omega2_by_k2 = -omega1_by_k2*t21 + t10*t12*t8*t9/(2*t11)
+    p1_by_k2 = -t14*t19 - t23*t25
+    t26 = gap1_by_k2*t22
+    p2_by_k2 = t1*t26
+    t27 = k1*t2
+    p3_by_k2 = t26*t27
+    omega3_by_k2 = omega3_by_k1
     # d/dm1 of: spectrum
-    t26 = 1/m1**2
-    t27 = k1*t26
-    gap1_by_m1 = t15*(-t26*t7 - 2*t27*t5)
-    t28 = gap1_by_m1/2
-    omega1_by_m1 = t19*(-t27/2 + t28)
-    omega2_by_m1 = -omega1_by_m1*t20 - t10*t12*t19*t9/lib.sqrt(m1)**3
-    p1_by_m1 = -t15*t27 - t22*t28
-    t29 = gap1_by_m1*t21
-    p2_by_m1 = t1*t29 + t14*t27
-    p3_by_m1 = t25*t29
+    t28 = 1/m1**2
+    t29 = k1*t28
+    gap1_by_m1 = t15*(-t28*t7 - 2*t29*t5)
+    t30 = gap1_by_m1/2
+    omega1_by_m1 = t20*(-t29/2 + t30)
+    omega2_by_m1 = -omega1_by_m1*t21 - t10*t11*t20*t9/lib.sqrt(m1)**3
+    p1_by_m1 = -t15*t29 - t23*t30
+    t31 = gap1_by_m1*t22
+    p2_by_m1 = t1*t31 + t14*t29
+    p3_by_m1 = t27*t31
     # d/dm2 of: spectrum
-    t30 = 1/m2**2
-    gap1_by_m2 = t15*(-4*t0*t30*t6 + 2*t3*t30*t5)
-    t31 = gap1_by_m2/2
-    t32 = t3*t30
-    omega1_by_m2 = t19*(t31 - t32/2)
-    omega2_by_m2 = -omega1_by_m2*t20 - t10*t11*t19*t9/lib.sqrt(m2)**3
-    p1_by_m2 = t15*t32 - t22*t31
-    t33 = gap1_by_m2*t21
-    p2_by_m2 = t1*t33
-    p3_by_m2 = k1*t14*t30 + t25*t33
+    t32 = 1/m2**2
+    gap1_by_m2 = t15*(-4*t0*t32*t6 + 2*t3*t32*t5)
+    t33 = gap1_by_m2/2
+    t34 = t3*t32
+    omega1_by_m2 = t20*(t33 - t34/2)
+    t35 = 1/lib.sqrt(m2)**3
+    omega2_by_m2 = -omega1_by_m2*t21 - t11*t12*t20*t35*t9
+    p1_by_m2 = t15*t34 - t23*t33
+    t36 = gap1_by_m2*t22
+    p2_by_m2 = t1*t36
+    p3_by_m2 = k1*t14*t32 + t27*t36
+    omega3_by_m2 = -t17*t35/2
     return (
-        [gap1, omega1, omega2, p1, p2, p3],
-        [[gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2]],
+        [gap1, omega1, omega2, p1, p2, p3, omega3],
+        [[gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m2]],
     )
 
 
@@ -222,13 +260,13 @@ def flow_free(parameters, spectrum, time, state, lib):
     """State after a time in free.
 
     Takes parameters (5): m1, m2, k1, k2, r.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
     Operations: 82. Intermediate terms: 16.
     """
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
     # outputs
@@ -251,17 +289,104 @@ def flow_free(parameters, spectrum, time, state, lib):
     return [t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14), t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4)]
 
 
+def flow_contact(parameters, spectrum, time, state, lib):
+    """State after a time in contact.
+
+    Takes parameters (5): m1, m2, k1, k2, r.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes time.
+    Takes state (4): x1, x2, v1, v2.
+    Gives state_after (4).
+    Operations: 31. Intermediate terms: 8.
+    """
+    [_, _, k1, k2, _] = parameters
+    [_, _, _, _, _, _, omega3] = spectrum
+    t = time
+    [x1, x2, v1, v2] = state
+    # outputs
+    t0 = 1/(k1 + k2)
+    t1 = k1*t0
+    t2 = omega3*t
+    t3 = lib.sin(t2)
+    t4 = t3/omega3
+    t5 = lib.cos(t2)
+    t6 = k1*t0 - t1*t5
+    t7 = omega3*t3
+    return [t*v1 + x1, t4*v2 + t5*x2 + t6*x1 + v1*(t*t1 - t1*t4), v1, t1*t7*x1 + t5*v2 + t6*v1 - t7*x2]
+
+
+def fields(parameters, lib):
+    """Vector fields of the configurations, one below the other, offsets last.
+
+    Takes parameters (5): m1, m2, k1, k2, r.
+    Gives fields (8, 5).
+    Operations: 7. Intermediate terms: 4.
+    """
+    [m1, m2, k1, k2, _] = parameters
+    # outputs
+    t0 = k1/m1
+    t1 = 1/m2
+    t2 = k1*t1
+    t3 = -t1*(k1 + k2)
+    return [[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-t0, t0, 0, 0, 0], [t2, t3, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [t2, t3, 0, 0, 0]]
+
+
+def rows(parameters, lib):
+    """Affine functions of the state: gradients, constants last.
+
+    Takes parameters (5): m1, m2, k1, k2, r.
+    Gives rows (5, 5).
+    Operations: 3. Intermediate terms: 0.
+    """
+    [_, _, k1, _, _] = parameters
+    return [[1, 0, 0, 0, -1], [k1, -k1, 0, 0, 0], [0, 0, 1, 0, 0], [-k1, k1, 0, 0, 0], [0, 0, 0, 0, 0]]
+
+
+def resets(parameters, lib):
+    """Affine resets of the state, one below the other, offsets last.
+
+    Takes parameters (5): m1, m2, k1, k2, r.
+    Gives resets (12, 5).
+    Operations: 1. Intermediate terms: 0.
+    """
+    [_, _, _, _, r] = parameters
+    return [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, -r, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 1], [0, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 1, 0]]
+
+
+def modes(parameters, spectrum, lib):
+    """Exponents of the modes; coefficients of their functions, offsets last.
+
+    Takes parameters (5): m1, m2, k1, k2, r.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Gives exponents (5, 2).
+    Gives coefficients (36, 5).
+    Operations: 40. Intermediate terms: 5.
+    """
+    [_, _, k1, k2, _] = parameters
+    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
+    # outputs
+    t0 = 1 - p1
+    t1 = 1/omega1
+    t4 = 1/omega2
+    t5 = k1/(k1 + k2)
+    t7 = 1/omega3
+    return (
+        [[0, 0], [0, omega1], [0, omega2], [0, 0], [0, omega3]],
+        [[0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, 0], [p3, t0, 0, 0, 0], [0, 0, p1, p2, 0], [0, 0, p3, t0, 0], [0, 0, p1*t1, p2*t1, 0], [0, 0, p3*t1, t0*t1, 0], [-omega1*p1, -omega1*p2, 0, 0, 0], [-omega1*p3, -omega1*t0, 0, 0, 0], [t0, -p2, 0, 0, 0], [-p3, p1, 0, 0, 0], [0, 0, t0, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t0*t4, -p2*t4, 0], [0, 0, -p3*t4, p1*t4, 0], [-omega2*t0, omega2*p2, 0, 0, 0], [omega2*p3, -omega2*p1, 0, 0, 0], [1, 0, 0, 0, 0], [t5, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-t5, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, -t5, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t5*t7, t7, 0], [0, 0, 0, 0, 0], [omega3*t5, -omega3, 0, 0, 0]],
+    )
+
+
 def one_impact_residual(parameters, spectrum, unknowns, lib):
     """Switching and periodicity equations.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives residual (2).
     Operations: 34. Intermediate terms: 13.
     """
     [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # half of T
     half_T = T/2
@@ -286,13 +411,13 @@ def one_impact_jacobian(parameters, spectrum, unknowns, lib):
     """Derivatives of the equations by the unknowns.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives jacobian (2, 2).
     Operations: 23. Intermediate terms: 9.
     """
     [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     # half of T
     half_T = T/2
     # functions of half_T in free
@@ -312,14 +437,14 @@ def one_impact_residual_and_jacobian(parameters, spectrum, unknowns, lib):
     """Equations and their derivatives by the unknowns, sharing all intermediate terms.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives residual (2).
     Gives jacobian (2, 2).
     Operations: 45. Intermediate terms: 15.
     """
     [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # half of T
     half_T = T/2
@@ -349,18 +474,19 @@ def one_impact_parameter_jacobian(parameters, spectrum, spectrum_derivatives, un
     """Total derivatives of the equations by the parameters, through the spectrum too.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
-    Takes spectrum_derivatives (6, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes spectrum_derivatives (7, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
         omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2, omega2_by_k1, omega2_by_k2,
         omega2_by_m1, omega2_by_m2, p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2, p2_by_k1,
-        p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2.
+        p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2, omega3_by_k1,
+        omega3_by_k2, omega3_by_m1, omega3_by_m2.
     Takes unknowns (2): y, u.
     Gives parameter_jacobian (2, 5).
     Operations: 212. Intermediate terms: 57.
     """
     [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
-    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2]] = spectrum_derivatives
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
+    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
     [y, u] = unknowns
     # half of T
     half_T = T/2
@@ -434,13 +560,13 @@ def one_impact_poincare_jacobian(parameters, spectrum, unknowns, lib):
     """Jacobian of the Poincare map in the section's coordinates.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives poincare_jacobian (3, 3).
     Operations: 109. Intermediate terms: 53.
     """
     [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # functions of T in free
     t0 = T*omega1
@@ -507,13 +633,13 @@ def one_impact_saltations(parameters, spectrum, unknowns, lib):
     """Saltation matrices of the transitions, one below the other.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives saltations (4, 4).
     Operations: 73. Intermediate terms: 22.
     """
     [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # functions of T in free
     t0 = T*omega1
@@ -549,13 +675,13 @@ def one_impact_monodromy(parameters, spectrum, unknowns, lib):
     """Monodromy matrix: the product of flows and saltation matrices over a period.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives monodromy (4, 4).
     Operations: 108. Intermediate terms: 62.
     """
     [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # functions of T in free
     t0 = T*omega1
@@ -632,13 +758,13 @@ def one_impact_trace(parameters, spectrum, unknowns, lib):
     """Trace of the Poincare map's Jacobian.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives trace.
     Operations: 94. Intermediate terms: 35.
     """
     [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # functions of T in free
     t0 = T*omega1
@@ -687,18 +813,19 @@ def one_impact_trace_gradient(parameters, spectrum, spectrum_derivatives, unknow
     """Derivatives of the trace by the unknowns, then in total by the parameters.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
-    Takes spectrum_derivatives (6, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes spectrum_derivatives (7, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
         omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2, omega2_by_k1, omega2_by_k2,
         omega2_by_m1, omega2_by_m2, p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2, p2_by_k1,
-        p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2.
+        p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2, omega3_by_k1,
+        omega3_by_k2, omega3_by_m1, omega3_by_m2.
     Takes unknowns (2): y, u.
     Gives trace_gradient (7).
     Operations: 853. Intermediate terms: 269.
     """
     [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
-    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2]] = spectrum_derivatives
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
+    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
     [y, u] = unknowns
     # functions of T in free
     t0 = T*omega1
@@ -1011,13 +1138,13 @@ def one_impact_states(parameters, spectrum, unknowns, lib):
     """State at the start and behind each transition, row by row.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives states (2, 4).
     Operations: 62. Intermediate terms: 18.
     """
     [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # functions of T in free
     t0 = T*omega1
@@ -1047,13 +1174,13 @@ def one_impact_boundary_functions(parameters, spectrum, unknowns, lib):
     """Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives coefficients (6).
     Gives frequencies (2).
     Operations: 9. Intermediate terms: 1.
     """
-    [_, omega1, omega2, p1, p2, _] = spectrum
+    [_, omega1, omega2, p1, p2, _, _] = spectrum
     [y, u] = unknowns
     # outputs
     t0 = p1 + p2*y
@@ -1067,13 +1194,13 @@ def one_impact_flow_free(parameters, spectrum, time, state, lib):
     """State after a time in free.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
     Operations: 82. Intermediate terms: 16.
     """
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
     # outputs
@@ -1100,13 +1227,13 @@ def one_impact_expand(parameters, spectrum, lib):
     """All unknowns: they are explicit, and how singular the linear equations for them are: 0 if they are.
 
     Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (6): gap1, omega1, omega2, p1, p2, p3.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Gives unknowns (2).
     Gives determinants (1).
     Operations: 76. Intermediate terms: 28.
     """
     [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3] = spectrum
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
     # half of T
     half_T = T/2
     # functions of half_T in free

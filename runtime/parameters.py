@@ -13,7 +13,7 @@ from nonsmooth.runtime.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.values import Value, as_value, parse
 
-__all__ = ["Point", "check_arrays", "default_parameters", "in_domain", "resolve"]
+__all__ = ["Point", "check_arrays", "default_parameters", "in_domain", "resolve", "value_of"]
 
 
 @dataclass(frozen=True)
@@ -214,6 +214,13 @@ def in_domain(table: ParameterTable, number: float) -> bool:
     if lower < number < upper:
         return True
     return (table.closed and number == lower) or (table.upper_closed and number == upper)
+
+
+def value_of(table: ParameterTable, given: object) -> Value:
+    """Value of one parameter; InputError if it is no number or outside the domain."""
+    value = _value(table.name, given)
+    _check_domain(table, value)
+    return value
 
 
 def _check_domain(table: ParameterTable, value: Value) -> None:

@@ -22,6 +22,7 @@ from nonsmooth.derive.codegen.gufunc import (
 from nonsmooth.derive.codegen.naming import constant, module_file
 from nonsmooth.derive.codegen.solver import solve_prototype, solve_source
 from nonsmooth.derive.codegen.tables import system_tables
+from nonsmooth.derive.declaration import Declaration
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.document.markdown import to_markdown
 from nonsmooth.derive.equations import EquationSystem, derive_equations
@@ -83,6 +84,8 @@ def emit_system(
     spectrum, flows = derive_flows(system)
     kernels: list[tuple[Kernel, str | None]] = [(spectrum_kernel(spectrum), None)]
     kernels += [(k, None) for k in flow_kernels(system, spectrum, flows)]
+    declaration = Declaration(system, spectrum, flows)
+    kernels += [(k, None) for k in declaration.kernels()]
     derived: list[EquationSystem] = []
     for orbit in orbits:
         progress(f"{name}/{orbit.name}: equations")
@@ -90,7 +93,7 @@ def emit_system(
         if derived[-1].spectrum != spectrum:
             raise DerivationError(f"{name}/{orbit.name}: its presentation changes the spectrum")
         kernels += [(k, orbit.name) for k in orbit_kernels(derived[-1])]
-    tables = system_tables(system, spectrum, derived, kernels)
+    tables = system_tables(declaration, derived, kernels)
     progress(f"{name}: Python")
     functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
     progress(f"{name}: C")

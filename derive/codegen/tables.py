@@ -9,19 +9,17 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.codegen.naming import python_function
+from nonsmooth.derive.declaration import Declaration
 from nonsmooth.derive.equations import EquationSystem
 from nonsmooth.derive.itinerary import Presentation
-from nonsmooth.derive.modal import Spectrum
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.program import Kernel
-from nonsmooth.derive.system import System
 
 __all__ = ["orbit_table", "system_table", "system_tables"]
 
 
 def system_tables(
-    system: System,
-    spectrum: Spectrum,
+    declaration: Declaration,
     orbits: Sequence[EquationSystem],
     kernels: Sequence[tuple[Kernel, str | None]],
 ) -> str:
@@ -33,7 +31,7 @@ def system_tables(
         )
         for k, orbit in kernels
     }
-    table = system_table(system, spectrum)
+    table = system_table(declaration)
     orbit_tables = {orbit.itinerary.name: orbit_table(orbit) for orbit in orbits}
     return "\n\n".join(
         f"{name} = {pformat(value, width=96, sort_dicts=False)}"
@@ -41,8 +39,9 @@ def system_tables(
     )
 
 
-def system_table(system: System, spectrum: Spectrum) -> dict[str, Any]:
+def system_table(declaration: Declaration) -> dict[str, Any]:
     """Configurations, transitions, parameters with domains, spectrum."""
+    system, spectrum = declaration.system, declaration.spectrum
     return {
         "name": system.name,
         "description": system.description,
@@ -53,9 +52,9 @@ def system_table(system: System, spectrum: Spectrum) -> dict[str, Any]:
             c.name: [{"name": b.name, "acts_when": b.acts_when} for b in c.boundaries]
             for c in system.configurations
         },
-        "transitions": [(t.source, sorted(t.boundaries), t.target) for t in system.transitions],
         "spectrum": [str(s) for s in spectrum.symbols],
         "spectrum_parameters": [str(s) for s in spectrum.parameters],
+        **declaration.table(),
     }
 
 

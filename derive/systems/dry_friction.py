@@ -22,7 +22,14 @@ from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Condition, Configuration, System, Transition
+from nonsmooth.derive.system import (
+    Boundary,
+    Condition,
+    Configuration,
+    Contact,
+    System,
+    Transition,
+)
 
 __all__ = [
     "PhysicalData",
@@ -127,8 +134,19 @@ def _transitions(regimes: tuple[str, str]) -> tuple[Transition, ...]:
     return tuple(found)
 
 
+def _friction(mass: int, pairs: tuple[tuple[str, str], ...]) -> Contact:
+    """Friction force of the belt on one mass: us, the force that it balances, or -us."""
+    force = {"slip": SLIPPING[mass], "stick": FORCES[mass], "overshoot": -SLIPPING[mass]}
+    return Contact(
+        f"{MASSES[mass]}-friction",
+        VELOCITIES[mass],
+        {"-".join(pair): force[pair[mass]] for pair in pairs},
+        surface=V,
+    )
+
+
 def _declare() -> System:
-    pairs = tuple(product(REGIMES, REGIMES))
+    pairs: tuple[tuple[str, str], ...] = tuple(product(REGIMES, REGIMES))
     return System(
         name="dry-friction",
         description="two coupled oscillators on a driving belt with dry friction (Sec. 3)",
@@ -137,6 +155,7 @@ def _declare() -> System:
         configurations=tuple(_configuration(pair) for pair in pairs),
         transitions=tuple(t for pair in pairs for t in _transitions(pair)),
         constraints=(ur1 - us1, ur2 - us2),
+        contacts=tuple(_friction(mass, pairs) for mass in (0, 1)),
     )
 
 

@@ -12,7 +12,7 @@ import sympy as sp
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.itinerary import Itinerary, Phase, Reference
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.system import Boundary, Configuration, Contact, System, Transition
 from nonsmooth.derive.systems.rigid_stop import (
     CHAIN,
     MASS,
@@ -46,6 +46,7 @@ system = System(
         Transition("contact", frozenset({"first-leaves-stop"}), "free"),
         Transition("free", frozenset({"first-reaches-stop"}), "contact"),
     ),
+    contacts=(Contact("stop", states[2], {"contact": k3 * (1 - x1)}),),
 )
 
 one_contact = Itinerary(

@@ -6,7 +6,8 @@ strikes a rigid stop at the clearance x1 = 1, the unit of length, by Newton's la
     x1'+ = -r x1'-
 
 with the coefficient of restitution r, which is 1 in the paper. (Its Eq. (2) is misprinted:
-it reverses x1 instead of the velocity.)
+it reverses x1 instead of the velocity.) With r < 1 the impacts can accumulate; then, and in
+the plastic case r = 0, the mass stays in contact until the stop would have to pull it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,14 @@ import sympy as sp
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.itinerary import Itinerary, Phase, Reference
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.system import (
+    Boundary,
+    Condition,
+    Configuration,
+    Contact,
+    System,
+    Transition,
+)
 
 __all__ = [
     "CHAIN",
@@ -56,15 +64,29 @@ free = Configuration(
     (Boundary("first-reaches-stop", x1 - 1),),
 )
 
+# what the stop has to carry while the mass rests on it
+pressure = k1 * (x2 - x1)
+contact = Configuration(
+    "contact",
+    SecondOrder(MASS, STIFFNESS, held={x1: 0}),
+    (Boundary("first-leaves-stop", -pressure),),
+)
+_REACHED = frozenset({"first-reaches-stop"})
+
 system = System(
     name="rigid-stop",
     description="two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)",
     states=states,
     parameters=(*CHAIN, _RESTITUTION),
-    configurations=(free,),
+    configurations=(free, contact),
     transitions=(
-        Transition("free", frozenset({"first-reaches-stop"}), "free", reset={v1: -r * v1}),
+        # an impact, if the mass arrives with a velocity; along the contact nothing changes it
+        Transition("free", _REACHED, "free", (Condition(v1, "contact"),), {v1: -r * v1}),
+        Transition("free", _REACHED, "contact", (Condition(pressure, "contact"),), {x1: 1, v1: 0}),
+        Transition("free", _REACHED, "free"),
+        Transition("contact", frozenset({"first-leaves-stop"}), "free"),
     ),
+    contacts=(Contact("stop", v1, {"contact": -pressure}),),
 )
 
 one_impact = Itinerary(

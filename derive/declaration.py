@@ -1,0 +1,242 @@
+"""A system as a simulation needs it: affine rows, vector fields, flows, resets, transitions.
+
+What depends on the parameters is emitted as kernels, over any arithmetic:
+
+* `rows`: every affine function n y + c that the declaration names, once each,
+* `fields`: y' = A y + b of each configuration,
+* `resets`: every affine reset, once each; the first leaves the state as it is,
+* `modes`: the flow of each configuration, y(t) = sum_b phi_b(t) (B_b y(0) + beta_b).
+
+What does not is a table of integers and names that refers to them by index.
+
+The functions phi_b come mode by mode: a mode with the exponent s + i w and `length` l gives
+t^k e^(st) cos(wt), and t^k e^(st) sin(wt) where it oscillates, for k = 0, ..., l - 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.modal import TIME, Flow, Spectrum
+from nonsmooth.derive.program import Argument, Kernel, Output
+from nonsmooth.derive.system import System, Transition
+
+__all__ = ["Declaration", "Mode", "modes_of"]
+
+
+@dataclass(frozen=True)
+class Mode:
+    """Functions of time that share one exponent.
+
+    Attributes
+    ----------
+    rate, frequency : expression
+        Real and imaginary part of the exponent; a mode of frequency 0 does not oscillate.
+    terms : tuple of expressions in `TIME`
+        Basis functions of the flow, in the order told above.
+    """
+
+    rate: sp.Expr
+    frequency: sp.Expr
+    terms: tuple[sp.Expr, ...]
+
+    @property
+    def oscillates(self) -> bool:
+        """Whether the exponent has an imaginary part."""
+        return bool(self.frequency != 0)
+
+    @property
+    def length(self) -> int:
+        """Number of powers of time."""
+        return len(self.terms) // (2 if self.oscillates else 1)
+
+
+def modes_of(flow: Flow) -> tuple[Mode, ...] | None:
+    """Modes of a flow; None where its functions are entire ones of unknown exponents."""
+    powers: list[int] = []
+    frequencies: list[sp.Expr] = []
+    for function in flow.basis:
+        if function.is_polynomial(TIME):
+            powers.append(int(sp.degree(function, TIME)) if function != 1 else 0)
+        elif isinstance(function, sp.cos | sp.sin):
+            frequency = sp.cancel(function.args[0] / TIME)
+            if frequency not in frequencies:
+                frequencies.append(frequency)
+        else:
+            return None
+    polynomial = tuple(TIME**k for k in range(max(powers) + 1)) if powers else ()
+    found = [Mode(sp.Integer(0), sp.Integer(0), polynomial)] if polynomial else []
+    for frequency in frequencies:
+        angle = frequency * TIME
+        found.append(Mode(sp.Integer(0), frequency, (sp.cos(angle), sp.sin(angle))))
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """A system, its spectrum and its flows, seen as rows and tables."""
+
+    system: System
+    spectrum: Spectrum
+    flows: Mapping[str, Flow]
+
+    @cached_property
+    def rows(self) -> tuple[sp.Expr, ...]:
+        """Every affine function of the state that the declaration names, once each."""
+        system = self.system
+        named: list[sp.Expr] = [
+            boundary.function for c in system.configurations for boundary in c.boundaries
+        ]
+        named += [c.function for t in system.transitions for c in t.conditions]
+        for contact in system.contacts:
+            named += [*contact.forces.values(), contact.velocity, contact.surface]
+        return tuple(dict.fromkeys(map(sp.expand, named)))
+
+    @cached_property
+    def resets(self) -> tuple[sp.Matrix, ...]:
+        """Every reset as a column of expressions of the state, once each, the identity first."""
+        system, states = self.system, sp.Matrix(self.system.states)
+        columns = [sp.ImmutableMatrix(states)]
+        columns += [self._reset(t) for t in system.transitions]
+        return tuple(dict.fromkeys(columns))
+
+    @cached_property
+    def modes(self) -> dict[str, tuple[Mode, ...]] | None:
+        """Modes of each configuration; None where one has no closed form of that kind."""
+        found = {name: modes_of(flow) for name, flow in self.flows.items()}
+        known = {name: modes for name, modes in found.items() if modes is not None}
+        return known if len(known) == len(found) else None
+
+    def kernels(self) -> tuple[Kernel, ...]:
+        """Kernels of rows, fields, resets and, where they have a closed form, modes."""
+        system = self.system
+        parameters = _vector("parameters", (p.symbol for p in system.parameters))
+        spectrum = _vector("spectrum", self.spectrum.symbols)
+        fields = [flow.field for flow in self.flows.values()]
+        kernels = [
+            Kernel(
+                "fields",
+                "Vector fields of the configurations, one below the other, offsets last.",
+                (parameters,),
+                (_stacked("fields", (matrix.row_join(b) for matrix, b in fields)),),
+                (),
+            ),
+            Kernel(
+                "rows",
+                "Affine functions of the state: gradients, constants last.",
+                (parameters,),
+                (_stacked("rows", (self._affine([row]) for row in self.rows)),),
+                (),
+            ),
+            Kernel(
+                "resets",
+                "Affine resets of the state, one below the other, offsets last.",
+                (parameters,),
+                (_stacked("resets", (self._affine(column) for column in self.resets)),),
+                (),
+            ),
+        ]
+        if self.modes is not None:
+            exponents = [
+                sp.Matrix([[mode.rate, mode.frequency]])
+                for modes in self.modes.values()
+                for mode in modes
+            ]
+            matrices = [
+                self._coefficient(name, term)
+                for name, modes in self.modes.items()
+                for mode in modes
+                for term in mode.terms
+            ]
+            kernels.append(
+                Kernel(
+                    "modes",
+                    "Exponents of the modes; coefficients of their functions, offsets last.",
+                    (parameters, spectrum),
+                    (_stacked("exponents", exponents), _stacked("coefficients", matrices)),
+                    (),
+                )
+            )
+        return tuple(kernels)
+
+    def table(self) -> dict[str, Any]:
+        """What does not depend on parameters, by names and by indices of rows and resets."""
+        system = self.system
+        modes = self.modes
+        configurations = [c.name for c in system.configurations]
+        return {
+            "modes": None
+            if modes is None
+            else {
+                name: [{"length": m.length, "oscillates": m.oscillates} for m in found]
+                for name, found in modes.items()
+            },
+            "held": {c.name: self._held(c.dynamics) for c in system.configurations},
+            "boundary_rows": {
+                c.name: [self._row(b.function) for b in c.boundaries] for c in system.configurations
+            },
+            "transitions": [
+                {
+                    "source": t.source,
+                    "boundaries": sorted(t.boundaries),
+                    "conditions": [(self._row(c.function), c.along, c.holds) for c in t.conditions],
+                    "reset": self.resets.index(self._reset(t)),
+                    "target": t.target,
+                }
+                for t in system.transitions
+            ],
+            "contacts": {
+                contact.name: {
+                    "forces": {
+                        name: self._row(contact.forces[name])
+                        for name in configurations
+                        if name in contact.forces
+                    },
+                    "velocity": self._row(contact.velocity),
+                    "surface": self._row(contact.surface),
+                }
+                for contact in system.contacts
+            },
+        }
+
+    def _reset(self, transition: Transition) -> sp.Matrix:
+        states = self.system.states
+        return sp.ImmutableMatrix(transition.reset_of(sp.Matrix(states), states).expand())
+
+    def _row(self, function: sp.Expr) -> int:
+        return self.rows.index(sp.expand(function))
+
+    def _held(self, dynamics: Any) -> list[str]:
+        if not isinstance(dynamics, SecondOrder):
+            return []
+        return [str(self.system.states[i]) for i in sorted(dynamics.held_at(self.system.states))]
+
+    def _affine(self, functions: Iterable[sp.Expr]) -> sp.Matrix:
+        joined = []
+        for function in functions:
+            gradient, constant = self.system.gradient(function)
+            joined.append(gradient.row_join(sp.Matrix([[constant]])))
+        return sp.Matrix.vstack(*joined)
+
+    def _coefficient(self, configuration: str, term: sp.Expr) -> sp.Matrix:
+        flow = self.flows[configuration]
+        if term not in flow.basis:
+            return sp.zeros(len(self.system.states), len(self.system.states) + 1)
+        place = flow.basis.index(term)
+        return sp.Matrix(flow.matrices[place]).row_join(sp.Matrix(flow.offsets[place]))
+
+
+def _vector(name: str, symbols: Iterable[sp.Symbol]) -> Argument:
+    symbols = tuple(symbols)
+    return Argument(name, (len(symbols),), symbols)
+
+
+def _stacked(name: str, matrices: Iterable[sp.Matrix]) -> Output:
+    whole = sp.Matrix.vstack(*matrices)
+    return Output(name, whole.shape, tuple(whole))

@@ -1,0 +1,18 @@
+/* What the Python functions of the engine share: arrays checked before C reads them. */
+#ifndef NONSMOOTH_MODULE_H
+#define NONSMOOTH_MODULE_H
+
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#include "tables.h"
+
+/* A contiguous buffer of `count` items of one format ("d" double, "i" int32, "q" int64), or any
+ * count if that is -1; NULL with a Python error otherwise. Release `view` afterwards. */
+void *module_buffer(PyObject *object, Py_buffer *view, const char *name, char format,
+                    Py_ssize_t count, int writable);
+
+/* Layout of a packed buffer; 0, or -1 with a Python error. */
+int module_layout(const Py_buffer *view, layout *result);
+
+#endif

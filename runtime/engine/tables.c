@@ -1,0 +1,247 @@
+#include "tables.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Next `count` integers of the packed layout, each in [low, high]; NULL if they are not. */
+static const int32_t *take(const int32_t **from, size_t *left, int count, int32_t low, int32_t high)
+{
+    const int32_t *found = *from;
+    if (count < 0 || (size_t)count > *left)
+        return NULL;
+    for (int i = 0; i < count; ++i)
+        if (found[i] < low || found[i] > high)
+            return NULL;
+    *from += count;
+    *left -= (size_t)count;
+    return found;
+}
+
+/* Next starts: from 0 upwards to `end`, at most `most` between two. */
+static const int32_t *take_starts(const int32_t **from, size_t *left, int owners, int end, int most)
+{
+    const int32_t *found = take(from, left, owners + 1, 0, end);
+    if (!found || found[0] != 0 || found[owners] != end)
+        return NULL;
+    for (int i = 0; i < owners; ++i)
+        if (found[i + 1] < found[i] || found[i + 1] - found[i] > most)
+            return NULL;
+    return found;
+}
+
+int layout_read(layout *r, const int32_t *integers, size_t count)
+{
+    const int32_t *at = integers;
+    size_t left = count;
+    const int most = 1 << 20;
+    const int32_t *header = take(&at, &left, LAYOUT_HEADER, 0, most);
+    if (!header)
+        return -1;
+    r->states = header[0];
+    r->configurations = header[1];
+    r->rows = header[2];
+    r->resets = header[3];
+    r->modes = header[4];
+    r->functions = header[5];
+    r->boundaries = header[6];
+    r->transitions = header[7];
+    r->pairs = header[8];
+    const int conditions = header[9];
+    if (r->states < 1 || r->states > MOST_STATES || r->configurations < 1)
+        return -1;
+    const int owners = r->configurations;
+    const int32_t any = INT32_MAX;
+    int whole =
+        (r->mode_start = take_starts(&at, &left, owners, r->modes, MOST_MODES)) &&
+        (r->mode_length = take(&at, &left, r->modes, 1, MOST_FUNCTIONS)) &&
+        (r->mode_oscillates = take(&at, &left, r->modes, 0, 1)) &&
+        (r->function_start = take_starts(&at, &left, owners, r->functions, MOST_FUNCTIONS)) &&
+        (r->boundary_start = take_starts(&at, &left, owners, r->boundaries, MOST_BOUNDARIES)) &&
+        (r->boundary_row = take(&at, &left, r->boundaries, 0, r->rows - 1)) &&
+        (r->boundary_reached = take(&at, &left, r->boundaries, 0, 1)) &&
+        (r->transition_start = take_starts(&at, &left, owners, r->transitions, most)) &&
+        (r->transition_set = take(&at, &left, r->transitions, 1, any)) &&
+        (r->transition_target = take(&at, &left, r->transitions, 0, owners - 1)) &&
+        (r->transition_reset = take(&at, &left, r->transitions, 0, r->resets - 1)) &&
+        (r->condition_start = take_starts(&at, &left, r->transitions, conditions, most)) &&
+        (r->condition_pair = take(&at, &left, conditions, 0, r->pairs - 1)) &&
+        (r->condition_holds = take(&at, &left, conditions, 0, 1)) &&
+        (r->pair_row = take(&at, &left, r->pairs, 0, r->rows - 1)) &&
+        (r->pair_along = take(&at, &left, r->pairs, 0, owners - 1)) && left == 0;
+    if (!whole)
+        return -1;
+    for (int c = 0; c < owners; ++c) {
+        int functions = 0;
+        for (int m = r->mode_start[c]; m < r->mode_start[c + 1]; ++m)
+            functions += r->mode_length[m] << r->mode_oscillates[m];
+        if (functions != r->function_start[c + 1] - r->function_start[c] || functions < 1 ||
+            r->mode_oscillates[r->mode_start[c]])
+            return -1;
+    }
+    return 0;
+}
+
+size_t layout_numbers(const layout *layout)
+{
+    const size_t n = (size_t)layout->states, columns = n + 1;
+    return (size_t)layout->configurations * n * columns + (size_t)layout->rows * columns +
+           (size_t)layout->resets * n * columns + 2 * (size_t)layout->modes +
+           (size_t)layout->functions * n * columns;
+}
+
+/* Rows times functions of all configurations. */
+static size_t products(const layout *layout)
+{
+    size_t found = 0;
+    for (int c = 0; c < layout->configurations; ++c)
+        found += (size_t)(layout->boundary_start[c + 1] - layout->boundary_start[c]) *
+                 (size_t)(layout->function_start[c + 1] - layout->function_start[c]);
+    return found;
+}
+
+int tables_create(tables *result, const layout *layout)
+{
+    const size_t columns = (size_t)layout->states + 1;
+    const size_t product = products(layout) * columns;
+    const size_t size = (size_t)layout->boundaries * columns;
+    const size_t orders = (size_t)layout->pairs * columns * columns;
+    double *room = calloc(2 * product + size + 2 * orders + 1, sizeof *room);
+    configuration *configurations = calloc((size_t)layout->configurations, sizeof *configurations);
+    mode *modes = calloc((size_t)layout->modes + 1, sizeof *modes);
+    *result = (tables){.layout = layout,
+                       .configuration = configurations,
+                       .derivative = room ? room + 2 * product + size : NULL,
+                       .bound = room ? room + 2 * product + size + orders : NULL,
+                       .memory = room,
+                       .mode = modes};
+    if (room && configurations && modes)
+        return 0;
+    tables_free(result);
+    return -1;
+}
+
+void tables_free(tables *tables)
+{
+    free(tables->memory);
+    free(tables->configuration);
+    free(tables->mode);
+    tables->memory = NULL;
+    tables->configuration = NULL;
+    tables->mode = NULL;
+}
+
+/* Radians of the fastest exponent in one cell; the bound on a cell errs by its fourth power. */
+static const double CELL = 0.8;
+
+static void fill_modes(configuration *c, mode *modes, const double *exponents)
+{
+    int function = 0, lengths = 0;
+    c->fastest = 0.0;
+    c->uniform = 1;
+    for (int m = 0; m < c->modes; ++m) {
+        mode *one = &modes[m];
+        one->rate = exponents[2 * m];
+        one->frequency = exponents[2 * m + 1];
+        one->first = function;
+        function += one->length << one->oscillates;
+        lengths += one->length;
+        const double speed = hypot(one->rate, one->frequency);
+        c->fastest = speed > c->fastest ? speed : c->fastest;
+        if (one->rate > 0.0 || (m > 0 && one->length > 1))
+            c->uniform = 0;
+    }
+    c->mode = modes;
+    c->polynomial = c->modes == 1 ? lengths - 1 : -1;
+    /* the fourth derivative of a cubic vanishes, whatever the time */
+    if (modes[0].length > 4)
+        c->uniform = 0;
+    c->cell = c->fastest > 0.0 ? CELL / c->fastest : 1.0;
+    for (int m = 0; m < c->modes; ++m) {
+        const double growth = exp(modes[m].rate * c->cell), turn = modes[m].frequency * c->cell;
+        modes[m].cell_cosine = growth * cos(turn);
+        modes[m].cell_sine = growth * sin(turn);
+    }
+}
+
+/* Derivatives of order 0, ..., N of an affine function along a flow y' = A y + b. */
+static void fill_orders(int n, const double *row, const double *field, double *value, double *bound)
+{
+    const int columns = n + 1;
+    for (int i = 0; i < columns; ++i) {
+        value[i] = row[i];
+        bound[i] = fabs(row[i]);
+    }
+    for (int k = 1; k < columns; ++k) {
+        const double *before = value + (k - 1) * columns, *above = bound + (k - 1) * columns;
+        for (int j = 0; j < columns; ++j) {
+            double sum = 0.0, size = 0.0;
+            for (int i = 0; i < n; ++i) {
+                sum += before[i] * field[i * columns + j];
+                size += above[i] * fabs(field[i * columns + j]);
+            }
+            value[k * columns + j] = sum;
+            bound[k * columns + j] = size;
+        }
+    }
+}
+
+void tables_fill(tables *tables, const double *numbers)
+{
+    const layout *l = tables->layout;
+    const int n = l->states, columns = n + 1;
+    const double *fields = numbers;
+    const double *rows = fields + (size_t)l->configurations * n * columns;
+    const double *resets = rows + (size_t)l->rows * columns;
+    const double *exponents = resets + (size_t)l->resets * n * columns;
+    const double *flows = exponents + 2 * (size_t)l->modes;
+    double *boundary = tables->memory;
+    double *weight = boundary + products(l) * (size_t)columns;
+    double *size = weight + products(l) * (size_t)columns;
+    tables->resets = resets;
+    for (int i = 0; i < l->configurations; ++i) {
+        configuration *c = &tables->configuration[i];
+        c->modes = l->mode_start[i + 1] - l->mode_start[i];
+        c->functions = l->function_start[i + 1] - l->function_start[i];
+        c->boundaries = l->boundary_start[i + 1] - l->boundary_start[i];
+        for (int m = 0; m < c->modes; ++m) {
+            tables->mode[l->mode_start[i] + m].length = l->mode_length[l->mode_start[i] + m];
+            tables->mode[l->mode_start[i] + m].oscillates =
+                l->mode_oscillates[l->mode_start[i] + m];
+        }
+        fill_modes(c, tables->mode + l->mode_start[i], exponents + 2 * l->mode_start[i]);
+        c->flow = flows + (size_t)l->function_start[i] * n * columns;
+        c->boundary = boundary;
+        c->weight = weight;
+        c->size = size;
+        for (int b = 0; b < c->boundaries; ++b) {
+            const double *row = rows + l->boundary_row[l->boundary_start[i] + b] * columns;
+            memset(size, 0, (size_t)columns * sizeof *size);
+            for (int f = 0; f < c->functions; ++f) {
+                const double *flow = c->flow + (size_t)f * n * columns;
+                for (int j = 0; j < columns; ++j) {
+                    double sum = 0.0, above = 0.0;
+                    for (int k = 0; k < n; ++k) {
+                        sum += row[k] * flow[k * columns + j];
+                        above += fabs(row[k] * flow[k * columns + j]);
+                    }
+                    if (f == 0 && j == n) { /* the constant joins the function 1 */
+                        sum += row[n];
+                        above += fabs(row[n]);
+                    }
+                    boundary[j] = sum;
+                    weight[j] = above;
+                    size[j] += above;
+                }
+                boundary += columns;
+                weight += columns;
+            }
+            size += columns;
+        }
+    }
+    for (int p = 0; p < l->pairs; ++p)
+        fill_orders(n, rows + l->pair_row[p] * columns,
+                    fields + (size_t)l->pair_along[p] * n * columns,
+                    tables->derivative + (size_t)p * columns * columns,
+                    tables->bound + (size_t)p * columns * columns);
+}

@@ -1,0 +1,78 @@
+/* A piecewise-linear system as the engine reads it: integers that describe the declaration, and
+ * numbers at one parameter point. nonsmooth.runtime.engine_layout packs both.
+ *
+ * The flow of a configuration is y(t) = sum_f phi_f(t) (B_f y(0) + beta_f). The functions phi_f
+ * come mode by mode: t^k e^(st) cos(wt), then t^k e^(st) sin(wt) where the mode oscillates, for
+ * k = 0, ..., length - 1. The first mode of a configuration is 1, t, ...: s = w = 0. */
+#ifndef NONSMOOTH_TABLES_H
+#define NONSMOOTH_TABLES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    MOST_STATES = 16,
+    MOST_BOUNDARIES = 31, /* of one configuration: a set of them is a mask */
+    MOST_FUNCTIONS = 64,  /* of one configuration */
+    MOST_MODES = 32,      /* of one configuration */
+};
+
+/* Integers; every `start` has one entry more than there are owners. */
+typedef struct {
+    int states, configurations, rows, resets, modes, functions, boundaries, transitions, pairs;
+    const int32_t *mode_start, *mode_length, *mode_oscillates, *function_start; /* configurations */
+    const int32_t *boundary_start, *boundary_row, *boundary_reached;
+    const int32_t *transition_start, *transition_set, *transition_target, *transition_reset;
+    const int32_t *condition_start, *condition_pair, *condition_holds; /* of transitions */
+    const int32_t *pair_row, *pair_along; /* a function, and the flow that gives its derivatives */
+} layout;
+
+/* Per mode. */
+typedef struct {
+    double rate, frequency;
+    double cell_cosine, cell_sine; /* e^(sh) cos(wh), e^(sh) sin(wh): one cell further */
+    int length, oscillates, first; /* first function, counted from that of the configuration */
+} mode;
+
+/* Per configuration. */
+typedef struct {
+    int modes, functions, boundaries;
+    int uniform;    /* derivatives are bounded by their amplitudes at every later time */
+    int polynomial; /* largest power of t where there is no other function, else -1 */
+    double fastest; /* largest |exponent| */
+    double cell;    /* length h of a search cell */
+    const mode *mode;
+    const double *flow;     /* [function][state][states + 1]: B_f, beta_f */
+    const double *boundary; /* [boundary][function][states + 1]: its row times B_f, beta_f */
+    const double *weight;   /* [boundary][function][states + 1]: the same of absolute values */
+    const double *size;     /* [boundary][states + 1]: sum of weight over functions */
+} configuration;
+
+/* All at one parameter point. */
+typedef struct {
+    const layout *layout;
+    const double *resets; /* [reset][state][states + 1] */
+    configuration *configuration;
+    double *derivative; /* [pair][states + 1][states + 1]: order by order along the flow */
+    double *bound;      /* the same of absolute values */
+    void *memory;
+    mode *mode;
+} tables;
+
+enum { LAYOUT_HEADER = 10 };
+
+/* Read a packed layout; 0, or -1 if the integers are too few or out of range. */
+int layout_read(layout *result, const int32_t *integers, size_t count);
+
+/* Numbers that a parameter point has. */
+size_t layout_numbers(const layout *layout);
+
+/* Room for the tables of one parameter point; 0, or -1 if there is no memory. */
+int tables_create(tables *result, const layout *layout);
+
+/* Fill the tables from the numbers of a parameter point. `numbers` has to stay. */
+void tables_fill(tables *tables, const double *numbers);
+
+void tables_free(tables *tables);
+
+#endif
