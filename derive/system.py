@@ -152,7 +152,7 @@ class Contact:
     name: str
     velocity: sp.Expr
     forces: Mapping[str, sp.Expr]
-    surface: sp.Expr = sp.Integer(0)
+    surface: sp.Expr = sp.S.Zero
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "velocity", exact(self.velocity))

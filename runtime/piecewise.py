@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -87,7 +88,7 @@ class ContactShape:
     surface: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Structure:
     """What a system is apart from its parameters; configurations and states by index.
 
@@ -371,7 +372,8 @@ def piecewise_in(
     exponents, flows = (
         _objects(part) for part in kernels.source("modes")(point, spectrum, lib=lib)
     )
-    return _record(structure, values, *parts, list(exponents), list(flows))
+    fields, rows, resets = parts
+    return _record(structure, values, fields, rows, resets, list(exponents), list(flows))
 
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -411,9 +413,6 @@ def _record(
         fields.reshape(-1, size, size + 1),
         rows,
         resets.reshape(-1, size, size + 1),
-        tuple(np.array(exponents[a:b]) for a, b in zip(ends, ends[1:], strict=False)),
-        tuple(
-            np.array(flows[a:b]).reshape(-1, size, size + 1)
-            for a, b in zip(stops, stops[1:], strict=False)
-        ),
+        tuple(np.array(exponents[a:b]) for a, b in pairwise(ends)),
+        tuple(np.array(flows[a:b]).reshape(-1, size, size + 1) for a, b in pairwise(stops)),
     )
