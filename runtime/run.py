@@ -1,0 +1,90 @@
+"""What an engine gives: the transitions of one motion, and why it ended.
+
+The two engines, compiled (`engine/`) and in Python (`stepping`), follow one set of rules and
+give this one record.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+
+__all__ = ["LONGEST_WAIT", "Grazing", "Run", "Status"]
+
+LONGEST_WAIT = 1e5  # radians of the fastest oscillation without a transition
+
+
+class Status(IntEnum):
+    """Why a simulation ended."""
+
+    TRANSITIONS = 0  # as many as were asked for
+    UNTIL = 1  # the time that was asked for
+    QUIET = 2  # no boundary can be reached any more, or none was for LONGEST_WAIT
+    UNDECLARED = 3  # the system declares no transition for the boundaries that were reached
+    IMMEDIATE = 4  # one transition after the other without any time between them
+    OVERFLOW = 5  # a number that is not finite
+
+    @property
+    def message(self) -> str:
+        """What happened, and what to do next."""
+        return _MESSAGES[self]
+
+
+_MESSAGES = {
+    Status.TRANSITIONS: "as many transitions as were asked for",
+    Status.UNTIL: "the time that was asked for is reached",
+    Status.QUIET: "no boundary is reached any more",
+    Status.UNDECLARED: "the system declares no transition for what happens here",
+    Status.IMMEDIATE: "transitions follow each other without any time between them",
+    Status.OVERFLOW: "the state is not finite any more",
+}
+
+
+class Grazing(NamedTuple):
+    """A boundary touched within rounding and not crossed.
+
+    Attributes
+    ----------
+    time : float
+    configuration, boundary : int
+    depth : float
+        The boundary function at its maximum; its sign is not certain.
+    """
+
+    time: float
+    configuration: int
+    boundary: int
+    depth: float
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One motion: an entry for the start and one behind each transition.
+
+    Attributes
+    ----------
+    times : array (n,)
+    configurations : array (n,) of int32
+    before, states : array (n, N)
+        State in front of the transition and behind it; equal at the start.
+    sets : array (n,) of int32
+        Boundaries of the configuration before that were reached together, as a mask; 0 at the
+        start.
+    grazings : tuple of Grazing
+    status : Status
+    end : float
+        Time at which the simulation ended: the last transition, `until`, or the end of the
+        search.
+    """
+
+    times: np.ndarray
+    configurations: np.ndarray
+    before: np.ndarray
+    states: np.ndarray
+    sets: np.ndarray
+    grazings: tuple[Grazing, ...]
+    status: Status
+    end: float
