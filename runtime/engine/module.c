@@ -26,7 +26,10 @@ int module_layout(const Py_buffer *view, layout *result)
     return -1;
 }
 
+PyObject *py_simulate(PyObject *self, PyObject *arguments);
+
 static PyMethodDef methods[] = {
+    {"simulate", py_simulate, METH_VARARGS, "Motions from event to event."},
     {NULL, NULL, 0, NULL},
 };
 

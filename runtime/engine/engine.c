@@ -1,0 +1,291 @@
+#include "engine.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "phase.h"
+
+static const double LONGEST_WAIT = 1e5; /* radians of the fastest oscillation */
+static const double ZERO = 16.0 * DBL_EPSILON;
+enum { MOST_IMMEDIATE = 100 };
+
+/* A sum of times with its rounding errors. */
+typedef struct {
+    double high, low;
+} long_time;
+
+static long_time later(long_time t, double duration)
+{
+    const double sum = t.high + duration, part = sum - t.high;
+    const double low = t.low + ((t.high - (sum - part)) + (duration - part));
+    const double high = sum + low;
+    return (long_time){high, low - (high - sum)};
+}
+
+/* Coefficients and sizes of the boundary functions of a phase. */
+static inline __attribute__((always_inline)) void
+fill_phase(phase *p, const configuration *c, const int n, const double *state,
+           const double *magnitude)
+{
+    const int columns = n + 1;
+    const double *row = c->boundary, *size = c->size;
+    for (int i = 0; i < c->boundaries * c->functions; ++i, row += columns) {
+        double sum = row[n];
+        for (int j = 0; j < n; ++j)
+            sum += row[j] * state[j];
+        p->value[i] = sum;
+    }
+    for (int b = 0; b < c->boundaries; ++b, size += columns) {
+        double sum = size[n];
+        for (int j = 0; j < n; ++j)
+            sum += size[j] * magnitude[j];
+        p->size[b] = sum;
+    }
+    p->c = c;
+    p->state = state;
+    p->magnitude = magnitude;
+    p->states = n;
+}
+
+/* The state at a time of a configuration, and the sizes of what was summed. */
+static inline __attribute__((always_inline)) void
+flow(const configuration *c, const int n, const double *functions, double *state,
+     double *magnitude)
+{
+    const int columns = n + 1;
+    double result[MOST_STATES] = {0}, size[MOST_STATES] = {0};
+    const double *row = c->flow;
+    for (int f = 0; f < c->functions; ++f) {
+        const double function = functions[f], above = fabs(function);
+        for (int i = 0; i < n; ++i, row += columns) {
+            double sum = row[n], sizes = fabs(row[n]);
+            for (int j = 0; j < n; ++j) {
+                sum += row[j] * state[j];
+                sizes += fabs(row[j] * state[j]);
+            }
+            result[i] += function * sum;
+            size[i] += above * sizes;
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        state[i] = result[i];
+        magnitude[i] = size[i];
+    }
+}
+
+static inline __attribute__((always_inline)) void
+reset(const double *matrix, const int n, double *state, double *magnitude)
+{
+    double result[MOST_STATES], size[MOST_STATES];
+    for (int i = 0; i < n; ++i, matrix += n + 1) {
+        double sum = matrix[n], sizes = fabs(matrix[n]);
+        for (int j = 0; j < n; ++j) {
+            sum += matrix[j] * state[j];
+            sizes += fabs(matrix[j]) * magnitude[j];
+        }
+        result[i] = sum;
+        size[i] = sizes;
+    }
+    memcpy(state, result, (size_t)n * sizeof *state);
+    memcpy(magnitude, size, (size_t)n * sizeof *magnitude);
+}
+
+/* Whether the first nonzero derivative of a pair's function is positive. The function itself is
+ * zero where its boundary was just located. */
+static inline __attribute__((always_inline)) int
+rises_first(const tables *t, const int n, int pair, int located, const double *state,
+            const double *magnitude, double time_error)
+{
+    const int columns = n + 1;
+    const double *row = t->derivative + (size_t)pair * columns * columns;
+    const double *size = t->bound + (size_t)pair * columns * columns;
+    double value[MOST_STATES + 2];
+    for (int k = 0; k < columns; ++k)
+        value[k] = HUGE_VAL; /* not yet known */
+    for (int k = 0; k < columns; ++k, size += columns) {
+        for (int ahead = k; ahead < columns && ahead <= k + 1; ++ahead)
+            if (value[ahead] == HUGE_VAL) {
+                double sum = row[ahead * columns + n];
+                for (int j = 0; j < n; ++j)
+                    sum += row[ahead * columns + j] * state[j];
+                value[ahead] = sum;
+            }
+        if (k == 0 && located)
+            continue;
+        double sizes = size[n];
+        for (int j = 0; j < n; ++j)
+            sizes += size[j] * magnitude[j];
+        const double next = k < n ? fabs(value[k + 1]) : 0.0;
+        if (fabs(value[k]) > ZERO * sizes + time_error * next)
+            return value[k] > 0.0;
+    }
+    return 0;
+}
+
+/* First declared transition that applies; -1 if none does. */
+static inline __attribute__((always_inline)) int
+choose(const tables *t, const int n, int source, uint32_t set, const double *state,
+       const double *magnitude, double time_error)
+{
+    const layout *l = t->layout;
+    const int32_t *boundary_row = l->boundary_row + l->boundary_start[source];
+    for (int i = l->transition_start[source]; i < l->transition_start[source + 1]; ++i) {
+        if ((uint32_t)l->transition_set[i] != set)
+            continue;
+        int applies = 1;
+        for (int k = l->condition_start[i]; applies && k < l->condition_start[i + 1]; ++k) {
+            const int pair = l->condition_pair[k];
+            int located = 0;
+            for (uint32_t rest = set; rest; rest &= rest - 1)
+                located |= boundary_row[__builtin_ctz(rest)] == l->pair_row[pair];
+            applies = rises_first(t, n, pair, located, state, magnitude, time_error) ==
+                      l->condition_holds[k];
+        }
+        if (applies)
+            return i;
+    }
+    return -1;
+}
+
+static void keep(const record *r, int64_t entry, int n, double time, int configuration,
+                 const double *before, const double *state, uint32_t set)
+{
+    if (r->capacity == 0)
+        return;
+    const int64_t at = entry % r->capacity;
+    r->times[at] = time;
+    r->configurations[at] = configuration;
+    if (r->states)
+        memcpy(r->states + at * n, state, (size_t)n * sizeof *state);
+    if (r->before)
+        memcpy(r->before + at * n, before, (size_t)n * sizeof *before);
+    if (r->sets)
+        r->sets[at] = (int32_t)set;
+}
+
+static void keep_touches(const record *r, const phase *p, const crossing *event, double time,
+                         int configuration, outcome *result)
+{
+    for (int i = 0; i < p->touches; ++i) {
+        const touch *one = &p->touch[i];
+        if (event->found && one->time > event->time)
+            continue;
+        if (result->grazings < r->grazing_capacity) {
+            double *entry = r->grazings + 4 * result->grazings;
+            entry[0] = time + one->time;
+            entry[1] = configuration;
+            entry[2] = one->boundary;
+            entry[3] = one->depth;
+        }
+        ++result->grazings;
+    }
+}
+
+static int is_finite(int n, const double *state)
+{
+    for (int i = 0; i < n; ++i)
+        if (!isfinite(state[i]))
+            return 0;
+    return 1;
+}
+
+static inline __attribute__((always_inline)) outcome
+run(const tables *t, const int n, double *state, int32_t *configuration_index, double until,
+    int64_t limit, const record *r)
+{
+    const layout *l = t->layout;
+    phase p;
+    crossing event;
+    double magnitude[MOST_STATES], before[MOST_STATES];
+    long_time now = {0.0, 0.0};
+    outcome result = {STATUS_TRANSITIONS, 0, 0, 0.0};
+    int here = *configuration_index, immediate = 0;
+    for (int i = 0; i < n; ++i)
+        magnitude[i] = fabs(state[i]);
+    keep(r, 0, n, 0.0, here, state, state, 0);
+    p.start = 0.0;
+    while (result.transitions < limit) {
+        const configuration *c = &t->configuration[here];
+        const double left = (until - now.high) - now.low;
+        fill_phase(&p, c, n, state, magnitude);
+        p.reached = l->boundary_reached + l->boundary_start[here];
+        event.set = phase_begin(&p);
+        if (event.set) {
+            event.found = 1;
+            event.time = 0.0;
+            event.time_error = p.start;
+            if (++immediate > MOST_IMMEDIATE) {
+                result.status = STATUS_IMMEDIATE;
+                break;
+            }
+            memcpy(before, state, sizeof before);
+        } else {
+            const double longest = c->fastest > 0.0 ? LONGEST_WAIT / c->fastest : HUGE_VAL;
+            const double window = left < longest ? left : longest;
+            if (p.watched)
+                event = phase_search(&p, window);
+            else
+                event.found = 0;
+            keep_touches(r, &p, &event, now.high, here, &result);
+            if (!event.found) {
+                if (isinf(until)) {
+                    result.status = STATUS_QUIET;
+                    break;
+                }
+                /* the phase goes on from here, or ends with the simulation */
+                const double step = window < left ? window : left;
+                phase_functions(c, step, event.functions);
+                flow(c, n, event.functions, state, magnitude);
+                now = later(now, step);
+                p.start = 0.0;
+                if (!is_finite(n, state)) {
+                    result.status = STATUS_OVERFLOW;
+                    break;
+                }
+                if (step >= left) {
+                    now = (long_time){until, 0.0};
+                    result.status = STATUS_UNTIL;
+                    break;
+                }
+                continue;
+            }
+            immediate = 0;
+            flow(c, n, event.functions, state, magnitude);
+            now = later(now, event.time);
+            memcpy(before, state, sizeof before);
+        }
+        if (!is_finite(n, state)) {
+            result.status = STATUS_OVERFLOW;
+            break;
+        }
+        const int chosen = choose(t, n, here, event.set, state, magnitude, event.time_error);
+        if (chosen < 0) {
+            result.status = STATUS_UNDECLARED;
+            break;
+        }
+        if (l->transition_reset[chosen] != 0)
+            reset(t->resets + (size_t)l->transition_reset[chosen] * n * (n + 1), n, state,
+                  magnitude);
+        here = l->transition_target[chosen];
+        p.start = event.time_error;
+        keep(r, ++result.transitions, n, now.high, here, before, state, event.set);
+    }
+    result.end = now.high;
+    *configuration_index = here;
+    return result;
+}
+
+outcome engine_run(const tables *t, double *state, int32_t *configuration, double until,
+                   int64_t limit, const record *record)
+{
+    /* the sizes of the built-in systems are constants to the compiler */
+    switch (t->layout->states) {
+    case 2:
+        return run(t, 2, state, configuration, until, limit, record);
+    case 4:
+        return run(t, 4, state, configuration, until, limit, record);
+    default:
+        return run(t, t->layout->states, state, configuration, until, limit, record);
+    }
+}

@@ -1,0 +1,39 @@
+/* One motion from event to event: the rules of nonsmooth.runtime.stepping, compiled. */
+#ifndef NONSMOOTH_ENGINE_H
+#define NONSMOOTH_ENGINE_H
+
+#include "tables.h"
+
+/* The members of nonsmooth.runtime.run.Status. */
+enum {
+    STATUS_TRANSITIONS,
+    STATUS_UNTIL,
+    STATUS_QUIET,
+    STATUS_UNDECLARED,
+    STATUS_IMMEDIATE,
+    STATUS_OVERFLOW,
+};
+
+/* Where the entries go: entry k at k % capacity, so that the last ones stay; any may be NULL. */
+typedef struct {
+    int64_t capacity;
+    double *times;           /* [capacity] */
+    int32_t *configurations; /* [capacity] */
+    double *before, *states; /* [capacity][states] */
+    int32_t *sets;           /* [capacity] */
+    int64_t grazing_capacity;
+    double *grazings; /* [grazing_capacity][4]: time, configuration, boundary, depth */
+} record;
+
+typedef struct {
+    int status;
+    int64_t transitions, grazings;
+    double end;
+} outcome;
+
+/* Follow a motion. `state` and `configuration` are those of the end afterwards. At most `limit`
+ * transitions, and no further than `until`, which may be infinite. */
+outcome engine_run(const tables *tables, double *state, int32_t *configuration, double until,
+                   int64_t limit, const record *record);
+
+#endif

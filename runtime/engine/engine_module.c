@@ -1,0 +1,97 @@
+#include "engine.h"
+#include "module.h"
+
+#include <math.h>
+
+PyObject *py_simulate(PyObject *self, PyObject *arguments);
+
+enum { BUFFERS = 14 };
+
+/* simulate(layout, numbers, points, states, configurations, until, limit, times, kept, before,
+ *          after, sets, grazings, counts)
+ * `points` says which row of numbers each motion takes. Each of the arrays of entries has the same
+ * number of them for each motion; before, after and sets may have none. `counts` gets status,
+ * transitions and grazings of each motion; `until` becomes its end. */
+PyObject *py_simulate(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *objects[BUFFERS - 1];
+    long long limit;
+    if (!PyArg_ParseTuple(arguments, "OOOOOOLOOOOOOO", &objects[0], &objects[1], &objects[2],
+                          &objects[3], &objects[4], &objects[5], &limit, &objects[6], &objects[7],
+                          &objects[8], &objects[9], &objects[10], &objects[11], &objects[12]))
+        return NULL;
+    static const char *names[] = {"layout", "numbers", "points", "states", "configurations",
+                                  "until",  "times",   "kept",   "before", "after",
+                                  "sets",   "grazings", "counts"};
+    static const char formats[] = {'i', 'd', 'i', 'd', 'i', 'd', 'd', 'i', 'd', 'd', 'i', 'd', 'q'};
+    Py_buffer views[BUFFERS - 1];
+    int held = 0;
+    PyObject *answer = NULL;
+    layout shape;
+    tables tables = {0};
+    for (; held < BUFFERS - 1; ++held)
+        if (!module_buffer(objects[held], &views[held], names[held], formats[held], -1, held > 2))
+            goto done;
+    if (module_layout(&views[0], &shape) != 0)
+        goto done;
+    const size_t size = layout_numbers(&shape);
+    const Py_ssize_t count = views[2].len / 4, n = shape.states;
+    const Py_ssize_t rows = views[1].len / 8 / (Py_ssize_t)size;
+    const Py_ssize_t capacity = count ? views[6].len / 8 / count : 0;
+    const Py_ssize_t grazings = count ? views[11].len / 8 / 4 / count : 0;
+    const Py_ssize_t all = count * capacity;
+    int right = views[1].len == rows * (Py_ssize_t)size * 8 && views[3].len == count * n * 8 &&
+                views[4].len == count * 4 && views[5].len == count * 8 &&
+                views[6].len == all * 8 && views[7].len == all * 4 &&
+                (views[8].len == 0 || views[8].len == all * n * 8) &&
+                (views[9].len == 0 || views[9].len == all * n * 8) &&
+                (views[10].len == 0 || views[10].len == all * 4) &&
+                views[11].len == count * grazings * 32 && views[12].len == count * 24;
+    const int32_t *points = views[2].buf;
+    int32_t *configurations = views[4].buf;
+    for (Py_ssize_t i = 0; right && i < count; ++i)
+        right = points[i] >= 0 && points[i] < rows && configurations[i] >= 0 &&
+                configurations[i] < shape.configurations;
+    if (!right) {
+        PyErr_SetString(PyExc_ValueError, "arrays of sizes that do not fit");
+        goto done;
+    }
+    if (tables_create(&tables, &shape) != 0) {
+        PyErr_NoMemory();
+        goto done;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    double *states = views[3].buf, *until = views[5].buf;
+    int64_t *counts = views[12].buf;
+    int32_t filled = -1;
+    for (Py_ssize_t i = 0; i < count; ++i) {
+        if (points[i] != filled) {
+            filled = points[i];
+            tables_fill(&tables, (const double *)views[1].buf + (size_t)filled * size);
+        }
+        record record = {
+            .capacity = capacity,
+            .times = (double *)views[6].buf + i * capacity,
+            .configurations = (int32_t *)views[7].buf + i * capacity,
+            .before = views[8].len ? (double *)views[8].buf + i * capacity * n : NULL,
+            .states = views[9].len ? (double *)views[9].buf + i * capacity * n : NULL,
+            .sets = views[10].len ? (int32_t *)views[10].buf + i * capacity : NULL,
+            .grazing_capacity = grazings,
+            .grazings = (double *)views[11].buf + i * grazings * 4,
+        };
+        const outcome end =
+            engine_run(&tables, states + i * n, &configurations[i], until[i], limit, &record);
+        until[i] = end.end;
+        counts[3 * i] = end.status;
+        counts[3 * i + 1] = end.transitions;
+        counts[3 * i + 2] = end.grazings;
+    }
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    tables_free(&tables);
+    while (held > 0)
+        PyBuffer_Release(&views[--held]);
+    return answer;
+}
