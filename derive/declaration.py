@@ -25,7 +25,7 @@ import sympy as sp
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Argument, Kernel, Output
-from nonsmooth.derive.system import System, Transition
+from nonsmooth.derive.system import Configuration, System, Transition
 
 __all__ = ["Declaration", "Mode", "modes_of"]
 
@@ -94,6 +94,8 @@ class Declaration:
             boundary.function for c in system.configurations for boundary in c.boundaries
         ]
         named += [c.function for t in system.transitions for c in t.conditions]
+        for configuration in system.configurations:
+            named += self._constraints(configuration)
         for contact in system.contacts:
             named += [*contact.forces.values(), contact.velocity, contact.surface]
         return tuple(dict.fromkeys(map(sp.expand, named)))
@@ -178,6 +180,10 @@ class Declaration:
                 for name, found in modes.items()
             },
             "held": {c.name: self._held(c.dynamics) for c in system.configurations},
+            "constraint_rows": {
+                c.name: [self._row(function) for function in self._constraints(c)]
+                for c in system.configurations
+            },
             "boundary_rows": {
                 c.name: [self._row(b.function) for b in c.boundaries] for c in system.configurations
             },
@@ -216,6 +222,16 @@ class Declaration:
         if not isinstance(dynamics, SecondOrder):
             return []
         return [str(self.system.states[i]) for i in sorted(dynamics.held_at(self.system.states))]
+
+    def _constraints(self, configuration: Configuration) -> list[sp.Expr]:
+        """Functions that vanish in a configuration; first the held velocities less their values."""
+        dynamics, states = configuration.dynamics, self.system.states
+        found: list[sp.Expr] = []
+        if isinstance(dynamics, SecondOrder):
+            size = dynamics.mass.rows
+            held = dynamics.held_at(states)
+            found += [states[size + i] - held[i] for i in sorted(held)]
+        return [*found, *configuration.constraints]
 
     def _affine(self, functions: Iterable[sp.Expr]) -> sp.Matrix:
         joined = []

@@ -102,6 +102,7 @@ class Presentation:
                     c.name,
                     dynamics(c.dynamics),
                     tuple(Boundary(b.name, affine(b.function), b.acts_when) for b in c.boundaries),
+                    tuple(map(affine, c.constraints)),
                 )
                 for c in system.configurations
             ),

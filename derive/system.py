@@ -61,14 +61,26 @@ class Boundary:
 
 @dataclass(frozen=True)
 class Configuration:
-    """One linear regime of a system and the boundaries at which it is left."""
+    """One linear regime of a system and the boundaries at which it is left.
+
+    Parameters
+    ----------
+    name : str
+    dynamics : SecondOrder or FirstOrder
+    boundaries : tuple of Boundary
+    constraints : tuple of expressions
+        Affine functions of the state that vanish throughout, beside those that say that a
+        held coordinate has its velocity: the place at which a mass rests.
+    """
 
     name: str
     dynamics: Dynamics
     boundaries: tuple[Boundary, ...]
+    constraints: tuple[sp.Expr, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "boundaries", tuple(self.boundaries))
+        object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))
         _unique([b.name for b in self.boundaries], f"boundary of configuration {self.name!r}")
 
     def boundary(self, name: str) -> Boundary:
@@ -279,6 +291,8 @@ class System:
         self._check_symbols(dynamics.free_symbols(), where, states_allowed=False)
         for boundary in configuration.boundaries:
             self._check_affine(boundary.function, f"{where}, boundary {boundary.name!r}")
+        for function in configuration.constraints:
+            self._check_affine(function, f"{where}, constraint {function}")
 
     def _check_transition(self, transition: Transition) -> None:
         where = f"transition {transition.source!r} -> {transition.target!r}"

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation cdcb25b697087e21
+# SymPy 1.14.0, derivation b8e3cbc2d156cb30
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "cdcb25b697087e21"
+DERIVATION = "b8e3cbc2d156cb30"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -117,6 +117,15 @@ SYSTEM = {'name': 'dry-friction',
           'overshoot-slip': [],
           'overshoot-stick': ['x2'],
           'overshoot-overshoot': []},
+ 'constraint_rows': {'slip-slip': [],
+                     'slip-stick': [1],
+                     'slip-overshoot': [],
+                     'stick-slip': [0],
+                     'stick-stick': [0, 1],
+                     'stick-overshoot': [0],
+                     'overshoot-slip': [],
+                     'overshoot-stick': [1],
+                     'overshoot-overshoot': []},
  'boundary_rows': {'slip-slip': [0, 1],
                    'slip-stick': [0, 2, 3],
                    'slip-overshoot': [0, 4],

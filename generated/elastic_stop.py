@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 9bae1b2ad48e3e5c
+# SymPy 1.14.0, derivation 4be54838730e57d7
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "9bae1b2ad48e3e5c"
+DERIVATION = "4be54838730e57d7"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -63,6 +63,7 @@ SYSTEM = {'name': 'elastic-stop',
                     {'length': 1, 'oscillates': True},
                     {'length': 1, 'oscillates': True}]},
  'held': {'contact': [], 'free': []},
+ 'constraint_rows': {'contact': [], 'free': []},
  'boundary_rows': {'contact': [0], 'free': [1]},
  'transitions': [{'source': 'contact',
                   'boundaries': ['first-leaves-stop'],

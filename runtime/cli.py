@@ -149,12 +149,13 @@ def equations(
     """Derive a system or an orbit and write it down, from the declaration to the trace."""
     from nonsmooth.runtime import deriving
     from nonsmooth.runtime.display import show_written, steps
+    from nonsmooth.runtime.files import check_target
 
     if out is None and form is Format.PDF:
         out = Path(f"{name.replace('/', '-')}.pdf")
     document = deriving.document_maker(name)
     if out is not None:
-        deriving.check_target(out)
+        check_target(out)
     with steps(f"deriving {name}") as begin:
         text = deriving.written(document(), form.value)
         if out is not None:
@@ -238,8 +239,8 @@ def plot(
     as_json: AsJson = False,
 ) -> int:
     """Draw a saved orbit: time histories, phase portraits, configurations, multipliers."""
-    from nonsmooth.runtime.deriving import check_target
     from nonsmooth.runtime.display import show_written
+    from nonsmooth.runtime.files import check_target
     from nonsmooth.runtime.plot import orbit_figure, save_figure
     from nonsmooth.runtime.saved import load_orbit_file
 
@@ -303,8 +304,8 @@ def regenerate(
     """Make the kernels again from the derivation, or check that they are up to date."""
     from nonsmooth.derive.codegen import regenerate as generation
     from nonsmooth.derive.systems import SYSTEMS
-    from nonsmooth.runtime.deriving import unwritable
     from nonsmooth.runtime.display import show_differences, show_written, steps
+    from nonsmooth.runtime.files import unwritable
 
     if system is not None and system not in SYSTEMS:
         raise unknown_name("system", system, SYSTEMS)
@@ -348,7 +349,7 @@ def _report(
     trace_first: bool,
 ) -> int:
     """Solve, refine, save and report."""
-    from nonsmooth.runtime.deriving import check_target
+    from nonsmooth.runtime.files import check_target
     from nonsmooth.runtime.refine import MOST_DIGITS, refine
     from nonsmooth.runtime.report import orbit_json
     from nonsmooth.runtime.solve import solve as find_orbit

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.errors import InputError, NoConvergence, missing_extra, unknown_name
+from nonsmooth.runtime.files import unwritable
 
 __all__ = [
-    "check_target",
     "document_maker",
     "section_formulas",
-    "unwritable",
     "write_document",
     "written",
 ]
@@ -108,19 +106,3 @@ def write_document(text: str, form: str, out: Path) -> None:
         raise NoConvergence(str(problem)) from None
     except OSError as problem:
         raise unwritable(out, problem) from None
-
-
-def check_target(out: Path) -> None:
-    """Refuse a file that cannot be written, before the work is done."""
-    folder = out.parent
-    if not folder.is_dir():
-        raise InputError(f"cannot write {out}: there is no folder {folder}")
-    if out.is_dir():
-        raise InputError(f"cannot write {out}: it is a folder")
-    if not os.access(out if out.exists() else folder, os.W_OK):
-        raise InputError(f"cannot write {out}: permission denied")
-
-
-def unwritable(path: Path, problem: OSError) -> InputError:
-    """Say why a file or folder cannot be written."""
-    return InputError(f"cannot write {path}: {(problem.strerror or str(problem)).lower()}")

@@ -14,11 +14,12 @@ import numpy as np
 
 from nonsmooth.runtime.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.flows import flow_states
 from nonsmooth.runtime.kernels import backend
 from nonsmooth.runtime.piecewise import PiecewiseLinear, Structure
 from nonsmooth.runtime.run import Grazing, Run, Status
 
-__all__ = ["Ends", "compiled_engine", "run_compiled", "run_motions"]
+__all__ = ["Ends", "compiled_engine", "no_ends", "run_compiled", "run_motions", "store_end"]
 
 _FIRST_ENTRIES, _GRAZINGS = 4096, 64
 
@@ -131,6 +132,38 @@ def run_compiled(
     )
 
 
+def no_ends(count: int, size: int, kept: int) -> Ends:
+    """Ends of motions that were not simulated."""
+    return Ends(
+        np.full((count, size), np.nan),
+        np.full(count, -1, dtype=np.int32),
+        np.full(count, np.nan),
+        np.zeros(count, dtype=np.int64),
+        np.zeros(count, dtype=np.int64),
+        np.full(count, -1, dtype=np.int64),
+        np.full((count, kept), np.nan),
+        np.full((count, kept), -1, dtype=np.int32),
+        np.zeros((count, kept), dtype=np.int32),
+        np.full((count, kept, size), np.nan),
+    )
+
+
+def store_end(ends: Ends, place: int, system: PiecewiseLinear, run: Run) -> None:
+    """Put the end and the last entries of one motion where the compiled engine puts them."""
+    kept, last = ends.kept_times.shape[1], len(run.times) - 1
+    where = int(run.configurations[-1])
+    since = np.array([run.end - run.times[-1]])
+    ends.states[place] = flow_states(system, where, since, run.states[-1])[0]
+    ends.configurations[place], ends.times[place] = where, run.end
+    ends.transitions[place], ends.grazings[place] = last, len(run.grazings)
+    ends.status[place] = run.status
+    for entry in range(max(0, last + 1 - kept), last + 1):
+        ends.kept_times[place, entry % kept] = run.times[entry]
+        ends.kept_configurations[place, entry % kept] = run.configurations[entry]
+        ends.kept_sets[place, entry % kept] = run.sets[entry]
+        ends.kept_states[place, entry % kept] = run.states[entry]
+
+
 def run_motions(
     engine: ModuleType,
     structure: Structure,
@@ -139,7 +172,7 @@ def run_motions(
     states: np.ndarray,
     configurations: np.ndarray,
     until: np.ndarray,
-    transitions: int,
+    transitions: int | None,
     kept: int = 0,
 ) -> Ends:
     """Follow many motions in the compiled engine, one after the other, without the GIL.
@@ -153,21 +186,13 @@ def run_motions(
     states : array (count, N)
     configurations : array (count,)
     until : array (count,)
-    transitions : int
+    transitions : int or None
     kept : int
         How many of the last entries to keep of each motion.
     """
-    count, size = states.shape
-    ends = Ends(
-        np.array(states, dtype=float, order="C"),
-        np.array(configurations, dtype=np.int32),
-        np.array(until, dtype=float),
-        *np.zeros((3, count), dtype=np.int64),
-        np.full((count, kept), np.nan),
-        np.full((count, kept), -1, dtype=np.int32),
-        np.zeros((count, kept), dtype=np.int32),
-        np.full((count, kept, size), np.nan),
-    )
+    count = len(states)
+    ends = no_ends(count, states.shape[1], kept)
+    ends.states[:], ends.configurations[:], ends.times[:] = states, configurations, until
     counts = np.zeros((count, 3), dtype=np.int64)
     engine.simulate(
         layout_of(structure),
@@ -176,7 +201,7 @@ def run_motions(
         ends.states,
         ends.configurations,
         ends.times,
-        transitions,
+        np.iinfo(np.int64).max if transitions is None else transitions,
         ends.kept_times,
         ends.kept_configurations,
         np.empty(0),
@@ -185,6 +210,4 @@ def run_motions(
         np.empty((count, 0, 4)),
         counts,
     )
-    return ends._replace(
-        status=counts[:, 0], transitions=counts[:, 1], grazings=counts[:, 2]
-    )
+    return ends._replace(status=counts[:, 0], transitions=counts[:, 1], grazings=counts[:, 2])

@@ -1,14 +1,14 @@
 """A system at a parameter point: affine rows, fields, flows and resets, in any arithmetic.
 
 `structure_of` reads what does not depend on parameters; `piecewise` adds the numbers of one
-point, `piecewise_many` those of many points in double precision, `piecewise_in` those of one
-point in another arithmetic. Coordinates are physical: positions, then velocities.
+point, `numbers_at` those of many points in double precision, `piecewise_in` those of one point
+in another arithmetic. Coordinates are physical: positions, then velocities.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import pairwise
@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import ParameterTable, SystemKernels, load_system
 from nonsmooth.runtime.parameters import in_domain, value_of
-from nonsmooth.runtime.values import Value
+from nonsmooth.runtime.values import Value, as_value
 
 __all__ = [
     "BoundaryShape",
@@ -28,9 +28,11 @@ __all__ = [
     "PiecewiseLinear",
     "Structure",
     "TransitionShape",
+    "numbers_at",
+    "parameter_points",
     "piecewise",
+    "piecewise_at",
     "piecewise_in",
-    "piecewise_many",
     "structure_of",
     "system_parameters",
 ]
@@ -98,6 +100,7 @@ class Structure:
     states, configurations : tuple of str
     modes : for each configuration its modes
     held : for each configuration the positions that keep their velocity
+    constraints : for each configuration the rows that vanish in it
     boundaries, transitions : for each configuration
     contacts : tuple of ContactShape
     rows, resets : int
@@ -109,6 +112,7 @@ class Structure:
     configurations: tuple[str, ...]
     modes: tuple[tuple[ModeShape, ...], ...]
     held: tuple[tuple[int, ...], ...]
+    constraints: tuple[tuple[int, ...], ...]
     boundaries: tuple[tuple[BoundaryShape, ...], ...]
     transitions: tuple[tuple[TransitionShape, ...], ...]
     contacts: tuple[ContactShape, ...]
@@ -210,6 +214,7 @@ def _structure(kernels: SystemKernels) -> Structure:
         configurations,
         tuple(_modes(table["modes"][name]) for name in configurations),
         tuple(tuple(states.index(x) for x in table["held"][name]) for name in configurations),
+        tuple(tuple(table["constraint_rows"][name]) for name in configurations),
         boundaries,
         tuple(map(tuple, transitions)),
         tuple(
@@ -246,12 +251,7 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
         constraint.
     """
     tables = {p.name: p for p in kernels.parameters}
-    for name in given:
-        if name not in tables:
-            raise unknown_name("parameter", str(name), list(tables))
-    missing = [name for name in tables if name not in given]
-    if missing:
-        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+    _check_names(kernels, given)
     values = {name: value_of(table, given[name]) for name, table in tables.items()}
     for constraint in kernels.table["constraints"]:
         terms = [(factor, values[name]) for name, factor in constraint["terms"].items()]
@@ -280,43 +280,40 @@ def piecewise(system: str | SystemKernels, parameters: Mapping[str, object]) -> 
         As for `system_parameters` and `structure_of`.
     """
     kernels = load_system(system) if isinstance(system, str) else system
-    structure = structure_of(kernels)
     values = system_parameters(kernels, parameters)
-    numbers = np.array([[float(value) for value in values.values()]])
-    fields, rows, resets, exponents, flows = _evaluated(kernels, numbers)
+    found = piecewise_at(kernels, np.array([float(value) for value in values.values()]))
+    return replace(found, parameters=values)
+
+
+def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
+    """A system at a checked parameter point (p,), in double precision."""
+    values = {p.name: as_value(x) for p, x in zip(kernels.parameters, point.tolist(), strict=True)}
+    fields, rows, resets, exponents, flows = _evaluated(kernels, point[None])
     return _record(
-        structure, values, fields[0], rows[0], resets[0], list(exponents[0]), list(flows[0])
+        structure_of(kernels),
+        values,
+        fields[0],
+        rows[0],
+        resets[0],
+        list(exponents[0]),
+        list(flows[0]),
     )
 
 
-def piecewise_many(
-    system: str | SystemKernels, parameters: Mapping[str, Any]
-) -> tuple[Structure, np.ndarray, np.ndarray]:
-    """A system at many points: its structure, and the numbers of each point in a row.
+def parameter_points(
+    kernels: SystemKernels, parameters: Mapping[str, Any]
+) -> tuple[np.ndarray, tuple[int, ...]]:
+    """Points (n, p) of parameters that broadcast against each other, and their common shape.
 
-    Parameters
-    ----------
-    parameters : mapping of str to array
-        All physical parameters; they broadcast against each other.
+    A point outside a domain, or one that breaks a constraint, is NaN.
 
-    Returns
-    -------
-    structure : Structure
-    numbers : array (points, size)
-        Fields, rows, resets, exponents, flows of each point, flat. NaN where a parameter is
-        outside its domain.
-    shape : array of int
-        The common shape of the parameters.
+    Raises
+    ------
+    InputError
+        For an unknown or missing name, or arrays that do not fit.
     """
-    kernels = load_system(system) if isinstance(system, str) else system
-    structure = structure_of(kernels)
     tables = {p.name: p for p in kernels.parameters}
-    for name in parameters:
-        if name not in tables:
-            raise unknown_name("parameter", str(name), list(tables))
-    missing = [name for name in tables if name not in parameters]
-    if missing:
-        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+    _check_names(kernels, parameters)
     arrays = []
     for name, table in tables.items():
         given = parameters[name]
@@ -326,10 +323,7 @@ def piecewise_many(
             array = np.asarray(given, dtype=float)
         except (TypeError, ValueError):
             raise InputError(f"parameter {name} is no array of real numbers") from None
-        inside = np.vectorize(lambda x, table=table: in_domain(table, x), otypes=[bool])
-        unique, inverse = np.unique(array, return_inverse=True)
-        allowed = inside(unique)[inverse].reshape(array.shape) if array.size else array > 0
-        arrays.append(np.where(allowed, array, np.nan))
+        arrays.append(np.where(_inside(table, array), array, np.nan))
     try:
         joined = np.broadcast_arrays(*arrays)
     except ValueError:
@@ -339,11 +333,14 @@ def piecewise_many(
     names = list(tables)
     for constraint in kernels.table["constraints"]:
         total = sum(f * points[:, names.index(n)] for n, f in constraint["terms"].items())
-        points[total < 0] = np.nan
-    numbers = np.concatenate(
-        [part.reshape(len(points), -1) for part in _evaluated(kernels, points)], axis=1
-    )
-    return structure, numbers, np.array(joined[0].shape, dtype=int)
+        points[np.asarray(total) < 0] = np.nan
+    return points, joined[0].shape
+
+
+def numbers_at(kernels: SystemKernels, points: np.ndarray) -> np.ndarray:
+    """Fields, rows, resets, exponents and flows at points (n, p), flat: (n, size)."""
+    parts = _evaluated(kernels, points)
+    return np.concatenate([part.reshape(len(points), -1) for part in parts], axis=1)
 
 
 def piecewise_in(
@@ -374,6 +371,23 @@ def piecewise_in(
     )
     fields, rows, resets = parts
     return _record(structure, values, fields, rows, resets, list(exponents), list(flows))
+
+
+def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
+    names = [p.name for p in kernels.parameters]
+    for name in given:
+        if name not in names:
+            raise unknown_name("parameter", str(name), names)
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+
+
+def _inside(table: ParameterTable, values: np.ndarray) -> np.ndarray:
+    """Which values lie in a parameter's domain."""
+    found, places = np.unique(values, return_inverse=True)
+    allowed = np.array([in_domain(table, x) for x in found.tolist()], dtype=bool)
+    return allowed[places].reshape(values.shape)
 
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.deriving import unwritable
 from nonsmooth.runtime.errors import InputError, missing_extra, unknown_name
+from nonsmooth.runtime.files import unwritable
 from nonsmooth.runtime.motion import orbit_motion
 from nonsmooth.runtime.panels import PANELS, Scene, draw
 

@@ -11,7 +11,6 @@ import hashlib
 import json
 import math
 import os
-import secrets
 from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal, InvalidOperation
@@ -21,8 +20,8 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.deriving import check_target, unwritable
 from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.files import read_file, write_file
 from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.orbit import DOUBLE, Orbit
@@ -96,7 +95,8 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
         "status": orbit.status,
     }
     content["sha256"] = _checksum(content)
-    _write(Path(path), json.dumps(content, indent=2, allow_nan=False) + "\n")
+    text = json.dumps(content, indent=2, allow_nan=False) + "\n"
+    write_file(Path(path), text.encode())
 
 
 def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
@@ -116,7 +116,7 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
         the kernels that are installed. The message names the file.
     """
     try:
-        return _orbit(_content(_read(Path(path))))
+        return _orbit(_content(read_file(Path(path), _LARGEST_FILE, "saved orbit")))
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
 
@@ -138,34 +138,6 @@ def _text(number: Any, bits: int) -> str:
 def _checksum(content: Mapping[str, Any]) -> str:
     covered = {name: entry for name, entry in content.items() if name != "sha256"}
     return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
-
-
-def _write(path: Path, text: str) -> None:
-    check_target(path)
-    target = Path(os.path.realpath(path))
-    temporary = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
-    try:
-        with temporary.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, target)
-    except OSError as problem:
-        raise unwritable(path, problem) from None
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def _read(path: Path) -> bytes:
-    try:
-        with path.open("rb") as file:
-            found = file.read(_LARGEST_FILE + 1)
-    except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
-        raise InputError(f"cannot be read: {reason.lower()}") from None
-    if len(found) > _LARGEST_FILE:
-        raise InputError("too large for a saved orbit")
-    return found
 
 
 def _content(found: bytes) -> dict[str, Any]:

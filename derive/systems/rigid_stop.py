@@ -70,6 +70,7 @@ contact = Configuration(
     "contact",
     SecondOrder(MASS, STIFFNESS, held={x1: 0}),
     (Boundary("first-leaves-stop", -pressure),),
+    constraints=(x1 - 1,),
 )
 _REACHED = frozenset({"first-reaches-stop"})
 

@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbit import Orbit
     from nonsmooth.runtime.refine import refine
     from nonsmooth.runtime.saved import load_orbit_file as load
+    from nonsmooth.runtime.saved_trajectory import load_trajectory
+    from nonsmooth.runtime.simulate import Trajectories, simulate, simulate_many
     from nonsmooth.runtime.solve import solve
+    from nonsmooth.runtime.trajectory import Trajectory
 
     __version__: str
 
@@ -26,9 +29,14 @@ __all__ = [
     "NonsmoothError",
     "Orbit",
     "Orbits",
+    "Trajectories",
+    "Trajectory",
     "__version__",
     "load",
+    "load_trajectory",
     "refine",
+    "simulate",
+    "simulate_many",
     "solve",
     "solve_many",
 ]
@@ -41,8 +49,13 @@ _HOMES = {
     "NonsmoothError": "errors",
     "Orbit": "orbit",
     "Orbits": "batch",
+    "Trajectories": "simulate",
+    "Trajectory": "trajectory",
     "load": "saved:load_orbit_file",
+    "load_trajectory": "saved_trajectory",
     "refine": "refine",
+    "simulate": "simulate",
+    "simulate_many": "simulate",
     "solve": "solve",
     "solve_many": "batch",
 }

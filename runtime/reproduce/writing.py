@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from nonsmooth.runtime.deriving import section_formulas, unwritable
+from nonsmooth.runtime.deriving import section_formulas
 from nonsmooth.runtime.errors import missing_extra
+from nonsmooth.runtime.files import unwritable
 from nonsmooth.runtime.reproduce.chapters import ORBITS, paper_orbits, paper_report
 
 __all__ = ["reproduce"]
