@@ -1,22 +1,30 @@
-"""The command line.
+"""The command line: orbits, their equations, pictures and kernels.
 
-Every command returns its exit code: 0 when the question was answered, 1 on no convergence,
-an undecided verdict or a check that differs, 2 on wrong input, 3 when a requirement is not
-met. What is heavy is imported by the commands that need it.
+What is heavy is imported by the commands that need it; `cli_motions` has the commands that
+simulate.
 """
 
 from __future__ import annotations
 
-import functools
-import json
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.errors import InputError, NoConvergence, NonsmoothError, unknown_name
+from nonsmooth.runtime import cli_motions  # noqa: F401 - its commands join the application
+from nonsmooth.runtime.command import (
+    ANSWERED,
+    NOT_MET,
+    UNANSWERED,
+    answering,
+    app,
+    assignments,
+    print_json,
+    split,
+)
+from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.options import (
     AsJson,
     Assignments,
@@ -32,25 +40,10 @@ from nonsmooth.runtime.options import (
     Unknown,
 )
 
-if TYPE_CHECKING:
-    from nonsmooth.runtime.values import Value
-
 __all__ = ["app", "main"]
 
-ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET, INTERRUPTED = 0, 1, 2, 3, 130
 REMEDY = "python scripts/regenerate.py"
 _WORKING_DIGITS = 20  # at least: a verdict does not depend on how many digits are shown
-
-app = typer.Typer(
-    name="nonsmooth",
-    help="Periodic orbits of piecewise-linear oscillators with impacts and dry friction.",
-    epilog="Exit codes: 0 answered, 1 no answer or a difference, 2 wrong input,"
-    " 3 a requirement is not met.",
-    no_args_is_help=True,
-    add_completion=False,
-    rich_markup_mode="rich",
-    pretty_exceptions_enable=False,
-)
 
 
 def main(command: str | None = None) -> None:
@@ -65,64 +58,18 @@ def main(command: str | None = None) -> None:
         group.commands[command](prog_name=Path(sys.argv[0]).name)
 
 
-def _answering(command: Callable[..., int]) -> Callable[..., None]:
-    """Exit with the code that a command returns, or with one line on stderr."""
-
-    @functools.wraps(command)
-    def run(*arguments: Any, **options: Any) -> NoReturn:
-        from nonsmooth.derive.errors import DeclarationError, DerivationError
-
-        try:
-            code = command(*arguments, **options)
-        except NoConvergence as problem:
-            code = _failed(problem, UNANSWERED, options)
-        except (NonsmoothError, DeclarationError, DerivationError) as problem:
-            code = _failed(problem, WRONG_INPUT, options)
-        except KeyboardInterrupt:
-            code = INTERRUPTED
-        raise typer.Exit(code)
-
-    return run
-
-
-def _failed(problem: Exception, code: int, options: Mapping[str, Any]) -> int:
-    if options["as_json"]:
-        _print_json({"error": str(problem)})
-    kind = "error: " if code == WRONG_INPUT else ""
-    print(f"nonsmooth: {kind}{problem}", file=sys.stderr)
-    return code
-
-
-def _version(asked: bool) -> None:
-    if asked:
-        from importlib.metadata import version
-
-        print(f"nonsmooth {version('nonsmooth')}")
-        raise typer.Exit
-
-
-@app.callback()
-def _options(
-    version: Annotated[
-        bool,
-        typer.Option("--version", callback=_version, is_eager=True, help="Show the version."),
-    ] = False,
-) -> None:
-    pass
-
-
 @app.command(
     "list",
     epilog="Examples:\n\nnonsmooth list\n\nnonsmooth list --json",
 )
-@_answering
+@answering
 def list_orbits(as_json: AsJson = False) -> int:
     """List systems and orbits, their parameters and unknowns."""
     from nonsmooth.runtime.report import systems_json
 
     found = systems_json()
     if as_json:
-        _print_json(found)
+        print_json(found)
     else:
         from nonsmooth.runtime.display import show_list
 
@@ -136,7 +83,7 @@ def list_orbits(as_json: AsJson = False) -> int:
     "nonsmooth equations dry-friction --out dry-friction.tex\n\n"
     "nonsmooth equations dry-friction/global-stick --format pdf"
 )
-@_answering
+@answering
 def equations(
     name: Annotated[str, typer.Argument(metavar="SYSTEM[/ORBIT]", help="A system or an orbit.")],
     form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
@@ -163,7 +110,7 @@ def equations(
             deriving.write_document(text, form.value, out)
     told = {"text": text} if out is None else {"file": str(out)}
     if as_json:
-        _print_json({"name": name, "format": form.value, **told})
+        print_json({"name": name, "format": form.value, **told})
     elif out is None:
         sys.stdout.write(text)
     else:
@@ -178,7 +125,7 @@ def equations(
     "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2\n\n"
     "nonsmooth solve dry-friction/global-stick --save orbit.json"
 )
-@_answering
+@answering
 def solve(
     orbit: OrbitName,
     parameters: Assignments = None,
@@ -200,7 +147,7 @@ def solve(
     "nonsmooth verify dry-friction/global-stick --digits 50\n\n"
     "nonsmooth verify dry-friction/global-stick eta=0.98 --require stable --json"
 )
-@_answering
+@answering
 def verify(
     orbit: OrbitName,
     parameters: Assignments = None,
@@ -221,16 +168,21 @@ def verify(
     epilog="Examples:\n\n"
     "nonsmooth plot orbit.json\n\n"
     "nonsmooth plot orbit.json --kind phase --out phase.svg\n\n"
+    "nonsmooth plot motion.npz --kind strip\n\n"
     "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
 )
-@_answering
+@answering
 def plot(
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="An orbit that `solve --save` wrote.")
+        Path,
+        typer.Argument(
+            metavar="FILE", help="An orbit of `solve --save`, or a motion of `simulate --save`."
+        ),
     ],
     kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
     periods: Annotated[
-        int, typer.Option("--periods", metavar="N", help="How many to draw against time.")
+        int,
+        typer.Option("--periods", metavar="N", help="How many of an orbit to draw against time."),
     ] = 1,
     out: Annotated[
         Path | None,
@@ -238,20 +190,31 @@ def plot(
     ] = None,
     as_json: AsJson = False,
 ) -> int:
-    """Draw a saved orbit: time histories, phase portraits, configurations, multipliers."""
+    """Draw a saved orbit or motion: histories, phase portraits, configurations, multipliers."""
     from nonsmooth.runtime.display import show_written
     from nonsmooth.runtime.files import check_target
-    from nonsmooth.runtime.plot import orbit_figure, save_figure
-    from nonsmooth.runtime.saved import load_orbit_file
+    from nonsmooth.runtime.plot import save_figure
 
     target = file.parent / f"{file.stem}.png" if out is None else out
     if target.resolve() == file.resolve():
-        raise InputError(f"cannot write {target}: it is the saved orbit")
+        raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
-    orbit = load_orbit_file(file)
-    save_figure(orbit_figure(orbit, kind.value, periods=periods), target)
+    if file.suffix.lower() in (".npz", ".csv"):
+        from nonsmooth.runtime.saved_trajectory import load_trajectory
+        from nonsmooth.runtime.scenes import trajectory_figure
+
+        motion = load_trajectory(file)
+        drawn = {"system": motion.name}
+        save_figure(trajectory_figure(motion, kind.value), target)
+    else:
+        from nonsmooth.runtime.plot import orbit_figure
+        from nonsmooth.runtime.saved import load_orbit_file
+
+        orbit = load_orbit_file(file)
+        drawn = {"orbit": orbit.name}
+        save_figure(orbit_figure(orbit, kind.value, periods=periods), target)
     if as_json:
-        _print_json({"orbit": orbit.name, "kind": kind.value, "file": str(target)})
+        print_json({**drawn, "kind": kind.value, "file": str(target)})
     else:
         show_written([f"{target} written"], "")
     return ANSWERED
@@ -260,7 +223,7 @@ def plot(
 @app.command(
     epilog="Examples:\n\nnonsmooth reproduce --out paper\n\nnonsmooth reproduce --out paper --json"
 )
-@_answering
+@answering
 def reproduce(
     out: Annotated[
         Path, typer.Option(metavar="DIR", help="Folder of the report, made if need be.")
@@ -274,7 +237,7 @@ def reproduce(
     with steps() as begin:
         files = [str(path) for path in write(out, begin)]
     if as_json:
-        _print_json({"folder": str(out), "files": files})
+        print_json({"folder": str(out), "files": files})
     else:
         show_written(
             [f"{path} written" for path in files if not path.endswith((".svg", ".png"))], ""
@@ -287,7 +250,7 @@ def reproduce(
     "nonsmooth regenerate --check\n\n"
     "nonsmooth regenerate dry-friction --out kernels"
 )
-@_answering
+@answering
 def regenerate(
     system: Annotated[
         str | None, typer.Argument(metavar="SYSTEM", help="Only this one.", show_default=False)
@@ -315,7 +278,7 @@ def regenerate(
         with steps() as begin:
             differences = generation.check(out, system, begin).differences
         if as_json:
-            _print_json({**told, "same": not differences, "differences": list(differences)})
+            print_json({**told, "same": not differences, "differences": list(differences)})
         elif differences:
             show_differences(differences)
         else:
@@ -329,7 +292,7 @@ def regenerate(
     except OSError as problem:
         raise unwritable(folder, problem) from None
     if as_json:
-        _print_json({**told, "changed": changed})
+        print_json({**told, "changed": changed})
     else:
         show_written(changed, f"{folder}: nothing changed")
     return ANSWERED
@@ -359,13 +322,13 @@ def _report(
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
     if save is not None:
         check_target(save)
-    assigned = _assignments("parameter", parameters or [])
+    assigned = assignments("parameter", parameters or [])
     found = find_orbit(
         name,
         assigned,
-        {n: float(v) for n, v in _assignments("unknown", _split(guess)).items()} or None,
-        unknown=_split(unknown),
-        given=_assignments("unknown", _split(given)),
+        {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None,
+        unknown=split(unknown),
+        given=assignments("unknown", split(given)),
     )
     orbit = refine(found, max(digits, _WORKING_DIGITS))
     told = orbit_json(orbit, digits)
@@ -375,7 +338,7 @@ def _report(
         orbit.save(save)
         told["file"] = str(save)
     if as_json:
-        _print_json(told)
+        print_json(told)
     else:
         from nonsmooth.runtime.display import show_report
 
@@ -397,25 +360,3 @@ def _judged(told: Mapping[str, Any], require: Iterable[Requirement]) -> int:
     if missed:
         return NOT_MET
     return UNANSWERED if "undecided" in verdicts.values() else ANSWERED
-
-
-def _split(options: Iterable[str] | None) -> list[str]:
-    """Entries of options that hold comma-separated lists."""
-    return [part.strip() for option in options or () for part in option.split(",") if part.strip()]
-
-
-def _assignments(kind: str, texts: Iterable[str]) -> dict[str, Value]:
-    """Values by name, each given once."""
-    from nonsmooth.runtime.values import parse_assignment
-
-    found: dict[str, Value] = {}
-    for text in texts:
-        name, value = parse_assignment(text)
-        if name in found:
-            raise InputError(f"{kind} {name} is given twice")
-        found[name] = value
-    return found
-
-
-def _print_json(found: Mapping[str, Any]) -> None:
-    print(json.dumps(found, indent=2, allow_nan=False))

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbit import Orbit
     from nonsmooth.runtime.values import Value
 
-__all__ = ["show_differences", "show_list", "show_report", "show_written", "steps"]
+__all__ = ["show_differences", "show_list", "show_report", "show_written", "steps", "wide_console"]
 
 _LEAST_WIDTH = 80
 _LONGEST_NUMBER = 64  # beside the labels
@@ -43,7 +43,7 @@ def show_report(
     trace_first : bool
         Show the trace criterion before the orbit.
     """
-    console = _console()
+    console = wide_console()
     rank_one = orbit.stability.rank_one
     console.print(Text(f"{found['orbit']}, {found['digits']} digits", style="bold"))
     console.print(
@@ -73,7 +73,7 @@ def show_report(
 
 def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
     """Show systems and orbits with their parameters and unknowns."""
-    console = _console()
+    console = wide_console()
     for system in systems:
         console.print(Text.assemble((system["name"], "bold"), f": {system['description']}"))
         for orbit in system["orbits"]:
@@ -151,10 +151,10 @@ def _sources(
             yield name, found["parameters"][name], "follows"
 
 
-def _console() -> Console:
+def wide_console(least: int = _LEAST_WIDTH) -> Console:
     """Give a console wide enough for 50 digits in one piece."""
     console = Console(highlight=False)
-    console.width = max(console.width, _LEAST_WIDTH)
+    console.width = max(console.width, least)
     return console
 
 

@@ -17,9 +17,11 @@ __all__ = [
     "Guess",
     "Kind",
     "OrbitName",
+    "Physical",
     "Require",
     "Requirement",
     "Save",
+    "SystemName",
     "Unknown",
 ]
 
@@ -54,6 +56,17 @@ class Requirement(StrEnum):
 OrbitName = Annotated[
     str,
     typer.Argument(metavar="SYSTEM/ORBIT", help="An orbit that `nonsmooth list` shows."),
+]
+SystemName = Annotated[
+    str, typer.Argument(metavar="SYSTEM", help="A system that `nonsmooth list` shows.")
+]
+Physical = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="NAME=VALUE",
+        help="All physical parameters: chi=1/2 eta=1 V=1 us1=1 ...",
+        show_default=False,
+    ),
 ]
 Assignments = Annotated[
     list[str] | None,

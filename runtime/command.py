@@ -1,0 +1,114 @@
+"""The command line's application: exit codes, errors in one line, JSON, values by name.
+
+Every command returns its exit code: 0 when the question was answered, 1 on no convergence,
+an undecided verdict or a check that differs, 2 on wrong input, 3 when a requirement is not
+met.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+
+from nonsmooth.runtime.errors import InputError, NoConvergence, NonsmoothError
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.values import Value
+
+__all__ = [
+    "ANSWERED",
+    "NOT_MET",
+    "UNANSWERED",
+    "answering",
+    "app",
+    "assignments",
+    "print_json",
+    "split",
+]
+
+ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET, INTERRUPTED = 0, 1, 2, 3, 130
+
+app = typer.Typer(
+    name="nonsmooth",
+    help="Periodic orbits of piecewise-linear oscillators with impacts and dry friction.",
+    epilog="Exit codes: 0 answered, 1 no answer or a difference, 2 wrong input,"
+    " 3 a requirement is not met.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+)
+
+
+def answering(command: Callable[..., int]) -> Callable[..., None]:
+    """Exit with the code that a command returns, or with one line on stderr."""
+
+    @functools.wraps(command)
+    def run(*arguments: Any, **options: Any) -> NoReturn:
+        from nonsmooth.derive.errors import DeclarationError, DerivationError
+
+        try:
+            code = command(*arguments, **options)
+        except NoConvergence as problem:
+            code = _failed(problem, UNANSWERED, options)
+        except (NonsmoothError, DeclarationError, DerivationError) as problem:
+            code = _failed(problem, WRONG_INPUT, options)
+        except KeyboardInterrupt:
+            code = INTERRUPTED
+        raise typer.Exit(code)
+
+    return run
+
+
+def _failed(problem: Exception, code: int, options: Mapping[str, Any]) -> int:
+    if options["as_json"]:
+        print_json({"error": str(problem)})
+    kind = "error: " if code == WRONG_INPUT else ""
+    print(f"nonsmooth: {kind}{problem}", file=sys.stderr)
+    return code
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        from importlib.metadata import version
+
+        print(f"nonsmooth {version('nonsmooth')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option("--version", callback=_version, is_eager=True, help="Show the version."),
+    ] = False,
+) -> None:
+    pass
+
+
+def split(options: Iterable[str] | None) -> list[str]:
+    """Entries of options that hold comma-separated lists."""
+    return [part.strip() for option in options or () for part in option.split(",") if part.strip()]
+
+
+def assignments(kind: str, texts: Iterable[str]) -> dict[str, Value]:
+    """Values by name, each given once."""
+    from nonsmooth.runtime.values import parse_assignment
+
+    found: dict[str, Value] = {}
+    for text in texts:
+        name, value = parse_assignment(text)
+        if name in found:
+            raise InputError(f"{kind} {name} is given twice")
+        found[name] = value
+    return found
+
+
+def print_json(found: Mapping[str, Any]) -> None:
+    """Print one JSON document on stdout."""
+    print(json.dumps(found, indent=2, allow_nan=False))
