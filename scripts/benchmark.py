@@ -7,16 +7,15 @@ from __future__ import annotations
 
 import argparse
 import ctypes
-import statistics
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from benchmark_simulation import many, sequences, simulation
+from measuring import Row, timed
 from rich.console import Console
 from rich.table import Table
 
@@ -24,35 +23,6 @@ NAME = "dry-friction/global-stick"
 POINT = {"chi": 0.5, "eta": 1.0, "V": 1.0, "e1": 3.0195, "e2": 0.4831}
 GUESS = [1.18, -2.67, 1.0, 2.0, 1.57, 3.28]
 FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-std=c99"]
-
-
-@dataclass(frozen=True)
-class Row:
-    """One measured thing: seconds per unit of work, of several runs.
-
-    `must` is the limit it has to meet; a peer names in `against` the row it is compared with.
-    """
-
-    what: str
-    seconds: list[float]
-    must: float | None = None
-    against: str | None = None
-
-    @property
-    def median(self) -> float:
-        """Median of the runs."""
-        return statistics.median(self.seconds)
-
-
-def timed(work: Callable[[], object], units: float = 1, runs: int = 7) -> list[float]:
-    """Seconds per unit of several runs, after one that does not count."""
-    work()
-    found = []
-    for _ in range(runs):
-        begin = time.perf_counter()
-        work()
-        found.append((time.perf_counter() - begin) / units)
-    return found
 
 
 def batch(quick: bool) -> Iterator[Row]:
@@ -332,7 +302,10 @@ def run(command: list[str]) -> None:
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-SECTIONS = {f.__name__: f for f in (batch, kernel, single, refine, derive, process)}
+SECTIONS = {
+    f.__name__: f
+    for f in (batch, kernel, single, refine, derive, process, simulation, many, sequences)
+}
 
 
 def main() -> None:

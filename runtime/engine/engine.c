@@ -48,30 +48,32 @@ fill_phase(phase *p, const configuration *c, const int n, const double *state,
     p->states = n;
 }
 
-/* The state at a time of a configuration, and the sizes of what was summed. */
+/* The state at a time of a configuration, and bounds on the sizes of what was summed. */
 static inline __attribute__((always_inline)) void
 flow(const configuration *c, const int n, const double *functions, double *state,
      double *magnitude)
 {
     const int columns = n + 1;
-    double result[MOST_STATES] = {0}, size[MOST_STATES] = {0};
-    const double *row = c->flow;
+    double result[MOST_STATES] = {0}, largest = 1.0;
+    const double *row = c->flow, *reach = c->reach;
     for (int f = 0; f < c->functions; ++f) {
-        const double function = functions[f], above = fabs(function);
+        const double function = functions[f];
+        largest = fabs(function) > largest ? fabs(function) : largest;
         for (int i = 0; i < n; ++i, row += columns) {
-            double sum = row[n], sizes = fabs(row[n]);
-            for (int j = 0; j < n; ++j) {
+            double sum = row[n];
+            for (int j = 0; j < n; ++j)
                 sum += row[j] * state[j];
-                sizes += fabs(row[j] * state[j]);
-            }
             result[i] += function * sum;
-            size[i] += above * sizes;
         }
     }
-    for (int i = 0; i < n; ++i) {
-        state[i] = result[i];
-        magnitude[i] = size[i];
+    for (int i = 0; i < n; ++i, reach += columns) {
+        double sizes = reach[n];
+        for (int j = 0; j < n; ++j)
+            sizes += reach[j] * fabs(state[j]);
+        magnitude[i] = largest * sizes;
     }
+    for (int i = 0; i < n; ++i)
+        state[i] = result[i];
 }
 
 static inline __attribute__((always_inline)) void

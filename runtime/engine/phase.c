@@ -244,8 +244,13 @@ uint32_t phase_begin(phase *p)
         p->second[b] = second;
         p->fourth[b] = fourth;
         const double g = at_start(c, value);
-        if (fabs(g) <= START * p->size[b] + p->start * fabs(at_start(c, slope_of(p, b)))) {
-            const beginning first = begin(p, b);
+        const double rate = at_start(c, slope_of(p, b));
+        if (fabs(g) <= START * p->size[b] + p->start * fabs(rate)) {
+            /* the first derivative decides if it exceeds generous bounds on its error */
+            const double rough = START * p->size[b] * (c->fastest + 1.0) + p->start * second;
+            const beginning first = c->uniform && c->mode[0].length <= 2 && fabs(rate) > rough
+                                        ? (beginning){1, rate > 0.0 ? 1 : -1}
+                                        : begin(p, b);
             if (first.sign > 0)
                 crossed |= bit;
             if (first.sign >= 0)
@@ -345,6 +350,7 @@ static double time_away(const sampler *s, double end)
 /* Newton's method for a crossing in [low, high], g <= 0 at low and >= 0 at high, kept inside. */
 static double polished(const sampler *s, double low, double high, double time)
 {
+    const double second = second_bound(s->p, s->boundary, low, high);
     for (int i = 0; i < 80; ++i) {
         const sample at = sampled(s, time, NULL);
         if (at.value > 0.0)
@@ -354,7 +360,12 @@ static double polished(const sampler *s, double low, double high, double time)
         double next = time - at.value / at.slope;
         if (!(next >= low && next <= high))
             next = 0.5 * (low + high);
-        if (fabs(next - time) <= DBL_EPSILON * time || next == low || next == high)
+        else { /* what Newton's next step would still change */
+            const double change = next - time;
+            if (change * change * second <= DBL_EPSILON * next * fabs(at.slope))
+                return next;
+        }
+        if (next == low || next == high)
             return next;
         time = next;
     }

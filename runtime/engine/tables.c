@@ -132,7 +132,7 @@ void tables_free(tables *tables)
 }
 
 /* Radians of the fastest exponent in one cell; the bound on a cell errs by its fourth power. */
-static const double CELL = 0.8;
+static const double CELL = 1.0;
 
 static void fill_modes(configuration *c, mode *modes, const double *exponents)
 {

@@ -46,6 +46,7 @@ typedef struct {
     const double *boundary; /* [boundary][function][states + 1]: its row times B_f, beta_f */
     const double *weight;   /* [boundary][function][states + 1]: the same of absolute values */
     const double *size;     /* [boundary][states + 1]: sum of weight over functions */
+    const double *reach;    /* [state][states + 1]: sum of |B_f|, |beta_f| over functions */
 } configuration;
 
 /* All at one parameter point. */
