@@ -248,9 +248,9 @@ class Series:
         self._curvature = [k * (k - 1) * scaled[k] for k in range(max(order, 2), count)][::-1]
         # A quarter of what judges a start still covers these few roundings, and a leading
         # derivative just above the whole of it can leave the boundary.
-        self._error = [
-            UNIT / 4 * s * f for s, f in zip(sizes, _INVERSE_FACTORIALS, strict=False)
-        ][: order - 1 if order else None : -1]
+        self._error = [UNIT / 4 * s * f for s, f in zip(sizes, _INVERSE_FACTORIALS, strict=False)][
+            : order - 1 if order else None : -1
+        ]
 
     def jet(self, t: float) -> Jet:
         """Values of g, g' and g'' at t, and the error of g."""

@@ -37,7 +37,7 @@ from nonsmooth.runtime.trajectory import Trajectory
 
 __all__ = ["Trajectories", "follow", "simulate", "simulate_many"]
 
-_CHUNK = 256  # motions given to a thread at a time
+_LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time
 
 
 def simulate(
@@ -202,9 +202,10 @@ def simulate_many(
     flat = np.broadcast_to(starts, (*common, size)).reshape(-1, size)
     until_each = np.broadcast_to(limits, common).ravel()
     engine = compiled_engine()
+    chunk = min(max(len(flat) // (8 * workers), _LEAST_CHUNK), _LARGEST_CHUNK)
 
     def part(begin: int) -> Ends:
-        here = slice(begin, begin + _CHUNK)
+        here = slice(begin, begin + chunk)
         used, places = np.unique(which[here], return_inverse=True)
         numbers = numbers_at(kernels, points[used])
         fields, rows = _fields_and_rows(structure, numbers)
@@ -218,7 +219,7 @@ def simulate_many(
             until_each[here], most, kept,
         )  # fmt: skip
 
-    begins = range(0, len(flat), _CHUNK)
+    begins = range(0, len(flat), chunk)
     with ThreadPoolExecutor(workers) as pool:
         parts = list(pool.map(part, begins))
     if not parts:

@@ -79,9 +79,7 @@ class _Configuration:
         ]
         self.fastest = max(abs(exponent) for exponent, _ in self.modes)
         self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
-        self.boundaries = [
-            _Boundary(system, index, b) for b in range(len(shape.boundaries[index]))
-        ]
+        self.boundaries = [_Boundary(system, index, b) for b in range(len(shape.boundaries[index]))]
         self.flow = [_rows(part) for part in flow]
         self.sizes = [_rows(abs(part)) for part in flow]
         self.total = _rows(abs(flow).sum(axis=0))

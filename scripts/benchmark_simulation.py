@@ -26,18 +26,18 @@ START = np.array([0.1, 0.2, 0.3, -0.1])
 def simulation(quick: bool) -> Iterator[Row]:
     """One motion, per transition."""
     engine = compiled_engine()
+    few = 20 if quick else 60
     count = 100_000 if quick else 1_000_000
     for name, must in (("A", 1 / 1.5e6), ("B", 1 / 1e6)):
         system = piecewise("dry-friction", DATA[name])
-        numbers, zero = numbers_of(system)[None], np.zeros(1, dtype=int)
 
-        def ours(system: PiecewiseLinear = system, numbers: np.ndarray = numbers) -> object:
+        def ours(system: PiecewiseLinear = system) -> object:
+            numbers, zero = numbers_of(system)[None], np.zeros(1, dtype=int)
             until = np.array([np.inf])
             return run_motions(
                 engine, system.structure, numbers, zero, START[None], zero, until, count
             )
 
-        few = 20 if quick else 60
         works = {f"{name}: engine": (ours, float(count))}
         works[f"{name}: DOP853, rtol 1e-10"] = (lambda s=system: dop853(s, START, few), few)
         taylor = heyoka_motion(system)
@@ -184,24 +184,17 @@ def heyoka_motion(system: PiecewiseLinear) -> Callable[[np.ndarray, int], object
         return None
     names = system.structure.states
     symbols = heyoka.make_vars(*names)
+
+    def affine(row: np.ndarray) -> object:
+        factors = zip(row.tolist()[:-1], symbols, strict=True)
+        return heyoka.expression(float(row[-1])) + heyoka.sum([a * x for a, x in factors])
+
     integrators = []
     for c, field in enumerate(system.fields):
-        equations = [
-            (
-                s,
-                sum(
-                    (a * x for a, x in zip(row[:-1], symbols, strict=True) if a), row[-1] + 0.0 * s
-                ),
-            )
-            for s, row in zip(symbols, field, strict=True)
-        ]
-        events = [
-            heyoka.t_event(
-                sum((a * x for a, x in zip(row[:-1], symbols, strict=True) if a), row[-1]),
-                direction=heyoka.event_direction.positive,
-            )
-            for row in (system.rows[b.row] for b in system.structure.boundaries[c])
-        ]
+        rows = [system.rows[b.row] for b in system.structure.boundaries[c]]
+        rising = heyoka.event_direction.positive
+        events = [heyoka.t_event(affine(row), direction=rising) for row in rows]
+        equations = [(s, affine(row)) for s, row in zip(symbols, field, strict=True)]
         integrators.append(heyoka.taylor_adaptive(equations, [0.0] * len(names), t_events=events))
 
     def follow_motion(state: np.ndarray, transitions: int) -> object:
@@ -213,14 +206,10 @@ def heyoka_motion(system: PiecewiseLinear) -> Callable[[np.ndarray, int], object
             integrator.state[:] = y
             integrator.propagate_for(1e-15)  # the nudge: a root at the start hides the next
             outcome = integrator.propagate_until(1e3)[0]
-            reached = -int(outcome.value if hasattr(outcome, "value") else int(outcome)) - 1
+            reached = -int(outcome.value) - 1
             if not 0 <= reached < len(system.structure.boundaries[c]):
                 raise RuntimeError(f"heyoka ended with {outcome}")
             c, y = _next(system, c, reached, np.array(integrator.state))
         return y
 
-    try:
-        follow_motion(START, 20)
-    except RuntimeError:
-        return None
     return follow_motion

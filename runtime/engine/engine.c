@@ -221,7 +221,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                 result.status = STATUS_IMMEDIATE;
                 break;
             }
-            memcpy(before, state, sizeof before);
+            memcpy(before, state, (size_t)n * sizeof *state);
         } else {
             const double longest = c->fastest > 0.0 ? LONGEST_WAIT / c->fastest : HUGE_VAL;
             const double window = left < longest ? left : longest;
@@ -255,7 +255,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             immediate = 0;
             flow(c, n, event.functions, state, magnitude);
             now = later(now, event.time);
-            memcpy(before, state, sizeof before);
+            memcpy(before, state, (size_t)n * sizeof *state);
         }
         if (!is_finite(n, state)) {
             result.status = STATUS_OVERFLOW;

@@ -106,13 +106,14 @@ int tables_create(tables *result, const layout *layout)
     const size_t product = products(layout) * columns;
     const size_t size = (size_t)layout->boundaries * columns;
     const size_t orders = (size_t)layout->pairs * columns * columns;
-    double *room = calloc(2 * product + size + 2 * orders + 1, sizeof *room);
+    const size_t reach = (size_t)layout->configurations * (size_t)layout->states * columns;
+    double *room = calloc(2 * product + size + reach + 2 * orders + 1, sizeof *room);
     configuration *configurations = calloc((size_t)layout->configurations, sizeof *configurations);
     mode *modes = calloc((size_t)layout->modes + 1, sizeof *modes);
     *result = (tables){.layout = layout,
                        .configuration = configurations,
-                       .derivative = room ? room + 2 * product + size : NULL,
-                       .bound = room ? room + 2 * product + size + orders : NULL,
+                       .derivative = room ? room + 2 * product + size + reach : NULL,
+                       .bound = room ? room + 2 * product + size + reach + orders : NULL,
                        .memory = room,
                        .mode = modes};
     if (room && configurations && modes)
@@ -198,6 +199,7 @@ void tables_fill(tables *tables, const double *numbers)
     double *boundary = tables->memory;
     double *weight = boundary + products(l) * (size_t)columns;
     double *size = weight + products(l) * (size_t)columns;
+    double *reach = size + (size_t)l->boundaries * columns;
     tables->resets = resets;
     for (int i = 0; i < l->configurations; ++i) {
         configuration *c = &tables->configuration[i];
@@ -214,6 +216,13 @@ void tables_fill(tables *tables, const double *numbers)
         c->boundary = boundary;
         c->weight = weight;
         c->size = size;
+        c->reach = reach;
+        for (int k = 0; k < n * columns; ++k) {
+            double sum = 0.0;
+            for (int f = 0; f < c->functions; ++f)
+                sum += fabs(c->flow[(size_t)f * n * columns + k]);
+            *reach++ = sum;
+        }
         for (int b = 0; b < c->boundaries; ++b) {
             const double *row = rows + l->boundary_row[l->boundary_start[i] + b] * columns;
             memset(size, 0, (size_t)columns * sizeof *size);
