@@ -76,8 +76,7 @@ class Run:
     grazings : tuple of Grazing
     status : Status
     end : float
-        Time at which the simulation ended: the last transition, `until`, or the end of the
-        search.
+        Time at which the simulation ended: that of the last transition, or `until`.
     """
 
     times: np.ndarray

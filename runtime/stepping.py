@@ -5,177 +5,54 @@ It is the reference of the compiled engine and takes its place on machines witho
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Sequence
-from operator import mul
 from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.piecewise import PiecewiseLinear, TransitionShape
-from nonsmooth.runtime.quasi import (
-    ORDERS,
-    UNIT,
-    Crossing,
-    QuasiPolynomial,
-    Series,
-    Start,
-    first_crossing,
+from nonsmooth.runtime.phases import (
+    BoundaryTable,
+    Clock,
+    ConfigurationTable,
+    Row,
+    dot,
+    orders,
+    rows_of,
 )
+from nonsmooth.runtime.piecewise import PiecewiseLinear, TransitionShape
+from nonsmooth.runtime.quasi import UNIT, QuasiPolynomial
+from nonsmooth.runtime.quasi_crossing import Series, Start, first_crossing
 from nonsmooth.runtime.run import LONGEST_WAIT, Grazing, Run, Status
 
 __all__ = ["run"]
 
 MOST_AT_ONCE = 100  # transitions in a row without time between them
-_SERIES_UP_TO = 0.5  # radians of the fastest exponent over which a state comes by its series
-
-Row = tuple[float, ...]
-
-
-def _dot(row: Sequence[float], vector: Sequence[float]) -> float:
-    return sum(map(mul, row, vector))
-
-
-def _rows(array: np.ndarray) -> list[Row]:
-    return [tuple(map(float, row)) for row in array]
-
-
-def _orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], list[Row]]:
-    """An affine function's derivatives along a field, order by order, and their sizes."""
-    size = len(row)
-    matrix = np.zeros((size, size))
-    matrix[:-1] = field
-    values, bounds = [np.asarray(row, dtype=float)], [abs(np.asarray(row, dtype=float))]
-    for _ in range(count - 1):
-        values.append(values[-1] @ matrix)
-        bounds.append(bounds[-1] @ abs(matrix))
-    return _rows(np.array(values)), _rows(np.array(bounds))
-
-
-class _Boundary:
-    """One boundary of a configuration: its row over the functions of time, and along the field."""
-
-    def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
-        shape = system.structure.boundaries[configuration][index]
-        row, flow = system.rows[shape.row], system.flows[configuration]
-        values = np.einsum("i,fij->fj", row[:-1], flow)
-        sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
-        values[0, -1] += row[-1]  # the constant joins the first function, which is 1
-        sizes[0, -1] += abs(row[-1])
-        self.row, self.reached = shape.row, shape.reached
-        self.values, self.sizes = _rows(values), _rows(sizes)
-        self.orders, self.bounds = _orders(row, system.fields[configuration], ORDERS)
-
-
-class _Configuration:
-    """What a phase needs, as lists of Python numbers."""
-
-    def __init__(self, system: PiecewiseLinear, index: int) -> None:
-        shape, flow = system.structure, system.flows[index]
-        self.modes = [
-            (complex(*map(float, exponent)), mode)
-            for exponent, mode in zip(system.exponents[index], shape.modes[index], strict=True)
-        ]
-        self.fastest = max(abs(exponent) for exponent, _ in self.modes)
-        self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
-        self.boundaries = [_Boundary(system, index, b) for b in range(len(shape.boundaries[index]))]
-        self.flow = [_rows(part) for part in flow]
-        self.sizes = [_rows(abs(part)) for part in flow]
-        self.total = _rows(abs(flow).sum(axis=0))
-        self.field = _rows(system.fields[index])
-
-    def function(
-        self, boundary: _Boundary, state: list[float], size: list[float]
-    ) -> QuasiPolynomial:
-        """A boundary function in time, from an extended state and its absolute values."""
-        values = [_dot(row, state) for row in boundary.values]
-        sizes = [_dot(row, size) for row in boundary.sizes]
-        exponents, polynomials, weights = [], [], []
-        for exponent, mode in self.modes:
-            places = mode.places
-            if mode.oscillates:
-                pairs = list(zip(places[::2], places[1::2], strict=True))
-                polynomial = [complex(values[a], -values[b]) for a, b in pairs]
-                weight = [sizes[a] + sizes[b] for a, b in pairs]
-            else:
-                polynomial = [complex(values[a]) for a in places]
-                weight = [sizes[a] for a in places]
-            while weight and weight[-1] == 0:
-                weight.pop()
-                polynomial.pop()
-            if weight:
-                exponents.append(exponent)
-                polynomials.append(tuple(polynomial))
-                weights.append(tuple(weight))
-        return QuasiPolynomial(tuple(exponents), tuple(polynomials), tuple(weights))
-
-    def after(self, state: list[float], t: float) -> list[float]:
-        """The extended state a time t later."""
-        if t == 0:
-            return state
-        if t * self.fastest <= _SERIES_UP_TO:
-            return self._series(state, t)
-        result = [0.0] * (len(state) - 1)
-        for factor, _, place in self._factors(t):
-            for i, row in enumerate(self.flow[place]):
-                result[i] += factor * _dot(row, state)
-        return [*result, 1.0]
-
-    def _series(self, state: list[float], t: float) -> list[float]:
-        """By the Taylor series: what changes little keeps its relative accuracy."""
-        result, term, last = state[:], state, 0.0
-        for k in range(1, 60):
-            term = [t / k * _dot(row, term) for row in self.field] + [last]
-            if not any(term):
-                break
-            grown = [a + b for a, b in zip(result, term, strict=True)]
-            if k > len(state) and grown == result:
-                break
-            result = grown
-        return result
-
-    def magnitudes(self, size: list[float], t: float) -> list[float]:
-        """Sums of absolute values that make up the extended state a time t later."""
-        if self.bounded:
-            return [*(_dot(row, size) for row in self.total), 1.0]
-        result = [0.0] * (len(size) - 1)
-        for _, weight, place in self._factors(t):
-            for i, row in enumerate(self.sizes[place]):
-                result[i] += weight * _dot(row, size)
-        return [*result, 1.0]
-
-    def _factors(self, t: float) -> list[tuple[float, float, int]]:
-        """Values and weights of the functions of time, with their places."""
-        found = []
-        for exponent, mode in self.modes:
-            wave, growth, power = cmath.exp(exponent * t), math.exp(exponent.real * t), 1.0
-            step = 2 if mode.oscillates else 1
-            for place in mode.places[::step]:
-                found.append((power * wave.real, power * growth, place))
-                if mode.oscillates:
-                    found.append((power * wave.imag, power * growth, place + 1))
-                power *= t
-        return found
+_RESOLUTION = 2.0**-104  # of a time that is the sum of two numbers
 
 
 class _Watch(NamedTuple):
     """A boundary function of a phase and how it starts."""
 
-    index: int
-    boundary: _Boundary
+    place: int
+    boundary: BoundaryTable
     function: QuasiPolynomial
     start: Start
 
 
 class _Event(NamedTuple):
-    """The end of a phase: time (None: none), reached boundaries, error of the time."""
+    """The end of a phase: time (None: none), reached boundaries, those that are zero there."""
 
     time: float | None
     boundaries: frozenset[int]
+    located: frozenset[int]
     error: float
     grazings: tuple[tuple[float, int, float], ...]
     never: bool
+
+
+# sums of absolute values behind a state, what it moves within the error of its time, that error
+_Errors = tuple[list[float], list[float], float]
 
 
 class _Stepper:
@@ -183,13 +60,13 @@ class _Stepper:
 
     def __init__(self, system: PiecewiseLinear) -> None:
         self.system, self.structure = system, system.structure
-        self.configurations: dict[int, _Configuration] = {}
+        self.configurations: dict[int, ConfigurationTable] = {}
         self.pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
-        self.resets = [_rows(reset) for reset in system.resets]
+        self.resets = [rows_of(reset) for reset in system.resets]
 
-    def configuration(self, index: int) -> _Configuration:
+    def configuration(self, index: int) -> ConfigurationTable:
         if index not in self.configurations:
-            self.configurations[index] = _Configuration(self.system, index)
+            self.configurations[index] = ConfigurationTable(self.system, index)
         return self.configurations[index]
 
     def watches(
@@ -209,10 +86,11 @@ class _Stepper:
 
     def event(self, watches: list[_Watch], window: float) -> _Event:
         """First event of a phase within a window."""
-        at_once = frozenset(w.index for w in watches if w.start.sign > 0)
+        at_once = frozenset(w.place for w in watches if w.start.sign > 0)
         if at_once:
-            return _Event(0.0, at_once, 0.0, (), False)
-        best: tuple[Crossing, _Watch] | None = None
+            beyond = {w.place for w in watches if w.start.beyond}
+            return _Event(0.0, at_once, at_once - beyond, 0.0, (), False)
+        best: tuple[float, float, _Watch] | None = None
         touched: list[tuple[float, int, float]] = []
         never, overflow, end = True, False, window
         for watch in watches:
@@ -227,69 +105,66 @@ class _Stepper:
                 overflow = True
                 continue
             never = never and crossing.never
-            touched += [(time, watch.index, depth) for time, depth in crossing.touched]
-            if crossing.time is not None and (best is None or crossing.time < best[0].time):
-                best = crossing, watch
+            touched += [(time, watch.place, depth) for time, depth in crossing.touched]
+            if crossing.time is not None and crossing.time < (best[0] if best else math.inf):
+                best = crossing.time, crossing.error, watch
                 end = min(window, crossing.time + 2 * crossing.error)
         if best is None:
             if overflow:
                 raise OverflowError
-            return _Event(None, frozenset(), 0.0, tuple(sorted(touched)), never)
-        crossing, trigger = best
-        time, error = crossing.time or 0.0, crossing.error
-        together = {w.index for w in watches if w is trigger or _together(w, time, error)}
+            return _Event(None, frozenset(), frozenset(), 0.0, tuple(sorted(touched)), never)
+        time, error, trigger = best
+        together = {w.place for w in watches if w is trigger or _together(w, time, error)}
         passed = tuple(sorted(t for t in touched if t[0] <= time and t[1] not in together))
-        return _Event(time, frozenset(together), error, passed, False)
+        return _Event(time, frozenset(together), frozenset(together), error, passed, False)
 
     def transition(
         self,
         configuration: int,
-        event: frozenset[int],
+        event: _Event,
         state: list[float],
-        sizes: list[float],
-        error: float,
+        errors: _Errors,
     ) -> TransitionShape | None:
         """The first transition declared for a set of boundaries whose conditions hold."""
         shapes = self.structure.boundaries[configuration]
-        rows = {shapes[b].row for b in event}
+        rows = {shapes[b].row for b in event.located}
         for transition in self.structure.transitions[configuration]:
-            if transition.boundaries == event and all(
-                self._positive(row, along, state, sizes, error, row in rows) is holds
+            if transition.boundaries == event.boundaries and all(
+                self._positive(row, along, state, errors, row in rows) is holds
                 for row, along, holds in transition.conditions
             ):
                 return transition
         return None
 
     def _positive(
-        self,
-        row: int,
-        along: int,
-        state: list[float],
-        sizes: list[float],
-        error: float,
-        is_zero: bool,
+        self, row: int, along: int, state: list[float], errors: _Errors, is_zero: bool
     ) -> bool:
-        """Whether the first nonzero derivative of a row along a configuration is positive."""
+        """Whether the first nonzero derivative of a row along a configuration is positive.
+
+        The time of the state errs: it may have moved on along either configuration.
+        """
+        sizes, moved, error = errors
         if (row, along) not in self.pairs:
             count = len(state) + 1
-            found = _orders(self.system.rows[row], self.system.fields[along], count)
+            found = orders(self.system.rows[row], self.system.fields[along], count)
             self.pairs[row, along] = found
         values, bounds = self.pairs[row, along]
-        following = _dot(values[0], state)
+        following = dot(values[0], state)
         for order in range(len(values) - 1):
-            value, following = following, _dot(values[order + 1], state)
+            value, following = following, dot(values[order + 1], state)
             if order == 0 and is_zero:
                 continue
-            if abs(value) > UNIT * _dot(bounds[order], sizes) + error * abs(following):
+            drift = max(error * abs(following), abs(dot(values[order], moved)))
+            if abs(value) > UNIT * dot(bounds[order], sizes) + drift:
                 return value > 0
         return False
 
     def reset(self, transition: TransitionShape, state: list[float]) -> list[float]:
-        return [*(_dot(row, state) for row in self.resets[transition.reset]), 1.0]
+        return [*(dot(row, state) for row in self.resets[transition.reset]), 1.0]
 
 
 def _start(
-    boundary: _Boundary,
+    boundary: BoundaryTable,
     function: QuasiPolynomial,
     state: list[float],
     size: list[float],
@@ -300,19 +175,19 @@ def _start(
     They err by the rounding of the modes, and by the error of the time at which the state was
     found.
     """
-    value, following = _dot(boundary.orders[0], state), _dot(boundary.orders[1], state)
+    value, following = dot(boundary.orders[0], state), dot(boundary.orders[1], state)
     rounding = UNIT * sum(s[0] for s in function.sizes)
     if abs(value) > rounding + error * abs(following):
-        return Start(1 if value > 0 else -1, None)
+        return Start(1, None, True) if value > 0 else Start(-1, None)
     count = len(boundary.values)
     _, errors = function.taylor(count)
     for order in range(1, count):
-        value, following = following, _dot(boundary.orders[order + 1], state)
+        value, following = following, dot(boundary.orders[order + 1], state)
         if abs(value) > errors[order] + error * abs(following):
             if value > 0:
                 return Start(1, None)
-            values = [_dot(row, state) for row in boundary.orders]
-            sizes = [_dot(row, size) for row in boundary.bounds]
+            values = [dot(row, state) for row in boundary.orders]
+            sizes = [dot(row, size) for row in boundary.bounds]
             return Start(-1, Series(order, values, sizes, function.fastest))
     return Start(0, None)
 
@@ -326,25 +201,6 @@ def _together(watch: _Watch, time: float, error: float) -> bool:
         return False
     certain = watch.function.derivative().rounding(time)
     return slope > certain or (watch.boundary.reached and slope >= -certain)
-
-
-class _Clock:
-    """A time as an unevaluated sum of two numbers."""
-
-    def __init__(self) -> None:
-        self.time, self.rest = 0.0, 0.0
-
-    def advance(self, step: float) -> None:
-        total = self.time + step
-        part = total - self.time
-        lost = (self.time - (total - part)) + (step - part)
-        rest = self.rest + lost
-        self.time = total + rest
-        self.rest = rest - (self.time - total)
-
-    def before(self, until: float) -> float:
-        """What is left until a time."""
-        return (until - self.time) - self.rest
 
 
 def run(
@@ -372,7 +228,7 @@ def run(
     -------
     Run
     """
-    stepper, clock = _Stepper(system), _Clock()
+    stepper, clock = _Stepper(system), Clock()
     extended = [*map(float, state), 1.0]
     entries = [(0.0, configuration, extended, extended, 0)]
     grazings: list[Grazing] = []
@@ -414,24 +270,26 @@ def run(
                 if window == remaining and until < math.inf:
                     return ended(Status.UNTIL, until)
                 if until == math.inf:
-                    wait = 0.0 if event.never else dwell
-                    return ended(Status.QUIET, clock.time + wait)
+                    return ended(Status.QUIET, clock.time)
                 if event.never:
                     return ended(Status.UNTIL, until)
                 # the same phase from here on, within reach of the guarantee again
-                watched = {w.index for w in watches}
+                watched = {w.place for w in watches}
                 left_out = frozenset(range(len(table.boundaries))) - watched
                 extended, error = table.after(extended, dwell), 4 * math.ulp(dwell)
                 clock.advance(dwell)
                 continue
             if dwell > 0:
                 error = event.error
+            # a flight too short for the clock is none
+            error = max(error, _RESOLUTION * (clock.time + dwell))
             sizes = table.magnitudes([abs(x) for x in extended], dwell)
             before = table.after(extended, dwell)
         except OverflowError:
             return ended(Status.OVERFLOW, clock.time)
         clock.advance(dwell)
-        transition = stepper.transition(configuration, event.boundaries, before, sizes, error)
+        moved = [*(error * dot(row, before) for row in table.field), 0.0]
+        transition = stepper.transition(configuration, event, before, (sizes, moved, error))
         if transition is None:
             return ended(Status.UNDECLARED, clock.time)
         extended = stepper.reset(transition, before)

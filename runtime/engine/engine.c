@@ -7,6 +7,7 @@
 #include "phase.h"
 
 static const double LONGEST_WAIT = 1e5; /* radians of the fastest oscillation */
+static const double RESOLUTION = 0x1p-104; /* of the clock: a shorter flight is none */
 static const double ZERO = 16.0 * DBL_EPSILON;
 enum { MOST_IMMEDIATE = 100 };
 
@@ -93,12 +94,19 @@ reset(const double *matrix, const int n, double *state, double *magnitude)
     memcpy(magnitude, size, (size_t)n * sizeof *magnitude);
 }
 
+/* What a state is known to, at an event. */
+typedef struct {
+    const double *state, *magnitude;
+    double time_error;
+    double moved[MOST_STATES]; /* change of the state over the error of the time */
+} located_state;
+
 /* Whether the first nonzero derivative of a pair's function is positive. The function itself is
  * zero where its boundary was just located. */
 static inline __attribute__((always_inline)) int
-rises_first(const tables *t, const int n, int pair, int located, const double *state,
-            const double *magnitude, double time_error)
+rises_first(const tables *t, const int n, int pair, int located, const located_state *at)
 {
+    const double *state = at->state, *magnitude = at->magnitude;
     const int columns = n + 1;
     const double *row = t->derivative + (size_t)pair * columns * columns;
     const double *size = t->bound + (size_t)pair * columns * columns;
@@ -118,19 +126,31 @@ rises_first(const tables *t, const int n, int pair, int located, const double *s
         double sizes = size[n];
         for (int j = 0; j < n; ++j)
             sizes += size[j] * magnitude[j];
-        const double next = k < n ? fabs(value[k + 1]) : 0.0;
-        if (fabs(value[k]) > ZERO * sizes + time_error * next)
+        double drift = 0.0;
+        for (int j = 0; j < n; ++j)
+            drift += row[k * columns + j] * at->moved[j];
+        const double next = k < n ? at->time_error * fabs(value[k + 1]) : 0.0;
+        if (fabs(value[k]) > ZERO * sizes + fmax(next, fabs(drift)))
             return value[k] > 0.0;
     }
     return 0;
 }
 
-/* First declared transition that applies; -1 if none does. */
+/* First declared transition that applies; -1 if none does. `located` are the boundaries of the set
+ * that are known to be zero. */
 static inline __attribute__((always_inline)) int
-choose(const tables *t, const int n, int source, uint32_t set, const double *state,
-       const double *magnitude, double time_error)
+choose(const tables *t, const int n, int source, uint32_t set, uint32_t located,
+       const double *state, const double *magnitude, double time_error)
 {
     const layout *l = t->layout;
+    const double *field = t->fields + (size_t)source * n * (n + 1);
+    located_state at = {state, magnitude, time_error, {0}};
+    for (int i = 0; i < n; ++i, field += n + 1) {
+        double rate = field[n];
+        for (int j = 0; j < n; ++j)
+            rate += field[j] * state[j];
+        at.moved[i] = time_error * rate;
+    }
     const int32_t *boundary_row = l->boundary_row + l->boundary_start[source];
     for (int i = l->transition_start[source]; i < l->transition_start[source + 1]; ++i) {
         if ((uint32_t)l->transition_set[i] != set)
@@ -138,11 +158,10 @@ choose(const tables *t, const int n, int source, uint32_t set, const double *sta
         int applies = 1;
         for (int k = l->condition_start[i]; applies && k < l->condition_start[i + 1]; ++k) {
             const int pair = l->condition_pair[k];
-            int located = 0;
-            for (uint32_t rest = set; rest; rest &= rest - 1)
-                located |= boundary_row[__builtin_ctz(rest)] == l->pair_row[pair];
-            applies = rises_first(t, n, pair, located, state, magnitude, time_error) ==
-                      l->condition_holds[k];
+            int is_zero = 0;
+            for (uint32_t rest = located; rest; rest &= rest - 1)
+                is_zero |= boundary_row[__builtin_ctz(rest)] == l->pair_row[pair];
+            applies = rises_first(t, n, pair, is_zero, &at) == l->condition_holds[k];
         }
         if (applies)
             return i;
@@ -203,6 +222,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
     long_time now = {0.0, 0.0};
     outcome result = {STATUS_TRANSITIONS, 0, 0, 0.0};
     int here = *configuration_index, immediate = 0;
+    uint32_t located;
     for (int i = 0; i < n; ++i)
         magnitude[i] = fabs(state[i]);
     keep(r, 0, n, 0.0, here, state, state, 0);
@@ -217,7 +237,8 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             event.found = 1;
             event.time = 0.0;
             event.time_error = p.start;
-            if (++immediate > MOST_IMMEDIATE) {
+            located = event.set & p.zero;
+            if (++immediate > MOST_IMMEDIATE + 1) {
                 result.status = STATUS_IMMEDIATE;
                 break;
             }
@@ -240,7 +261,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                 phase_functions(c, step, event.functions);
                 flow(c, n, event.functions, state, magnitude);
                 now = later(now, step);
-                p.start = 0.0;
+                p.start = 4.0 * DBL_EPSILON * step;
                 if (!is_finite(n, state)) {
                     result.status = STATUS_OVERFLOW;
                     break;
@@ -253,15 +274,18 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                 continue;
             }
             immediate = 0;
+            located = event.set;
             flow(c, n, event.functions, state, magnitude);
             now = later(now, event.time);
+            event.time_error = fmax(event.time_error, RESOLUTION * now.high);
             memcpy(before, state, (size_t)n * sizeof *state);
         }
         if (!is_finite(n, state)) {
             result.status = STATUS_OVERFLOW;
             break;
         }
-        const int chosen = choose(t, n, here, event.set, state, magnitude, event.time_error);
+        const int chosen = choose(t, n, here, event.set, located, state, magnitude,
+                                  event.time_error);
         if (chosen < 0) {
             result.status = STATUS_UNDECLARED;
             break;

@@ -220,7 +220,7 @@ uint32_t phase_begin(phase *p)
 {
     const configuration *c = p->c;
     uint32_t crossed = 0;
-    p->watched = p->leaving = p->slow = 0;
+    p->watched = p->zero = p->leaving = p->slow = 0;
     p->touches = 0;
     for (int b = 0; b < c->boundaries; ++b) {
         const uint32_t bit = (uint32_t)1 << b;
@@ -246,6 +246,7 @@ uint32_t phase_begin(phase *p)
         const double g = at_start(c, value);
         const double rate = at_start(c, slope_of(p, b));
         if (fabs(g) <= START * p->size[b] + p->start * fabs(rate)) {
+            p->zero |= bit;
             /* the first derivative decides if it exceeds generous bounds on its error */
             const double rough = START * p->size[b] * (c->fastest + 1.0) + p->start * second;
             const beginning first = c->uniform && c->mode[0].length <= 2 && fabs(rate) > rough
@@ -478,14 +479,13 @@ static double cubic_zero(sample left, sample right, double h)
 }
 
 /* Boundaries that hold at the event of boundary `b`: those within their errors of zero that do not
- * fall there. */
-static void gather(const phase *p, int b, crossing *event)
+ * fall there. `error` is that of its value. */
+static void gather(const phase *p, int b, double error, crossing *event)
 {
     const double time = event->time;
     const double *functions = event->functions;
     phase_functions(p->c, time, event->functions);
     const double slope = fabs(dot(p->c->functions, slope_of(p, b), functions));
-    const double error = error_at(p, b, time);
     event->time_error = 4.0 * DBL_EPSILON * time + (slope > 0.0 ? error / slope : 0.0);
     /* at a tangency the time is known to the root of the error only */
     const double second = second_bound(p, b, time, time);
@@ -529,7 +529,7 @@ static crossing search_linear(const phase *p, double window)
         return event;
     event.found = 1;
     event.time = time;
-    gather(p, first, &event);
+    gather(p, first, error_at(p, first, time), &event);
     return event;
 }
 
@@ -596,7 +596,7 @@ crossing phase_search(phase *p, double window)
                 suspects |= (uint32_t)1 << b;
         }
         int first = -1;
-        double earliest = next;
+        double earliest = next, error = 0.0;
         for (uint32_t rest = suspects; rest; rest &= rest - 1) {
             const int b = __builtin_ctz(rest);
             const int leaves = cell == 0 && (p->leaving >> b & 1);
@@ -614,6 +614,7 @@ crossing phase_search(phase *p, double window)
                                                      : first_in(p, &s, away, earliest, from);
             }
             if (found <= earliest && (first < 0 || found < earliest)) {
+                sampled(&s, found, &error);
                 earliest = found;
                 first = b;
             }
@@ -621,7 +622,7 @@ crossing phase_search(phase *p, double window)
         if (first >= 0) {
             event.found = 1;
             event.time = earliest;
-            gather(p, first, &event);
+            gather(p, first, error, &event);
             return event;
         }
         for (uint32_t rest = p->watched; rest; rest &= rest - 1) {

@@ -200,6 +200,7 @@ void tables_fill(tables *tables, const double *numbers)
     double *weight = boundary + products(l) * (size_t)columns;
     double *size = weight + products(l) * (size_t)columns;
     double *reach = size + (size_t)l->boundaries * columns;
+    tables->fields = fields;
     tables->resets = resets;
     for (int i = 0; i < l->configurations; ++i) {
         configuration *c = &tables->configuration[i];

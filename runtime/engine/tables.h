@@ -52,6 +52,7 @@ typedef struct {
 /* All at one parameter point. */
 typedef struct {
     const layout *layout;
+    const double *fields; /* [configuration][state][states + 1] */
     const double *resets; /* [reset][state][states + 1] */
     configuration *configuration;
     double *derivative; /* [pair][states + 1][states + 1]: order by order along the flow */
