@@ -35,7 +35,7 @@ from nonsmooth.runtime.run import Run
 from nonsmooth.runtime.starting import configuration_of, configurations_of, start_state
 from nonsmooth.runtime.trajectory import Trajectory
 
-__all__ = ["Trajectories", "follow", "simulate", "simulate_many"]
+__all__ = ["Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
 
 _LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time
 
@@ -190,8 +190,8 @@ def simulate_many(
     limits = np.asarray(until, dtype=float)
     least = float(limits.min()) if limits.size else math.inf
     most = _most_transitions(least, transitions)
-    kept = _count("keep", keep, 0)
-    workers = (os.cpu_count() or 1) if threads is None else _count("threads", threads, 1)
+    kept = checked_count("keep", keep, 0)
+    workers = (os.cpu_count() or 1) if threads is None else checked_count("threads", threads, 1)
     try:
         common = np.broadcast_shapes(shape, starts.shape[:-1], limits.shape)
     except ValueError:
@@ -295,10 +295,11 @@ def _most_transitions(until: float, transitions: int | None) -> int | None:
         if math.isinf(until):
             raise InputError("nothing ends the motion: give until, or transitions")
         return None
-    return _count("transitions", transitions, 1)
+    return checked_count("transitions", transitions, 1)
 
 
-def _count(label: str, value: object, least: int) -> int:
+def checked_count(label: str, value: object, least: int) -> int:
+    """An integer of at least so much; InputError otherwise."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
         raise InputError(f"{label} = {value!r} is not an integer from {least}")
     return int(value)

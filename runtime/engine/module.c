@@ -26,9 +26,11 @@ int module_layout(const Py_buffer *view, layout *result)
     return -1;
 }
 
+PyObject *py_compose(PyObject *self, PyObject *arguments);
 PyObject *py_simulate(PyObject *self, PyObject *arguments);
 
 static PyMethodDef methods[] = {
+    {"compose", py_compose, METH_VARARGS, "Periodic orbits of an itinerary."},
     {"simulate", py_simulate, METH_VARARGS, "Motions from event to event."},
     {NULL, NULL, 0, NULL},
 };

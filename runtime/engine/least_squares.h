@@ -1,0 +1,137 @@
+/* Few linear equations in the sense of least squares, rank revealing. */
+#ifndef NONSMOOTH_LEAST_SQUARES_H
+#define NONSMOOTH_LEAST_SQUARES_H
+
+#include <float.h>
+#include <math.h>
+
+#include "tables.h"
+
+/* The number of states is known to the compiler in the bodies made for it. */
+#if defined(__GNUC__)
+#define INLINED static inline __attribute__((always_inline))
+#else
+#define INLINED static inline
+#endif
+
+/* Relative pivot below which equations are dependent. */
+static const double LEAST = 1e-10;
+
+/* A NaN that comes second is passed over. */
+INLINED double larger(double a, double b)
+{
+    return b > a ? b : a;
+}
+
+INLINED double smaller(double a, double b)
+{
+    return b < a ? b : a;
+}
+
+/* Solution of m >= n equations in the sense of least squares, by Householder reflections with
+ * column pivoting; what is not determined stays 0. The smallest relative pivot; NaN where
+ * something is not finite. */
+INLINED double least_squares(int m, int n, double *a, double *b, double *x)
+{
+    int order[MOST_STATES];
+    double pivot[MOST_STATES], first = 0.0, least = 1.0;
+    int rank = 0;
+    for (int j = 0; j < n; ++j)
+        order[j] = j;
+    for (int k = 0; k < n; ++k) {
+        double best = -1.0;
+        int chosen = k;
+        for (int j = k; j < n; ++j) {
+            double sum = 0.0;
+            for (int i = k; i < m; ++i)
+                sum += a[i * n + j] * a[i * n + j];
+            if (!(sum <= DBL_MAX))
+                return NAN;
+            if (sum > best) {
+                best = sum;
+                chosen = j;
+            }
+        }
+        const double norm = sqrt(best);
+        if (k == 0)
+            first = norm;
+        const double relative = first > 0.0 ? norm / first : 0.0;
+        least = relative < least ? relative : least;
+        if (!(relative > LEAST))
+            break;
+        if (chosen != k) {
+            for (int i = 0; i < m; ++i) {
+                const double kept = a[i * n + k];
+                a[i * n + k] = a[i * n + chosen];
+                a[i * n + chosen] = kept;
+            }
+            const int place = order[k];
+            order[k] = order[chosen];
+            order[chosen] = place;
+        }
+        const double head = a[k * n + k];
+        const double alpha = head > 0.0 ? -norm : norm;
+        a[k * n + k] = head - alpha;
+        const double scale = 1.0 / (alpha * (head - alpha)); /* -2 / |v|^2 */
+        for (int j = k + 1; j < n; ++j) {
+            double sum = 0.0;
+            for (int i = k; i < m; ++i)
+                sum += a[i * n + k] * a[i * n + j];
+            sum *= scale;
+            for (int i = k; i < m; ++i)
+                a[i * n + j] += sum * a[i * n + k];
+        }
+        double sum = 0.0;
+        for (int i = k; i < m; ++i)
+            sum += a[i * n + k] * b[i];
+        sum *= scale;
+        for (int i = k; i < m; ++i)
+            b[i] += sum * a[i * n + k];
+        pivot[k] = alpha;
+        ++rank;
+    }
+    for (int k = n - 1; k >= 0; --k) {
+        if (k >= rank) {
+            x[order[k]] = 0.0;
+            continue;
+        }
+        double sum = b[k];
+        for (int j = k + 1; j < rank; ++j)
+            sum -= a[k * n + j] * x[order[j]];
+        x[order[k]] = sum / pivot[k];
+    }
+    return least;
+}
+
+/* The same of `switches` equations of switching and n of closure, in no units: each in units of
+ * the largest of its terms, each unknown in units of its largest coefficient. */
+INLINED double balanced_least_squares(int switches, int n, double *a, double *b, double *x)
+{
+    double unit[MOST_STATES];
+    for (int k = 0; k < n; ++k)
+        unit[k] = 0.0;
+    for (int i = 0; i < switches + n; ++i) {
+        double size = 0.0;
+        for (int k = 0; k < n; ++k) {
+            const double one = i - switches == k ? 1.0 : 0.0;
+            size = larger(size, fabs(a[i * n + k] - one) + one);
+        }
+        const double scale = size > 0.0 ? 1.0 / size : 1.0;
+        for (int k = 0; k < n; ++k) {
+            a[i * n + k] *= scale;
+            unit[k] = larger(unit[k], fabs(a[i * n + k]));
+        }
+        b[i] *= scale;
+    }
+    for (int k = 0; k < n; ++k)
+        unit[k] = unit[k] > 0.0 ? 1.0 / unit[k] : 1.0;
+    for (int i = 0; i < switches + n; ++i)
+        for (int k = 0; k < n; ++k)
+            a[i * n + k] *= unit[k];
+    const double least = least_squares(switches + n, n, a, b, x);
+    for (int k = 0; k < n; ++k)
+        x[k] *= unit[k];
+    return least;
+}
+
+#endif
