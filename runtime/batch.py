@@ -16,7 +16,7 @@ from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable, load_orbit
 from nonsmooth.runtime.newton import CONVERGED, NEGATIVE, OUTSIDE, Solved, solve_reduced
 from nonsmooth.runtime.orbit import STATUS
-from nonsmooth.runtime.parameters import check_arrays
+from nonsmooth.runtime.parameters import check_arrays, in_domains
 
 __all__ = ["Orbits", "solve_many"]
 
@@ -283,15 +283,8 @@ def _allowed(
     """At which points those of the parameters that are among the names lie in their domains."""
     inside = np.full(len(points), True)
     for table in tables:
-        if table.name not in names:
-            continue
-        column = points[:, names.index(table.name)]
-        if table.lower is not None:
-            lower = float(table.lower)
-            inside &= (column > lower) | (table.closed & (column == lower))
-        if table.upper is not None:
-            upper = float(table.upper)
-            inside &= (column < upper) | (table.upper_closed & (column == upper))
+        if table.name in names:
+            inside &= in_domains(table, points[:, names.index(table.name)])
     return inside
 
 

@@ -130,7 +130,14 @@ class ComposedOrbit:
 
     @cached_property
     def family(self) -> bool:
-        """Whether the orbit is one of a family: 1 is a multiplier, to double precision."""
+        """Whether the orbit is one of a family: 1 is a multiplier, to double precision.
+
+        Raises
+        ------
+        InputError
+            If there is no orbit.
+        """
+        self._check_found()
         dwell = self.dwell_times
         matrix, _ = equations(self.passage, dwell, sizes(self.passage, dwell))
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)

@@ -30,7 +30,7 @@ from nonsmooth.runtime.piecewise import numbers_at, parameter_points, structure_
 
 __all__ = ["ComposedOrbits", "compose_many"]
 
-CHUNK = 1 << 11  # points that one thread takes at a time: their numbers fit into a cache
+CHUNK = 1 << 8  # points that one thread takes at a time: their numbers fit into a cache
 
 
 @dataclass(frozen=True, eq=False)

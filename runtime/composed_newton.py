@@ -117,14 +117,9 @@ def solve_cycle(
     )
     if start is not None:
         found.starts[:, 0] = start
-    engine.compose(
-        layout,
-        cycle.packed,
-        np.ascontiguousarray(flat, dtype=float),
-        np.ascontiguousarray(period, dtype=float),
-        start is not None,
-        *found,
-    )
+    flat = np.ascontiguousarray(flat, dtype=float)
+    period = np.ascontiguousarray(period, dtype=float)
+    engine.compose(layout, cycle.packed, period, flat, *found, start is not None)
     return found
 
 

@@ -11,7 +11,6 @@ import os
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -32,9 +31,19 @@ from nonsmooth.runtime.run import Status
 from nonsmooth.runtime.simulate import Trajectories, checked_count, simulate_many
 from nonsmooth.runtime.values import Value
 
-__all__ = ["RESTING", "UNCLASSIFIED", "Found", "FoundOrbit", "find_orbits", "start_box"]
+__all__ = [
+    "ILLEGAL",
+    "RESTING",
+    "UNCLASSIFIED",
+    "Found",
+    "FoundOrbit",
+    "find_orbits",
+    "label_names",
+    "labels_of",
+    "start_box",
+]
 
-UNCLASSIFIED, RESTING = -1, -2
+UNCLASSIFIED, RESTING, ILLEGAL = -1, -2, -3
 
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _KEPT = 129  # entries: cycles of at most 64 phases
@@ -177,7 +186,7 @@ def find_orbits(
         orbit = _solved(kernels, point, candidate)
         if orbit is not None:
             _add(attractors, orbit)
-    labels = _labels(motions, attractors)
+    labels = labels_of(motions, attractors)
 
     progress("looking for unstable orbits")
     early = follow(starts[: min(count, 200)], _KEPT, _KEPT)
@@ -359,16 +368,20 @@ def _add(orbits: list[ComposedOrbit], orbit: ComposedOrbit) -> None:
         orbits.append(orbit)
 
 
-def _labels(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndarray:
-    """Where each motion ended: at the phase start of a stable orbit, at rest, or unknown."""
+def labels_of(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndarray:
+    """Where each motion ended: index of a stable orbit, RESTING, UNCLASSIFIED or ILLEGAL.
+
+    The last two entries of the motions have to be kept.
+    """
     structure = motions.structure
     labels = np.full(len(motions.times), UNCLASSIFIED)
     labels[motions.status == Status.QUIET] = RESTING
-    scale = scale_of(motions)
+    labels[motions.status < 0] = ILLEGAL
     nearest = np.full(len(labels), _ARRIVED)
     for index, orbit in enumerate(orbits):
         if orbit.stability.verdict != "stable":
             continue
+        scale = np.maximum(np.abs(orbit.states).max(axis=0), 1e-300)
         for phase, (name, _) in enumerate(orbit.itinerary):
             where = structure.configuration(name)
             before = orbit.cycle.configurations[phase - 1]
@@ -379,15 +392,17 @@ def _labels(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndarra
                 & (motions.last_sets[:, -1] == mask)
                 & (motions.status == Status.TRANSITIONS)
             )
-            miss = (np.abs(motions.last_states[:, -1] - orbit.states[phase]) / scale).max(axis=1)
+            with np.errstate(invalid="ignore"):
+                distance = np.abs(motions.last_states[:, -1] - orbit.states[phase])
+                miss = (distance / scale).max(axis=1)
             better = here & (miss < nearest)
             labels[better], nearest[better] = index, miss[better]
     return labels
 
 
-def basin_labels(found: Found) -> dict[int, Any]:
-    """Names of the labels for a picture: ``1``, ``2``, ... of the orbits that attract."""
-    names: dict[int, Any] = {
+def label_names(found: Found) -> dict[int, str]:
+    """What the labels stand for, for pictures: the orbits that attract, and the rest."""
+    names = {
         i: f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(found.orbits) if o.starts
     }
-    return {**names, RESTING: "rest", UNCLASSIFIED: "unclassified"}
+    return {**names, RESTING: "rest", UNCLASSIFIED: "unclassified", ILLEGAL: "no configuration"}

@@ -13,7 +13,15 @@ from nonsmooth.runtime.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.values import Value, as_value, parse
 
-__all__ = ["Point", "check_arrays", "default_parameters", "in_domain", "resolve", "value_of"]
+__all__ = [
+    "Point",
+    "check_arrays",
+    "default_parameters",
+    "in_domain",
+    "in_domains",
+    "resolve",
+    "value_of",
+]
 
 
 @dataclass(frozen=True)
@@ -214,6 +222,18 @@ def in_domain(table: ParameterTable, number: float) -> bool:
     if lower < number < upper:
         return True
     return (table.closed and number == lower) or (table.upper_closed and number == upper)
+
+
+def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
+    """Which of many numbers a parameter may be; those that are not finite never."""
+    inside = np.isfinite(numbers)
+    if table.lower is not None:
+        lower = float(parse(table.lower))
+        inside &= (numbers > lower) | (table.closed & (numbers == lower))
+    if table.upper is not None:
+        upper = float(parse(table.upper))
+        inside &= (numbers < upper) | (table.upper_closed & (numbers == upper))
+    return inside
 
 
 def value_of(table: ParameterTable, given: object) -> Value:

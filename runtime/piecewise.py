@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.kernels import ParameterTable, SystemKernels, load_system
-from nonsmooth.runtime.parameters import in_domain, value_of
+from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.parameters import in_domains, value_of
 from nonsmooth.runtime.values import Value, as_value
 
 __all__ = [
@@ -323,7 +323,7 @@ def parameter_points(
             array = np.asarray(given, dtype=float)
         except (TypeError, ValueError):
             raise InputError(f"parameter {name} is no array of real numbers") from None
-        arrays.append(np.where(_inside(table, array), array, np.nan))
+        arrays.append(np.where(in_domains(table, array), array, np.nan))
     try:
         joined = np.broadcast_arrays(*arrays)
     except ValueError:
@@ -340,7 +340,7 @@ def parameter_points(
 def numbers_at(kernels: SystemKernels, points: np.ndarray) -> np.ndarray:
     """Fields, rows, resets, exponents and flows at points (n, p), flat: (n, size)."""
     parts = _evaluated(kernels, points)
-    return np.concatenate([part.reshape(len(points), -1) for part in parts], axis=1)
+    return np.concatenate([p.reshape(len(points), p.shape[1] * p.shape[2]) for p in parts], axis=1)
 
 
 def piecewise_in(
@@ -381,13 +381,6 @@ def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
     missing = [name for name in names if name not in given]
     if missing:
         raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
-
-
-def _inside(table: ParameterTable, values: np.ndarray) -> np.ndarray:
-    """Which values lie in a parameter's domain."""
-    found, places = np.unique(values, return_inverse=True)
-    allowed = np.array([in_domain(table, x) for x in found.tolist()], dtype=bool)
-    return allowed[places].reshape(values.shape)
 
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -8,8 +8,9 @@ from nonsmooth.runtime.composed import compose, compose_many
 from nonsmooth.runtime.composed_newton import solve_cycle, solve_in_python
 from nonsmooth.runtime.composition import cycle_of, numbers_in, pass_through
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
-from nonsmooth.runtime.piecewise import piecewise_many
+from nonsmooth.runtime.piecewise import numbers_at, parameter_points, structure_of
 from nonsmooth.runtime.refine import refine
 from nonsmooth.runtime.solve import solve
 
@@ -178,6 +179,12 @@ def test_monodromy_keeps_the_field_and_saltations_map_it():
     assert min(abs(nonzero - TRACE)) < 1e-7
 
 
+def made(data):
+    kernels = load_system("dry-friction")
+    points, _ = parameter_points(kernels, data)
+    return structure_of(kernels), numbers_at(kernels, points)
+
+
 @needs_engine
 @pytest.mark.parametrize("guided", [False, True])
 def test_compiled_as_in_python(guided):
@@ -187,7 +194,7 @@ def test_compiled_as_in_python(guided):
     data["eta"] = 1 + 0.05 * random.uniform(-1, 1, count)
     data["V"] = 1 + 0.05 * random.uniform(-1, 1, count)
     data["eta"][7] = -1  # outside its domain
-    structure, flat, _ = piecewise_many("dry-friction", data)
+    structure, flat = made(data)
     cycle, free = cycle_of(structure, STICK), np.full(count, np.nan)
     dwell = np.tile(STICK_GUESS, (count, 1))
     start = np.tile(stick().states[0], (count, 1)) if guided else None
@@ -243,6 +250,17 @@ def test_threads_and_chunks_change_nothing(threads, monkeypatch):
     whole = compose_many("dry-friction", STICK, data, STICK_GUESS, start)
     np.testing.assert_array_equal(many.dwell_times, whole.dwell_times)
     np.testing.assert_array_equal(many.trace, whole.trace)
+
+
+@pytest.mark.parametrize("first", range(4))
+def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
+    # the engine starts from another phase: an exact guess is exact there too
+    exact = compose("dry-friction", STICK_DATA, turned(STICK, first), turned(STICK_GUESS, first))
+    many = compose_many(
+        "dry-friction", turned(STICK, first), STICK_DATA, exact.dwell_times, exact.states[0]
+    )
+    assert many.converged
+    assert many.iterations == 1
 
 
 def test_no_points_and_lost_points():
@@ -395,7 +413,7 @@ def test_bad_input_of_many(changes, match):
 @needs_engine
 def test_the_engine_checks_its_arrays():
     engine = composed_newton._compiled()
-    structure, flat, _ = piecewise_many("dry-friction", STICK_DATA)
+    structure, flat = made(STICK_DATA)
     cycle = cycle_of(structure, STICK)
     layout = composed_newton.layout_of(structure)
     one = np.zeros(1)
@@ -405,11 +423,11 @@ def test_the_engine_checks_its_arrays():
     wrong[0] = 99
     for part, message in ((wrong, "not of this layout"), (cycle.packed[:5], "cycle")):
         with pytest.raises(ValueError, match=message):
-            engine.compose(layout, part, flat, one, False, *arrays)
+            engine.compose(layout, part, one, flat, *arrays, False)
     for place, name in enumerate(("dwell", "starts", "maps", "residuals")):
         short = list(arrays)
         short[place] = np.zeros(0)
         with pytest.raises(ValueError, match=name):
-            engine.compose(layout, cycle.packed, flat, one, False, *short)
+            engine.compose(layout, cycle.packed, one, flat, *short, False)
     with pytest.raises(ValueError, match="numbers"):
-        engine.compose(layout, cycle.packed, flat[:, 1:].copy(), one, False, *arrays)
+        engine.compose(layout, cycle.packed, one, flat[:, 1:].copy(), *arrays, False)
