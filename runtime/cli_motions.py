@@ -8,11 +8,19 @@ from typing import Annotated
 
 import typer
 
-from nonsmooth.runtime.command import ANSWERED, answering, app, assignments, print_json, split
+from nonsmooth.runtime.command import (
+    ANSWERED,
+    answering,
+    app,
+    assignments,
+    print_json,
+    ranges,
+    split,
+)
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.options import AsJson, Physical, SystemName
 
-__all__ = ["simulate"]
+__all__ = ["find", "simulate", "sweep"]
 
 
 @app.command(
@@ -87,6 +95,189 @@ def simulate(
         print_json({**motion_json(motion), "files": written})
     else:
         show_motion(motion)
+        for name in written:
+            print(f"{name} written")
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1\n\n"
+    "nonsmooth find dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+    " --starts 2000 --box x1=-4:4,x2=-4:4 --save found.json\n\n"
+    "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    " --basins x1=-3:3:300,v2=-1:1:300 --plot basins.png"
+)
+@answering
+def find(
+    system: SystemName,
+    parameters: Physical = None,
+    starts: Annotated[
+        int, typer.Option("--starts", metavar="N", help="Random starts to follow.")
+    ] = 400,
+    transitions: Annotated[
+        int, typer.Option("--transitions", metavar="N", help="Length of the transients.")
+    ] = 2000,
+    box: Annotated[
+        list[str] | None,
+        typer.Option("--box", metavar="NAME=A:B,...", help="Where the starts are drawn."),
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random starts.")] = 0,
+    basins: Annotated[
+        str | None,
+        typer.Option(
+            "--basins",
+            metavar="NAME=A:B:N,NAME=A:B:N",
+            help="Map a plane of starts: two states with their ranges and counts.",
+        ),
+    ] = None,
+    start: Annotated[
+        list[str] | None,
+        typer.Option("--from", metavar="NAME=VALUE,...", help="The other states of that plane."),
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--plot", metavar="FILE", help="Draw the map of --basins.")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save all of it as JSON.")
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Find the periodic orbits that live in a system, stable and unstable, and their basins."""
+    from nonsmooth.runtime.display import counted, steps
+    from nonsmooth.runtime.display_motion import show_found
+    from nonsmooth.runtime.files import check_target
+    from nonsmooth.runtime.find import find_orbits
+    from nonsmooth.runtime.report_found import found_json, save_found
+
+    if (plot is None) != (basins is None):
+        raise InputError("--basins says what to map and --plot where to draw it: give both")
+    for path in (plot, save):
+        if path is not None:
+            check_target(path)
+    axes = ranges("state", split([basins]), counts=True) if basins else {}
+    if basins and len(axes) != 2:
+        raise InputError(f"--basins takes two states, not {len(axes)}")
+    with steps() as begin:
+        found = find_orbits(
+            system,
+            assignments("parameter", parameters or []),
+            starts,
+            transitions=transitions,
+            box={name: (low, high) for name, (low, high, _) in ranges("state", split(box)).items()},
+            seed=seed,
+            progress=begin,
+        )
+    written = []
+    if save is not None:
+        save_found(found, save)
+        written.append(str(save))
+    if plot is not None:
+        from nonsmooth.runtime.maps import draw_basins
+        from nonsmooth.runtime.plot import save_figure
+        from nonsmooth.runtime.sweep import basins as map_basins
+
+        x, y = ((name, *bounds) for name, bounds in axes.items())
+        others = assignments("state", split(start))
+        with counted("mapping basins", y[3]) as progress:
+            plane = map_basins(found, x, y, others, progress=progress)
+        save_figure(draw_basins(plane), plot)
+        written.append(str(plot))
+    if as_json:
+        print_json({**found_json(found), "files": written})
+    else:
+        show_found(found)
+        for name in written:
+            print(f"{name} written")
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth sweep dry-friction V=0.2:1.2:500 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png"
+)
+@answering
+def sweep(
+    system: SystemName,
+    parameters: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="NAME=VALUE|A:B:N",
+            help="All physical parameters, one of them as a range: V=0.5:1.5:400.",
+            show_default=False,
+        ),
+    ] = None,
+    state: Annotated[
+        str | None, typer.Option("--state", metavar="NAME", help="What is drawn.")
+    ] = None,
+    at: Annotated[
+        str | None,
+        typer.Option("--at", metavar="NAME", help="At each entry of this configuration."),
+    ] = None,
+    start: Annotated[
+        list[str] | None, typer.Option("--from", metavar="NAME=VALUE,...", help="The start.")
+    ] = None,
+    transient: Annotated[
+        int, typer.Option("--transient", metavar="N", help="Transitions before the first point.")
+    ] = 1000,
+    samples: Annotated[
+        int, typer.Option("--samples", metavar="N", help="Transitions that points are taken from.")
+    ] = 60,
+    restart: Annotated[
+        bool, typer.Option("--restart", help="Start every value anew instead of following.")
+    ] = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
+    from numpy import linspace
+
+    from nonsmooth.runtime.display import counted
+    from nonsmooth.runtime.files import check_target
+    from nonsmooth.runtime.sweep import sweep as follow
+
+    for option, given in (("--state", state), ("--at", at), ("--from", start)):
+        if not given:
+            raise InputError(f"{option} is missing")
+    if out is not None:
+        check_target(out)
+    swept = [text for text in parameters or [] if ":" in text]
+    if len(swept) != 1:
+        raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
+    fixed = [text for text in parameters or [] if text not in swept]
+    ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
+    with counted(f"sweeping {name}", count) as progress:
+        diagram = follow(
+            system,
+            assignments("parameter", fixed),
+            name,
+            linspace(low, high, count),
+            assignments("state", split(start)),
+            state=str(state),
+            configuration=str(at),
+            transient=transient,
+            samples=samples,
+            follow=not restart,
+            progress=progress,
+        )
+    written = []
+    if out is not None:
+        from nonsmooth.runtime.maps import draw_sweep
+        from nonsmooth.runtime.plot import save_figure
+
+        save_figure(draw_sweep(diagram), out)
+        written.append(str(out))
+    if as_json:
+        from nonsmooth.runtime.report_motion import sweep_json
+
+        print_json({**sweep_json(diagram), "files": written})
+    else:
+        from nonsmooth.runtime.display_motion import show_sweep
+
+        show_sweep(diagram)
         for path in written:
             print(f"{path} written")
     return ANSWERED

@@ -28,6 +28,7 @@ __all__ = [
     "app",
     "assignments",
     "print_json",
+    "ranges",
     "split",
 ]
 
@@ -106,6 +107,28 @@ def assignments(kind: str, texts: Iterable[str]) -> dict[str, Value]:
         if name in found:
             raise InputError(f"{kind} {name} is given twice")
         found[name] = value
+    return found
+
+
+def ranges(
+    kind: str, texts: Iterable[str], *, counts: bool = False
+) -> dict[str, tuple[float, float, int]]:
+    """Ranges ``name=lower:upper`` or, with counts, ``name=lower:upper:count``; count 0 without."""
+    from nonsmooth.runtime.values import parse
+
+    found: dict[str, tuple[float, float, int]] = {}
+    form = "A:B:N" if counts else "A:B"
+    for text in texts:
+        name, _, bounds = text.partition("=")
+        name, parts = name.strip(), bounds.split(":")
+        if name in found:
+            raise InputError(f"{kind} {name} is given twice")
+        if not name or len(parts) != (3 if counts else 2):
+            raise InputError(f"{text!r} is not NAME={form}")
+        low, high = float(parse(parts[0])), float(parse(parts[1]))
+        if counts and not parts[2].strip().isdecimal():
+            raise InputError(f"{text!r}: {parts[2]!r} is not a count")
+        found[name] = low, high, int(parts[2]) if counts else 0
     return found
 
 

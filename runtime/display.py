@@ -19,7 +19,15 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbit import Orbit
     from nonsmooth.runtime.values import Value
 
-__all__ = ["show_differences", "show_list", "show_report", "show_written", "steps", "wide_console"]
+__all__ = [
+    "counted",
+    "show_differences",
+    "show_list",
+    "show_report",
+    "show_written",
+    "steps",
+    "wide_console",
+]
 
 _LEAST_WIDTH = 80
 _LONGEST_NUMBER = 64  # beside the labels
@@ -131,6 +139,21 @@ def steps(first: str = "") -> Iterator[Callable[[str], None]]:
             begin(first)
         yield begin
         finish()
+
+
+@contextmanager
+def counted(what: str, total: int) -> Iterator[Callable[[int], None]]:
+    """Give a function that shows how many of so many are done, on stderr if it is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda done: None
+        return
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    from rich.progress import TimeRemainingColumn as Remaining
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), Remaining())
+    with Progress(*columns, console=Console(stderr=True)) as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda done: progress.update(task, completed=done)
 
 
 def _sources(

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import numpy as np
 from rich import box
 from rich.table import Table
 from rich.text import Text
 
 from nonsmooth.runtime.display import wide_console
+from nonsmooth.runtime.find import Found
+from nonsmooth.runtime.sweep import Sweep
 from nonsmooth.runtime.trajectory import Trajectory
 
-__all__ = ["show_motion"]
+__all__ = ["show_found", "show_motion", "show_sweep"]
 
 _ROWS = 40  # of a long motion: the first and the last half of them
 _DIGITS = 8
@@ -46,6 +49,51 @@ def show_motion(motion: Trajectory) -> None:
         out.print(
             f"touched without crossing: {shape.name} at {_number(g.time)}, depth {g.depth:.1e}"
         )
+
+
+def show_found(found: Found) -> None:
+    """Show periodic orbits, with period, itinerary, stability and basin."""
+    out = wide_console(_WIDTH)
+    count = len(found.starts)
+    title = f"{found.system}, {_count(len(found.orbits), 'periodic orbit')} from {count} starts"
+    out.print(Text(title, style="bold"))
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+    for name in ("", "period", "stability", "multipliers", "starts", "itinerary"):
+        right = name in ("", "period", "starts")
+        table.add_column(name, justify="right" if right else "left", no_wrap=right)
+    for i, orbit in enumerate(found.orbits, 1):
+        multipliers = ", ".join(_complex(m) for m in orbit.orbit.multipliers)
+        style = {"stable": "green", "unstable": "red"}.get(orbit.verdict, "")
+        phases = " -> ".join(configuration for configuration, _ in orbit.itinerary)
+        basin = f"{100 * orbit.share:.4g} %" if orbit.starts else "-"
+        table.add_row(
+            str(i),
+            _number(orbit.period),
+            Text(orbit.verdict, style=style),
+            multipliers,
+            basin,
+            phases,
+        )
+    out.print(table)
+    for share, what in ((found.resting, "came to rest"), (found.unclassified, "not classified")):
+        if share:
+            out.print(f"{100 * share:.4g} % of the starts {what}")
+
+
+def show_sweep(diagram: Sweep) -> None:
+    """Say how many points a bifurcation diagram has."""
+    points = int(np.isfinite(diagram.samples).sum())
+    low, high = diagram.values[[0, -1]]
+    print(
+        f"{diagram.system}: {points} points of {diagram.state} at each entry of"
+        f" {diagram.configuration}, {diagram.parameter} from {_number(low)} to {_number(high)}"
+    )
+
+
+def _complex(number: complex) -> str:
+    if number.imag == 0:
+        return f"{number.real:.6g}"
+    return f"{number.real:.6g} {'-' if number.imag < 0 else '+'} {abs(number.imag):.6g}i"
 
 
 def _number(value: float) -> str:

@@ -335,7 +335,11 @@ def _solved(
     if not (candidate.dwell_times > 0).all():
         return None
     orbit = compose(
-        kernels, point.parameters, candidate.itinerary, candidate.dwell_times, candidate.state
+        kernels,
+        point.parameters,
+        candidate.itinerary,
+        candidate.dwell_times.tolist(),
+        candidate.state.tolist(),
     )
     if not orbit.converged or not (orbit.dwell_times > 0).all():
         return None

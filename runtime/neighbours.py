@@ -78,7 +78,7 @@ def _cycles(follows: dict[tuple[str, str], set[tuple[str, str]]]) -> Iterator[It
     """Cycles without a repeated phase, the shorter ones first."""
     for length in range(2, _LONGEST + 1):
         for first in sorted(follows):
-            paths = [(first,)]
+            paths: list[Itinerary] = [(first,)]
             for _ in range(length - 1):
                 paths = [
                     (*path, phase)

@@ -226,7 +226,7 @@ def in_domain(table: ParameterTable, number: float) -> bool:
 
 def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
     """Which of many numbers a parameter may be; those that are not finite never."""
-    inside = np.isfinite(numbers)
+    inside: np.ndarray = np.isfinite(numbers)
     if table.lower is not None:
         lower = float(parse(table.lower))
         inside &= (numbers > lower) | (table.closed & (numbers == lower))

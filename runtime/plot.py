@@ -10,9 +10,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from nonsmooth.runtime.errors import InputError, missing_extra, unknown_name
+from nonsmooth.runtime.drawing import check_picture, chosen_masses, given_axes
+from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import unwritable
 from nonsmooth.runtime.motion import orbit_motion
 from nonsmooth.runtime.panels import PANELS, Scene, draw
@@ -86,7 +85,8 @@ def plot_orbit(
 
         places = _places(pyplot.figure(figsize=_SIZES[kind]), kind)
     else:
-        places = _given(axes, kind, len(scene.masses))
+        counts = {"all": (len(PANELS),), "phase": tuple(sorted({1, len(scene.masses)}))}
+        places = given_axes(axes, kind, counts.get(kind, (1,)))
     draw(scene, kind, places)
     single = kind != "all" and (axes is None or hasattr(axes, "plot"))
     return places[0] if single else tuple(places)
@@ -138,17 +138,9 @@ def _scene(
     masses: Iterable[int] | None,
 ) -> Scene:
     """Check what can be checked before anything is drawn."""
-    if kind not in KINDS:
-        raise unknown_name("kind of picture", kind, KINDS)
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError:
-        raise missing_extra("plot", "matplotlib") from None
+    check_picture(kind, KINDS)
     motion = orbit_motion(orbit)
-    every = range(len(motion.names) // 2)
-    drawn = tuple(every if masses is None else masses)
-    if not drawn or not set(drawn) <= set(every):
-        raise InputError(f"masses = {list(drawn)}: {orbit.name} has {list(every)}")
+    drawn = chosen_masses(masses, len(motion.names) // 2, orbit.name)
     return Scene(orbit, motion, motion.sample(points_per_period, periods), drawn)
 
 
@@ -165,15 +157,3 @@ def _places(figure: Figure, kind: str) -> list[Axes]:
         upper.xaxis.label.set_visible(False)
     right = grid[:, 1].subgridspec(2, 1)
     return [time, velocity, strip, figure.add_subplot(right[0]), figure.add_subplot(right[1])]
-
-
-def _given(axes: Any, kind: str, masses: int) -> list[Axes]:
-    """Axes that a caller gave, as many as the kind takes."""
-    places: list[Axes] = list(np.ravel(np.asarray(axes, dtype=object)))
-    counts = {"all": (len(PANELS),), "phase": tuple(sorted({1, masses}))}.get(kind, (1,))
-    if len(places) not in counts or not all(hasattr(place, "plot") for place in places):
-        raise InputError(
-            f"{kind!r} is drawn into {' or '.join(map(str, counts))} Axes;"
-            f" given: {len(places)} {type(places[0]).__name__ if places else 'objects'}"
-        )
-    return places

@@ -58,7 +58,7 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
         "labels": found.labels.tolist(),
     }
     content["sha256"] = _checksum(content)
-    write_file(Path(path), (json.dumps(content, indent=1, allow_nan=False) + "\\n").encode())
+    write_file(Path(path), (json.dumps(content, indent=1, allow_nan=False) + "\n").encode())
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from nonsmooth.runtime.sweep import Sweep
 from nonsmooth.runtime.trajectory import Trajectory
 
-__all__ = ["motion_json"]
+__all__ = ["motion_json", "sweep_json"]
 
 
 def motion_json(motion: Trajectory) -> dict[str, Any]:
@@ -36,4 +37,17 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
             }
             for g in motion.grazings
         ],
+    }
+
+
+def sweep_json(diagram: Sweep) -> dict[str, Any]:
+    """A bifurcation diagram: for each value of the parameter the points that were taken."""
+    rows = zip(diagram.values.tolist(), diagram.samples.tolist(), strict=True)
+    return {
+        "system": diagram.system,
+        "parameter": diagram.parameter,
+        "state": diagram.state,
+        "configuration": diagram.configuration,
+        "values": [repr(value) for value in diagram.values.tolist()],
+        "samples": [[repr(x) for x in row if x == x] for _, row in rows],
     }

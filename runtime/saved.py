@@ -29,7 +29,7 @@ from nonsmooth.runtime.parameters import in_domain
 from nonsmooth.runtime.refine import MOST_DIGITS
 from nonsmooth.runtime.values import LONGEST_TEXT, Value, as_value, decimal_string, parse
 
-__all__ = ["FORMAT", "VERSION", "load_orbit_file", "save_orbit"]
+__all__ = ["FORMAT", "VERSION", "given_value", "load_orbit_file", "save_orbit"]
 
 FORMAT = "nonsmooth orbit"
 VERSION = 1
@@ -174,9 +174,9 @@ def _orbit(content: Mapping[str, Any]) -> Orbit:
     bits = None if content["arithmetic"] == "double" else content["bits"]
     orbit = Orbit(
         kernels.name,
-        {name: _value(name, text) for name, text in content["given"].items()},
+        {name: given_value(name, text) for name, text in content["given"].items()},
         {name: _number(name, text, bits) for name, text in content["unknowns"].items()},
-        {name: _value(name, text) for name, text in content["opened"].items()},
+        {name: given_value(name, text) for name, text in content["opened"].items()},
         _number("residual", content["residual"], bits),
         *(content[name] for name in ("digits", "iterations", "status")),
     )
@@ -221,7 +221,7 @@ def _check_counts(content: Mapping[str, Any]) -> None:
             raise InputError(f"{name} is {content[name]}, which no saved orbit has")
 
 
-def _value(name: str, text: str) -> Value:
+def given_value(name: str, text: str) -> Value:
     """A given value as it was written."""
     try:
         return parse(text) if len(text) <= LONGEST_TEXT else as_value(Fraction(text))

@@ -224,8 +224,21 @@ def simulate_many(
         parts = list(pool.map(part, begins))
     if not parts:
         parts = [no_ends(0, size, kept)]
-    joined = Ends(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
-    return Trajectories(structure, *(a.reshape(*common, *a.shape[1:]) for a in _ordered(joined)))
+    joined = _ordered(Ends(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
+    shaped = Ends(*(array.reshape(*common, *array.shape[1:]) for array in joined))
+    return Trajectories(
+        structure,
+        times=shaped.times,
+        states=shaped.states,
+        configurations=shaped.configurations,
+        transitions=shaped.transitions,
+        grazings=shaped.grazings,
+        status=shaped.status,
+        last_times=shaped.kept_times,
+        last_configurations=shaped.kept_configurations,
+        last_sets=shaped.kept_sets,
+        last_states=shaped.kept_states,
+    )
 
 
 def _follow_many(

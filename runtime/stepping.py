@@ -11,7 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.phases import (
+from nonsmooth.runtime.piecewise import PiecewiseLinear, TransitionShape
+from nonsmooth.runtime.quasi import UNIT, QuasiPolynomial
+from nonsmooth.runtime.quasi_crossing import Series, Start, first_crossing
+from nonsmooth.runtime.run import LONGEST_WAIT, Grazing, Run, Status
+from nonsmooth.runtime.stepping_tables import (
     BoundaryTable,
     Clock,
     ConfigurationTable,
@@ -20,10 +24,6 @@ from nonsmooth.runtime.phases import (
     orders,
     rows_of,
 )
-from nonsmooth.runtime.piecewise import PiecewiseLinear, TransitionShape
-from nonsmooth.runtime.quasi import UNIT, QuasiPolynomial
-from nonsmooth.runtime.quasi_crossing import Series, Start, first_crossing
-from nonsmooth.runtime.run import LONGEST_WAIT, Grazing, Run, Status
 
 __all__ = ["run"]
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.find import Found, labels_of
+from nonsmooth.runtime.find import UNCLASSIFIED, Found, labels_of
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.piecewise import structure_of
 from nonsmooth.runtime.simulate import checked_count, simulate_many
@@ -18,6 +18,7 @@ from nonsmooth.runtime.starting import start_state
 __all__ = ["Basins", "Sweep", "basins", "sweep"]
 
 _CHUNK = 64  # values of the parameter between two reports of progress
+_FIRST_LOOK = 60  # transitions, about
 _LARGEST_PLANE = 4_000_000  # starts
 
 
@@ -188,15 +189,30 @@ def basins(
         starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
         starts[..., found.names.index(x[0])] = axes[0]
         starts[..., found.names.index(y[0])] = axes[1][here, None]
-        motions = simulate_many(
-            kernels,
-            values,
-            starts.reshape(-1, base.size),
-            transitions=found.transitions,
-            keep=2,
-            threads=threads,
+        labels[here] = _arrivals(found, values, starts.reshape(-1, base.size), threads).reshape(
+            -1, axes[0].size
         )
-        orbits = [o.orbit for o in found.orbits]
-        labels[here] = labels_of(motions, orbits).reshape(-1, axes[0].size)
         progress(min(low_row + rows, axes[1].size))
     return Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
+
+
+def _arrivals(
+    found: Found, values: Mapping[str, float], starts: np.ndarray, threads: int | None
+) -> np.ndarray:
+    """Labels of starts: followed four times longer as long as they are not classified."""
+    orbits = [entry.orbit for entry in found.orbits]
+    labels = np.full(len(starts), UNCLASSIFIED)
+    length = found.transitions
+    lengths = [length]
+    while length > 2 * _FIRST_LOOK:
+        length //= 4
+        lengths.insert(0, length)
+    for length in lengths:
+        open_ = np.flatnonzero(labels == UNCLASSIFIED)
+        if not open_.size:
+            break
+        motions = simulate_many(
+            found.system, values, starts[open_], transitions=length, keep=2, threads=threads
+        )
+        labels[open_] = labels_of(motions, orbits)
+    return labels

@@ -1,0 +1,410 @@
+"""Observables and Lyapunov exponents of simulated motions, by laws and by other routes."""
+
+import math
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.integrate import quad
+from scipy.optimize import minimize_scalar
+
+import nonsmooth
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.flows import flow_states
+from nonsmooth.runtime.lyapunov import lyapunov, lyapunov_spectrum, tangent_map
+from nonsmooth.runtime.observables import Observables, observe
+from nonsmooth.runtime.piecewise import piecewise
+from nonsmooth.runtime.simulate import simulate
+from nonsmooth.runtime.trajectory import Trajectory
+
+DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+DATA_B = {
+    **{"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"},
+    **{"us2": "0.5", "ur2": 1},
+}
+ELASTIC = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 3}
+RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+
+
+@cache
+def friction(name: str = "B") -> Trajectory:
+    data = DATA_A if name == "A" else DATA_B
+    return simulate("dry-friction", data, [0.3, -0.2, 0.1, 0.4], until=200)
+
+
+@cache
+def motion(name: str) -> Trajectory:
+    if name == "elastic-stop":
+        return simulate("elastic-stop", ELASTIC, [0, 0.4, 2, -1], until=120)
+    if name == "rigid-stop":
+        return simulate("rigid-stop", {**RIGID, "r": "0.1"}, [0.5, 3.0, 0, 0], until=60)
+    return friction(name)
+
+
+NAMES = ["A", "B", "elastic-stop", "rigid-stop"]
+
+
+def friction_energy(states: np.ndarray, chi: float, eta: float) -> np.ndarray:
+    x1, x2, v1, v2 = states.T
+    return v1**2 / 2 + v2**2 / (2 * eta) + x1**2 / 2 - chi * x1 * x2 + chi * x2**2 / 2
+
+
+def stop_energy(states: np.ndarray, stop: float = 0.0) -> np.ndarray:
+    x1, x2, v1, v2 = states.T
+    chain = v1**2 / 2 + v2**2 + (x1 - x2) ** 2 / 2 + 5 * x2**2 / 2
+    return chain + stop * np.maximum(x1 - 1, 0) ** 2 / 2
+
+
+def integral(found: Observables, function: object) -> float:
+    """Of a function of time, phase by phase, by adaptive quadrature."""
+    trajectory = found.trajectory
+    inner = trajectory.times[trajectory.times > found.since]
+    breaks = [found.since, *inner.tolist(), trajectory.end]
+    total = 0.0
+    for begin, end in pairwise(breaks):
+        if end > begin:
+            inside = math.nextafter(end, begin)
+            total += quad(function, begin, inside, epsabs=1e-12, epsrel=1e-12, limit=400)[0]
+    return total
+
+
+# --- extremes
+
+
+@pytest.mark.parametrize("since", [0.0, 17.3])
+@pytest.mark.parametrize("name", NAMES)
+def test_extremes_are_those_of_dense_samples_polished(name: str, since: float) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, since)
+    times = np.linspace(since, trajectory.end, 200_001)
+    states = trajectory(times)
+    width = times[1] - times[0]
+    for index, state in enumerate(trajectory.names):
+        for extreme, sign in ((found.minima[state], -1), (found.maxima[state], 1)):
+            best = sign * states[:, index]
+            middle = times[np.argmax(best)]
+            bounds = (max(since, middle - width), min(trajectory.end, middle + width))
+            polished = minimize_scalar(
+                lambda t, i=index, s=sign: -s * trajectory(t)[i],
+                bounds=bounds,
+                method="bounded",
+                options={"xatol": 1e-12},
+            )
+            value = sign * extreme.value
+            assert value >= best.max() - 1e-13
+            assert value >= -polished.fun - 1e-13
+            assert value <= max(best.max(), -polished.fun) + 5e-2 * width
+            assert since <= extreme.time <= trajectory.end
+            near = np.array([max(since, extreme.time - 1e-10), extreme.time])
+            assert np.abs(trajectory(near)[:, index] - extreme.value).min() < 1e-8
+
+
+def test_a_peak_between_two_samples_of_a_phase_is_found() -> None:
+    """One phase of hundreds of oscillations, whose peaks differ little."""
+    trajectory = simulate("rigid-stop", RIGID, [-0.3, 0.1, 0, 0], until=5000)
+    assert trajectory.transitions == 0
+    found = observe(trajectory)
+    states = trajectory(np.linspace(0, 5000, 400_001))
+    for index, name in enumerate(trajectory.names):
+        assert found.maxima[name].value >= states[:, index].max()
+        assert found.minima[name].value <= states[:, index].min()
+    # incommensurable frequencies come as close as they like to the sum of the amplitudes
+    _, vectors = np.linalg.eig([[1, -1], [-0.5, 3]])
+    amplitudes = np.abs(vectors[0] * np.linalg.solve(vectors, [-0.3, 0.1]))
+    assert found.maxima["x1"].value < amplitudes.sum()
+    assert_allclose(found.maxima["x1"].value, amplitudes.sum(), rtol=1e-3)
+
+
+def test_a_boundary_is_the_extreme_of_what_it_bounds() -> None:
+    found = observe(motion("rigid-stop"))
+    assert_allclose(found.maxima["x1"].value, 1, rtol=0, atol=1e-15)
+    held = observe(friction("A"), since=100)
+    for mass, static in (("first", 4.0195), ("second", 1.4831)):
+        assert_allclose(held.contacts[f"{mass}-friction"].maximum.value, static, rtol=1e-13)
+        assert held.contacts[f"{mass}-friction"].peak == pytest.approx(static)
+    for velocity in ("v1", "v2"):
+        assert_allclose(held.maxima[velocity].value, 1, rtol=0, atol=1e-14)
+
+
+# --- averages
+
+
+@pytest.mark.parametrize("since", [0.0, 31.7])
+@pytest.mark.parametrize("name", NAMES)
+def test_averages_are_those_of_adaptive_quadrature(name: str, since: float) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, since)
+    for index, state in enumerate(trajectory.names):
+        mean = integral(found, lambda t, i=index: trajectory(t)[i]) / found.duration
+        square = integral(found, lambda t, i=index: trajectory(t)[i] ** 2) / found.duration
+        assert_allclose(found.means[state], mean, rtol=1e-11, atol=1e-11)
+        assert_allclose(found.rms[state], math.sqrt(square), rtol=1e-11)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_mean_velocities_are_changes_of_positions(name: str) -> None:
+    """Positions are continuous, so the mean of a velocity is an end minus a start."""
+    trajectory = motion(name)
+    found = observe(trajectory, 3.25)
+    change = trajectory(trajectory.end) - trajectory(3.25)
+    assert_allclose(
+        [found.means["v1"], found.means["v2"]], change[:2] / found.duration, rtol=0, atol=1e-13
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_fractions_of_time(name: str) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, 12.5)
+    assert math.fsum(found.fractions.values()) == pytest.approx(1, abs=1e-14)
+    times = 12.5 + (np.arange(100_000) + 0.5) * (found.duration / 100_000)
+    names = trajectory.configuration(times)
+    for configuration, part in found.fractions.items():
+        assert part == pytest.approx((names == configuration).mean(), abs=2e-3)
+    if name in "AB":
+        stuck = [n.startswith("stick") for n in names], [n.endswith("stick") for n in names]
+        assert list(found.sticking) == ["x1", "x2"]
+        assert_allclose(list(found.sticking.values()), np.mean(stuck, axis=1), atol=2e-3)
+    else:
+        held = {"rigid-stop": {"x1": found.fractions["contact"]}, "elastic-stop": {}}
+        assert found.sticking == held[name]
+
+
+# --- contacts
+
+
+@pytest.mark.parametrize(("name", "chi", "eta"), [("A", 0.5, 1.0), ("B", 0.4, 4.0)])
+@pytest.mark.parametrize("since", [0.0, 40.0])
+def test_friction_works_what_the_energy_gains(
+    name: str, chi: float, eta: float, since: float
+) -> None:
+    trajectory = friction(name)
+    found = observe(trajectory, since)
+    works = [contact.work for contact in found.contacts.values()]
+    ends = np.array([trajectory(since), trajectory(trajectory.end)])
+    first, last = friction_energy(ends, chi, eta)
+    assert min(map(abs, works)) > 1e-3
+    assert abs(sum(works) - (last - first)) <= 1e-12 * max(map(abs, works))
+    assert all(contact.dissipated > 0 for contact in found.contacts.values())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_works_are_integrals_of_the_histories(name: str) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, 20)
+    for index, (label, contact) in enumerate(found.contacts.items()):
+        dissipated = -integral(found, lambda t, c=label: float(found.power(c, t)))
+        work = integral(
+            found, lambda t, c=label, i=index: float(found.force(c, t)) * trajectory(t)[2 + i]
+        )
+        mean = integral(found, lambda t, c=label: float(found.force(c, t))) / found.duration
+        assert_allclose(contact.dissipated, dissipated, rtol=1e-10, atol=1e-11)
+        assert_allclose(contact.work, work, rtol=1e-10, atol=1e-11)
+        assert_allclose(contact.mean, mean, rtol=1e-10, atol=1e-11)
+
+
+def test_friction_forces_by_their_law() -> None:
+    trajectory = friction("A")
+    found = observe(trajectory)
+    times = np.linspace(0, trajectory.end, 3000).reshape(-1, 3)
+    forces = found.force("first-friction", times)
+    assert forces.shape == times.shape
+    states = trajectory(times)
+    stuck = np.char.startswith(trajectory.configuration(times), "stick")
+    balanced = states[..., 0] - 0.5 * states[..., 1]
+    assert_allclose(forces, np.where(stuck, balanced, 1.0), rtol=0, atol=1e-13)
+    assert_allclose(
+        found.power("first-friction", times), forces * (states[..., 2] - 1), rtol=0, atol=1e-12
+    )
+    assert_allclose(found.power("first-friction", times)[stuck], 0, atol=1e-12)
+
+
+def test_the_elastic_stop_conserves_and_pushes_back() -> None:
+    trajectory = motion("elastic-stop")
+    found = observe(trajectory)
+    energies = stop_energy(trajectory(np.linspace(0, trajectory.end, 5001)), stop=3.0)
+    assert np.ptp(energies) <= 1e-13 * energies[0]
+    stop = found.contacts["stop"]
+    assert_allclose(stop.maximum.value, 0, atol=1e-13)
+    assert_allclose(stop.minimum.value, 3 * (1 - found.maxima["x1"].value), rtol=1e-13)
+    assert stop.minimum.time == pytest.approx(found.maxima["x1"].time, abs=1e-6)
+    assert_allclose(stop.dissipated, -stop.work, rtol=1e-14)
+
+
+def test_elastic_impacts_conserve_energy() -> None:
+    trajectory = simulate("rigid-stop", RIGID, [0, 0, 2, 0], transitions=20_000)
+    energies = stop_energy(trajectory.states)
+    impacts = np.arange(len(energies))
+    assert (np.abs(energies / energies[0] - 1) <= 5e-16 * (impacts + 4)).all()
+    before = stop_energy(trajectory.before)
+    assert_allclose(before, energies, rtol=4e-16)
+
+
+def test_the_stop_holds_a_resting_mass() -> None:
+    """After the impacts have accumulated the stop carries the spring's force."""
+    trajectory = simulate("rigid-stop", {**RIGID, "r": 0}, [0.9, 3.0, 0, 0], until=1)
+    found = observe(trajectory)
+    assert trajectory.configurations == ("free", "free", "contact", "free")
+    middle = float(trajectory.times[2:4].mean())
+    x1, x2, _, _ = trajectory(middle)
+    assert x1 == 1
+    assert found.force("stop", middle) == pytest.approx(-(x2 - x1))
+    assert found.force("stop", [0.0])[0] == 0
+    assert found.contacts["stop"].work == 0
+    assert 0 < found.sticking["x1"] == found.fractions["contact"] < 1
+
+
+@pytest.mark.parametrize("since", [-1, 200.0, 1e9, math.nan, "soon", None])
+def test_a_wrong_beginning(since: object) -> None:
+    for function in (observe, lyapunov, tangent_map):
+        with pytest.raises(InputError, match="since = "):
+            function(friction(), since)
+
+
+def test_unknown_contacts_and_times() -> None:
+    found = observe(friction())
+    with pytest.raises(InputError, match=r"unknown contact 'first'; .*first-friction"):
+        found.force("first", 1)
+    with pytest.raises(InputError, match="a time is not between 0 and the end"):
+        found.power("first-friction", 201)
+
+
+# --- Lyapunov exponents
+
+
+def on_orbit(name: str, periods: int) -> tuple[nonsmooth.Orbit, Trajectory]:
+    """A simulated motion on a periodic orbit of data A."""
+    orbit = nonsmooth.solve(name)
+    data = {n: float(x) for n, x in orbit.parameters.items()}
+    friction_data = {k: data[k] for k in ("chi", "eta", "V")}
+    friction_data |= {"us1": 1.0, "us2": 1.0, "ur1": 1 + data["e1"], "ur2": 1 + data["e2"]}
+    chi = data["chi"]
+    centre = np.array([2 / (1 - chi), (chi + 1) / (chi * (1 - chi)), 0, 0])
+    start = np.array([float(x) for x in orbit.states[0]]) + centre
+    start[2:] = data["V"]
+    trajectory = simulate(
+        "dry-friction", friction_data, start, "stick-stick", transitions=4 * periods
+    )
+    assert_allclose(trajectory.end, periods * orbit.period, rtol=1e-9)
+    return orbit, trajectory
+
+
+def test_the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() -> None:
+    orbit, trajectory = on_orbit("dry-friction/global-stick", 60)
+    since = float(trajectory.times[4 * 20])
+    assert orbit.trace == pytest.approx(-0.98011498, abs=1e-8)
+    assert orbit.period == pytest.approx(7.8687, abs=1e-4)
+    wanted = math.log(abs(orbit.trace)) / orbit.period
+    assert lyapunov(trajectory, since) == pytest.approx(wanted, rel=1e-8)
+    spectrum = lyapunov_spectrum(trajectory, since)
+    assert spectrum.tolist() == [lyapunov(trajectory, since), -math.inf, -math.inf]
+
+
+@pytest.mark.parametrize("since", [0.0, 7.0, 23.4])
+def test_cutting_a_phase_changes_nothing(since: float) -> None:
+    whole, rest = tangent_map(friction()), tangent_map(friction(), since)
+    if since:
+        cut = simulate("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4], until=since)
+        whole_again = rest @ tangent_map(cut)
+        assert_allclose(whole_again, whole, rtol=1e-7, atol=1e-9 * np.abs(whole).max())
+    assert whole.shape == rest.shape == (4, 4)
+
+
+def test_exponents_add_up_over_time() -> None:
+    """Three transverse exponents times the time: the log of the determinant of the quotient."""
+    trajectory = simulate("rigid-stop", RIGID, [0, 0.2, 2, 0], transitions=60)
+    spectrum = lyapunov_spectrum(trajectory)
+    fields = [trajectory.system.fields[0] @ np.append(s, 1) for s in (trajectory.states[[0, -1]])]
+    growth = math.log(np.linalg.norm(fields[1]) / np.linalg.norm(fields[0]))
+    determinant = np.linalg.slogdet(tangent_map(trajectory))[1]
+    assert spectrum.sum() * trajectory.end == pytest.approx(determinant - growth, abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("system", "data", "start", "directions"),
+    [
+        ("rigid-stop", {**RIGID, "r": "0.7"}, [0.2, 0.3, 1.5, 0.1], range(4)),
+        ("elastic-stop", ELASTIC, [0.2, 0.3, 1.5, 0.1], range(4)),
+        ("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4], range(4)),
+        ("dry-friction", DATA_A, [5.0, 3.0, 1.0, 1.0], range(2)),  # stuck: positions alone
+    ],
+)
+def test_derivatives_are_differences_of_nearby_motions(
+    system: str, data: dict[str, object], start: list[float], directions: range
+) -> None:
+    trajectory = simulate(system, data, start, until=25.0)
+    assert trajectory.transitions > 4
+    derivative = tangent_map(trajectory)
+    for direction in directions:
+        step = 1e-6 * np.eye(4)[direction]
+        ends = [simulate(system, data, start + s * step, until=25.0)(25.0) for s in (1, -1)]
+        difference = (ends[0] - ends[1]) / 2e-6
+        scale = np.abs(derivative).max()
+        assert_allclose(derivative[:, direction], difference, rtol=0, atol=3e-6 * scale)
+
+
+def test_the_motion_carries_its_own_direction() -> None:
+    trajectory = friction("A")
+    system, run = trajectory.system, trajectory.run
+    fields = [
+        system.fields[run.configurations[i]] @ np.append(trajectory(t), 1)
+        for i, t in ((0, 0.0), (-1, trajectory.end))
+    ]
+    assert_allclose(tangent_map(trajectory) @ fields[0], fields[1], rtol=0, atol=1e-8)
+
+
+def test_nearby_motions_separate_as_the_exponent_says() -> None:
+    """Two motions to the attractor of data B approach each other."""
+    start, step = np.array([0.3, -0.2, 0.1, 0.4]), np.array([1e-5, -2e-5, 1e-5, 1e-5])
+    first, second = (simulate("dry-friction", DATA_B, s, until=400) for s in (start, start + step))
+    rate = lyapunov(first, 60)
+    assert rate < -0.005
+    late = [np.linalg.norm(first(t) - second(t - delay(first, second))) for t in (60.3, 260.3)]
+    assert late[1] < late[0]
+
+
+def delay(first: Trajectory, second: Trajectory) -> float:
+    """By how much the second motion is ahead at the end."""
+    count = min(first.transitions, second.transitions)
+    return float(first.times[count] - second.times[count])
+
+
+def together() -> Trajectory:
+    """Both masses reach the belt's velocity at one time: that instant, followed backwards."""
+    system = piecewise("dry-friction", DATA_A)
+    meeting = np.array([1.0, 1.5, 1.0, 1.0])
+    (start,) = flow_states(system, 0, np.array([-0.75]), meeting)
+    return simulate("dry-friction", DATA_A, start, until=40)
+
+
+def test_no_derivative_where_two_boundaries_are_reached_at_once() -> None:
+    trajectory = together()
+    assert set(trajectory.boundaries[1]) == {"first-reaches-belt", "second-reaches-belt"}
+    time = float(trajectory.times[1])
+    with pytest.raises(InputError, match=r"boundaries are reached together at t = 0\.7"):
+        tangent_map(trajectory)
+    with pytest.raises(InputError, match="reached together"):
+        lyapunov(trajectory, time / 2)
+    # behind it there is one
+    assert np.isfinite(tangent_map(trajectory, time)).all()
+    assert math.isfinite(lyapunov(trajectory, time))
+    assert lyapunov(trajectory, 20) < 0
+
+
+def test_no_derivative_where_a_boundary_is_touched() -> None:
+    """A free motion whose peak is at the stop."""
+    trajectory = grazing()
+    assert trajectory.grazings
+    assert not trajectory.transitions
+    time = trajectory.grazings[0].time
+    with pytest.raises(InputError, match="a boundary is reached tangentially at t = "):
+        lyapunov(trajectory)
+    assert np.isfinite(tangent_map(trajectory, time + 0.1)).all()
+
+
+def grazing() -> Trajectory:
+    system = piecewise("rigid-stop", RIGID)
+    (start,) = flow_states(system, 0, np.array([-1.0]), np.array([1.0, 0.25, 0.0, 0.0]))
+    return simulate("rigid-stop", RIGID, start, until=2)
