@@ -10,6 +10,7 @@ import typer
 
 from nonsmooth.runtime.command import (
     ANSWERED,
+    UNANSWERED,
     answering,
     app,
     assignments,
@@ -28,7 +29,9 @@ __all__ = ["find", "simulate", "sweep"]
     "nonsmooth simulate rigid-stop m1=1 m2=2 k1=1 k2=5 r=0.8"
     " --from x1=0,x2=0.5,v1=1,v2=0 --transitions 20\n\n"
     "nonsmooth simulate dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
-    " --from x1=0,x2=0,v1=0,v2=0 --until 100 --save motion.npz --plot motion.png"
+    " --from x1=0,x2=0,v1=0,v2=0 --until 100 --save motion.npz --plot motion.png\n\n"
+    "nonsmooth simulate elastic-stop m1=1 m2=2 k1=1 k2=5 k3=10 --from x1=0,x2=0,v1=2,v2=0"
+    " --transitions 40 --observe --prove"
 )
 @answering
 def simulate(
@@ -56,12 +59,23 @@ def simulate(
     plot: Annotated[
         Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
     ] = None,
+    observe: Annotated[
+        bool,
+        typer.Option("--observe", help="Peaks, averages, contact forces, Lyapunov exponent too."),
+    ] = False,
+    since: Annotated[
+        str, typer.Option("--since", metavar="TIME", help="Where --observe begins.")
+    ] = "0",
+    prove: Annotated[
+        bool,
+        typer.Option("--prove", help="Prove the sequence of configurations by ball arithmetic."),
+    ] = False,
     as_json: AsJson = False,
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
-    from nonsmooth.runtime.display_motion import show_motion
+    from nonsmooth.runtime.display_motion import show_motion, show_observables, show_proof
     from nonsmooth.runtime.files import check_target
-    from nonsmooth.runtime.report_motion import motion_json
+    from nonsmooth.runtime.report_motion import motion_json, observables_json, proof_json
     from nonsmooth.runtime.simulate import simulate as follow
     from nonsmooth.runtime.values import parse
 
@@ -73,14 +87,22 @@ def simulate(
     if start is None:
         raise InputError("the start is missing: --from NAME=VALUE,...")
     end = math.inf if until is None else float(parse(until))
-    motion = follow(
-        system,
-        assignments("parameter", parameters or []),
-        assignments("state", split(start)),
-        configuration,
-        until=end,
-        transitions=transitions,
-    )
+    values, state = assignments("parameter", parameters or []), assignments("state", split(start))
+    motion = follow(system, values, state, configuration, until=end, transitions=transitions)
+    observed = proof = None
+    if observe:
+        from nonsmooth.runtime.observables import observe as observe_motion
+
+        observed = observe_motion(motion, float(parse(since)))
+    if prove:
+        from nonsmooth.runtime.validated import validate
+
+        exact = {name: value.exact for name, value in state.items()}
+        for name, fraction in exact.items():
+            if fraction is None:
+                raise InputError(f"state {name} = {state[name]} is not rational: no proof")
+        begin = motion.configurations[0]
+        proof = validate(system, values, exact, begin, motion.transitions)
     written = []
     if save is not None:
         motion.save(save)
@@ -92,12 +114,21 @@ def simulate(
         save_figure(trajectory_figure(motion, "all"), plot)
         written.append(str(plot))
     if as_json:
-        print_json({**motion_json(motion), "files": written})
+        told = motion_json(motion)
+        if observed is not None:
+            told["observables"] = observables_json(observed)
+        if proof is not None:
+            told["proof"] = proof_json(proof)
+        print_json({**told, "files": written})
     else:
         show_motion(motion)
+        if observed is not None:
+            show_observables(observed)
+        if proof is not None:
+            show_proof(proof)
         for name in written:
             print(f"{name} written")
-    return ANSWERED
+    return ANSWERED if proof is None or proof.decided else UNANSWERED
 
 
 @app.command(

@@ -9,10 +9,13 @@ from rich.text import Text
 
 from nonsmooth.runtime.display import wide_console
 from nonsmooth.runtime.find import Found
+from nonsmooth.runtime.observables import Observables
+from nonsmooth.runtime.proof import Proof
+from nonsmooth.runtime.report_motion import largest_exponent
 from nonsmooth.runtime.sweep import Sweep
 from nonsmooth.runtime.trajectory import Trajectory
 
-__all__ = ["show_found", "show_motion", "show_sweep"]
+__all__ = ["show_found", "show_motion", "show_observables", "show_proof", "show_sweep"]
 
 _ROWS = 40  # of a long motion: the first and the last half of them
 _DIGITS = 8
@@ -78,6 +81,52 @@ def show_found(found: Found) -> None:
     for share, what in ((found.resting, "came to rest"), (found.unclassified, "not classified")):
         if share:
             out.print(f"{100 * share:.4g} % of the starts {what}")
+
+
+def show_observables(found: Observables) -> None:
+    """Show peaks and averages, shares of time, and what passes through the contacts."""
+    out = wide_console(_WIDTH)
+    out.print()
+    out.print(Text(f"From {_number(found.since)} on", style="bold"))
+    states = _listing("", "least", "at", "greatest", "at", "mean", "RMS")
+    for name, low in found.minima.items():
+        high = found.maxima[name]
+        numbers = (low.value, low.time, high.value, high.time, found.means[name], found.rms[name])
+        states.add_row(name, *map(_number, numbers))
+    out.print(states)
+    if found.contacts:
+        contacts = _listing("force", "least", "greatest", "mean", "work", "dissipated")
+        for name, contact in found.contacts.items():
+            ends = contact.minimum.value, contact.maximum.value
+            rest = contact.mean, contact.work, contact.dissipated
+            contacts.add_row(name, *map(_number, (*ends, *rest)))
+        out.print(contacts)
+    shares = {name: share for name, share in found.fractions.items() if share}
+    told = ", ".join(f"{name} {100 * share:.4g} %" for name, share in shares.items())
+    out.print(f"time: {told}")
+    for name, share in found.sticking.items():
+        out.print(f"{name} sticks {100 * share:.4g} % of the time")
+    exponent = largest_exponent(found)
+    if exponent is not None:
+        out.print(f"largest Lyapunov exponent: {float(exponent):.6g}")
+
+
+def show_proof(proof: Proof) -> None:
+    """Say how much of a motion's sequence is proved."""
+    out = wide_console(_WIDTH)
+    out.print()
+    proved = f"proved: {_count(proof.transitions, 'transition')}, in balls of {proof.bits} bits"
+    out.print(Text(proved, style="green" if proof.decided else ""))
+    if proof.reason is not None:
+        where = "" if proof.instant is None else f" at {proof.instant.mid}"
+        out.print(f"then{where}: {proof.reason}")
+
+
+def _listing(*names: str) -> Table:
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+    for i, name in enumerate(names):
+        table.add_column(name, justify="right" if i else "left", no_wrap=True)
+    return table
 
 
 def show_sweep(diagram: Sweep) -> None:

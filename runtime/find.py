@@ -48,7 +48,7 @@ UNCLASSIFIED, RESTING, ILLEGAL = -1, -2, -3
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _KEPT = 129  # entries: cycles of at most 64 phases
 _NEAR, _LONGEST = 0.3, 12  # a near return, and the longest cycle that is tried for one
-_ARRIVED = 0.02  # how near to an attractor a motion has to end, relative to its size
+_ARRIVED = 1e-3  # how near to an attractor a motion has to end, relative to its size
 _SAME = 1e-7  # relative difference of two orbits' dwell times
 
 

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from typing import Any
 
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.extremes import Extreme
+from nonsmooth.runtime.lyapunov import lyapunov
+from nonsmooth.runtime.observables import Observables
+from nonsmooth.runtime.proof import Proof
 from nonsmooth.runtime.sweep import Sweep
 from nonsmooth.runtime.trajectory import Trajectory
 
-__all__ = ["motion_json", "sweep_json"]
+__all__ = ["motion_json", "observables_json", "proof_json", "sweep_json"]
 
 
 def motion_json(motion: Trajectory) -> dict[str, Any]:
@@ -51,3 +58,60 @@ def sweep_json(diagram: Sweep) -> dict[str, Any]:
         "values": [repr(value) for value in diagram.values.tolist()],
         "samples": [[repr(x) for x in row if x == x] for _, row in rows],
     }
+
+
+def observables_json(found: Observables) -> dict[str, Any]:
+    """Peaks, averages, shares of time, contacts and the largest Lyapunov exponent."""
+
+    def numbers(values: Mapping[str, float]) -> dict[str, str]:
+        return {name: repr(float(value)) for name, value in values.items()}
+
+    return {
+        "since": repr(found.since),
+        "duration": repr(found.duration),
+        "minima": {name: _extreme_json(e) for name, e in found.minima.items()},
+        "maxima": {name: _extreme_json(e) for name, e in found.maxima.items()},
+        "means": numbers(found.means),
+        "rms": numbers(found.rms),
+        "fractions": numbers(found.fractions),
+        "sticking": numbers(found.sticking),
+        "contacts": {
+            name: {
+                "minimum": _extreme_json(contact.minimum),
+                "maximum": _extreme_json(contact.maximum),
+                "mean": repr(contact.mean),
+                "work": repr(contact.work),
+                "dissipated": repr(contact.dissipated),
+            }
+            for name, contact in found.contacts.items()
+        },
+        "lyapunov": largest_exponent(found),
+    }
+
+
+def largest_exponent(found: Observables) -> str | None:
+    """The largest Lyapunov exponent as text; None where the motion has none."""
+    try:
+        value = lyapunov(found.trajectory, found.since)
+    except InputError:
+        return None
+    return repr(value) if math.isfinite(value) else None
+
+
+def proof_json(proof: Proof) -> dict[str, Any]:
+    """What is proved of a motion: its sequence, with enclosures of the times."""
+    instant = proof.instant
+    return {
+        "decided": proof.decided,
+        "transitions": proof.transitions,
+        "configurations": list(proof.configurations),
+        "boundaries": [list(names) for names in proof.sets],
+        "times": [{"mid": time.mid, "rad": time.rad} for time in proof.times],
+        "reason": proof.reason,
+        "instant": None if instant is None else {"mid": instant.mid, "rad": instant.rad},
+        "bits": proof.bits,
+    }
+
+
+def _extreme_json(extreme: Extreme) -> dict[str, str]:
+    return {"value": repr(extreme.value), "time": repr(extreme.time)}
