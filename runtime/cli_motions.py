@@ -135,9 +135,9 @@ def simulate(
     epilog="Examples:\n\n"
     "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1\n\n"
     "nonsmooth find dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
-    " --starts 2000 --box x1=-4:4,x2=-4:4 --save found.json\n\n"
+    " --starts 800 --box x1=-4:4,x2=-4:4 --save found.json\n\n"
     "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
-    " --basins x1=-3:3:300,v2=-1:1:300 --plot basins.png"
+    " --basins x1=-3:3:120,v2=-1:1:120 --plot basins.png"
 )
 @answering
 def find(
@@ -225,7 +225,7 @@ def find(
 
 @app.command(
     epilog="Examples:\n\n"
-    "nonsmooth sweep dry-friction V=0.2:1.2:500 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
     " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png"
 )
 @answering

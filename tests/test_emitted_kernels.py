@@ -91,6 +91,10 @@ def point(system: str, kernel: str, seed: int) -> list[list[Fraction]]:
         known = {n: near(repr(float(parse(text)))) for n, text in texts.items()}
         table = module.ORBITS[orbit.name]
         parameters = [known[p["name"]] for p in table["parameters"]]
+    if kernel in ("fields", "rows", "resets"):
+        return [parameters]
+    if kernel == "modes":
+        return [parameters, []]
     if is_flow(system, kernel):
         state = [Fraction(source.randint(-30, 30), 10) for _ in range(4)]
         return [parameters, [], [Fraction(source.randint(1, 60), 10)], state]
@@ -111,7 +115,7 @@ def run(
     module = MODULES[system]
     given_shapes, shapes = module.KERNELS[kernel]
     numbers = [[number(v) for v in a] for a in arguments]
-    if kernel != "spectrum":
+    if len(given_shapes) > 1:
         chosen = [numbers[0][i] for i in spectral(system, kernel)]
         numbers[1], derivatives = module.spectrum(chosen, lib=lib)
         if len(given_shapes) == 4 and not is_flow(system, kernel):
@@ -201,7 +205,7 @@ def arrays_for(system: str, kernel: str, count: int) -> list[np.ndarray]:
     module, stacked = MODULES[system], []
     for seed in range(count):
         arguments: list[Any] = [[float(v) for v in a] for a in point(system, kernel, seed)]
-        if kernel != "spectrum":
+        if len(arguments) > 1:
             chosen = [arguments[0][i] for i in spectral(system, kernel)]
             spectrum, derivatives = module.spectrum(chosen, lib=FLOATS)
             arguments[1] = [float(s) for s in spectrum]
