@@ -33,6 +33,7 @@ The map of the house:
                     `composed_newton`, `composed_stability`, `composed_admissible`,
                     `composed_batch`, `composed_precise`)
 `find`              the periodic orbits that live in a system (`recurrence`, `neighbours`)
+`returns`           the Poincaré map by simulation
 `sweep`             attractors over a parameter, or over a plane of starts
 `plot`              pictures of orbits: figures, Axes, files
 `panels`            what is drawn of an orbit into one Axes

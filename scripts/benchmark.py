@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
-from benchmark_simulation import many, sequences, simulation
+from benchmark_simulation import composed, many, sequences, simulation
 from measuring import Row, timed
 from rich.console import Console
 from rich.table import Table
@@ -304,7 +304,7 @@ def run(command: list[str]) -> None:
 
 SECTIONS = {
     f.__name__: f
-    for f in (batch, kernel, single, refine, derive, process, simulation, many, sequences)
+    for f in (batch, kernel, single, refine, derive, process, simulation, many, sequences, composed)
 }
 
 

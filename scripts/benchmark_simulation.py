@@ -9,9 +9,19 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from measuring import Row, interleaved
 
+from nonsmooth.runtime.composed import compose_many
+from nonsmooth.runtime.composed_newton import solve_cycle
+from nonsmooth.runtime.composition import cycle_of
 from nonsmooth.runtime.engine_layout import numbers_of
 from nonsmooth.runtime.engines import compiled_engine, run_motions
-from nonsmooth.runtime.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.kernels import load_system
+from nonsmooth.runtime.piecewise import (
+    PiecewiseLinear,
+    numbers_at,
+    parameter_points,
+    piecewise,
+    structure_of,
+)
 from nonsmooth.runtime.run import Run
 from nonsmooth.runtime.simulate import follow, simulate_many
 from nonsmooth.runtime.starting import configuration_of
@@ -46,6 +56,37 @@ def simulation(quick: bool) -> Iterator[Row]:
         for label, seconds in interleaved(works, 3 if quick else 7).items():
             same = label == f"{name}: engine"
             yield Row(label, seconds, must if same else None, None if same else f"{name}: engine")
+
+
+def composed(quick: bool) -> Iterator[Row]:
+    """Four phases without kernels of their own, per solve, parameters varying."""
+    phases = [
+        ("stick-stick", "first-breaks-forward"),
+        ("slip-stick", "second-breaks-forward"),
+        ("slip-slip", "first-reaches-belt"),
+        ("stick-slip", "second-reaches-belt"),
+    ]
+    count = 5_000 if quick else 20_000
+    rng = np.random.default_rng(3)
+    varied = {name: rng.uniform(0.98, 1.02, count) for name in ("eta", "V")}
+    values = {name: float(value) for name, value in DATA["A"].items()} | varied
+    guess = np.array([1.02, 2.0, 1.57, 3.28])
+    kernels = load_system("dry-friction")
+    points, _ = parameter_points(kernels, values)
+    cycle = cycle_of(structure_of(kernels), phases)
+    numbers = numbers_at(kernels, points[:256])
+    dwell, free = np.tile(guess, (256, 1)), np.full(256, np.nan)
+
+    def engine() -> None:
+        for _ in range(20):
+            solve_cycle(cycle, numbers, dwell, None, free)
+
+    def whole() -> object:
+        return compose_many("dry-friction", phases, values, guess, threads=1)
+
+    works = {"engine": (engine, 20 * 256.0), "compose_many": (whole, float(count))}
+    for label, seconds in interleaved(works, 5 if quick else 15).items():
+        yield Row(label, seconds, 5e-6 if label == "engine" else None)
 
 
 def many(quick: bool) -> Iterator[Row]:
