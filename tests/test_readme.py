@@ -23,12 +23,17 @@ def test_the_python_example_runs(capsys):
     assert "(201, 101)" in printed
 
 
-COMMANDS = [
-    line.split("#")[0].split()[1:]
-    for block in blocks("sh")
-    for line in block.splitlines()
-    if line.startswith("nonsmooth ")
-]
+def commands(block):
+    """Command lines of a block as a shell reads them: continued, with its variables."""
+    lines = block.replace("\\\n", " ").splitlines()
+    variables = dict(re.fullmatch(r'(\w+)="(.*)"', line).groups() for line in lines if '="' in line)
+    for line in lines:
+        if line.startswith("nonsmooth "):
+            words = line.split("#")[0].split()[1:]
+            yield [part for word in words for part in variables.get(word[1:], word).split()]
+
+
+COMMANDS = [command for block in blocks("sh") for command in commands(block)]
 
 
 @pytest.mark.usefixtures("committed_derivation", "empty_reproduction")

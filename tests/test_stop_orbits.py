@@ -106,7 +106,7 @@ def test_position_and_velocity_as_functions_of_the_period() -> None:
 
 def test_an_impact_with_less_restitution_loses_energy() -> None:
     system = rigid_stop.system
-    (transition,) = system.transitions
+    transition = system.transition("free", "first-reaches-stop", "free")
     energy = energy_of(system.configuration("free").dynamics, system.states)
     image = transition.reset_of(sp.Matrix(system.states), system.states)
     after = energy.subs(dict(zip(system.states, image, strict=True)), simultaneous=True)
