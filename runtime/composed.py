@@ -43,6 +43,8 @@ from nonsmooth.runtime.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.orbit import DOUBLE, GUARD
 from nonsmooth.runtime.piecewise import PiecewiseLinear, piecewise, piecewise_in
 from nonsmooth.runtime.refine import MOST_DIGITS
+from nonsmooth.runtime.simulate import checked_count, simulate
+from nonsmooth.runtime.trajectory import Trajectory
 from nonsmooth.runtime.values import Value, as_value
 
 __all__ = ["ComposedOrbit", "ComposedOrbits", "compose", "compose_many"]
@@ -212,6 +214,20 @@ class ComposedOrbit:
         dwell, start = self.dwell_times.astype(float), self.states[0].astype(float)
         now = pass_through(self.cycle, numbers, dwell, start, np)
         return assess_cycle(self.cycle, numbers, now, dwell)
+
+    def trajectory(self, periods: int = 1) -> Trajectory:
+        """The motion along the orbit, simulated from its start: to draw, observe and save.
+
+        Raises
+        ------
+        InputError
+            If there is no orbit, or for a count that is no positive integer.
+        """
+        self._check_found()
+        start = [float(x) for x in self.states[0]]
+        count = len(self.itinerary) * checked_count("periods", periods, 1)
+        first = self.itinerary[0][0]
+        return simulate(self.kernels, self.parameters, start, first, transitions=count)
 
     @property
     def _numbers(self) -> Numbers:

@@ -431,3 +431,14 @@ def test_the_engine_checks_its_arrays():
             engine.compose(layout, cycle.packed, one, flat, *short, False)
     with pytest.raises(ValueError, match="numbers"):
         engine.compose(layout, cycle.packed, one, flat[:, 1:].copy(), *arrays, False)
+
+
+def test_the_motion_along_an_orbit_closes_and_can_be_observed():
+    orbit = stick()
+    motion = orbit.trajectory(3)
+    names = [configuration for configuration, _ in orbit.itinerary]
+    assert list(motion.configurations) == [*names * 3, names[0]]
+    np.testing.assert_allclose(motion.times[::4], np.arange(4) * orbit.period, rtol=1e-13)
+    np.testing.assert_allclose(motion.states[-1], orbit.states[0], atol=1e-12)
+    with pytest.raises(InputError, match="periods = 0"):
+        orbit.trajectory(0)
