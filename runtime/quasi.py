@@ -10,19 +10,36 @@ a search (`quasi_crossing`) can tell that nothing hides between two samples.
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-__all__ = ["TINY", "UNIT", "Coefficients", "Jet", "QuasiPolynomial"]
+__all__ = ["TINY", "UNIT", "Coefficients", "Jet", "QuasiPolynomial", "wave"]
 
 UNIT = 2.0**-48  # 16 eps
 TINY = 1e-300  # what underflow may take away
 
 Jet = tuple[float, float, float, float]  # g, g', g'' and the error of g
 Coefficients = tuple[complex, ...]
+
+
+_SPLIT = 2.0**27 + 1  # halves a double's digits
+
+
+def wave(exponent: complex, t: float) -> complex:
+    """e^(lambda t), the rounding of the angle w t taken in: its error does not grow with it."""
+    w = exponent.imag
+    if w == 0:
+        return complex(math.exp(exponent.real * t))
+    angle = w * t
+    a, b = _SPLIT * w, _SPLIT * t
+    w_high, t_high = a - (a - w), b - (b - t)
+    w_low, t_low = w - w_high, t - t_high
+    rest = ((w_high * t_high - angle) + w_high * t_low + w_low * t_high) + w_low * t_low
+    cosine, sine = math.cos(angle), math.sin(angle)
+    found = complex(cosine - rest * sine, sine + rest * cosine)
+    return math.exp(exponent.real * t) * found if exponent.real else found
 
 
 def _horner(coefficients: Sequence[complex], t: float) -> complex:
@@ -92,7 +109,9 @@ class QuasiPolynomial:
         for exponent, p, s in zip(self.exponents, self.polynomials, self.sizes, strict=True):
             if len(p) == 1:
                 first = exponent * p[0]
-                plain.append((exponent, p[0], first, exponent * first, s[0], abs(exponent) / 8))
+                plain.append(
+                    (exponent, p[0], first, exponent * first, s[0], abs(exponent.real) / 8)
+                )
             else:
                 first_, size = _slope(p, exponent), tuple(map(complex, s))
                 powers.append((exponent, [p, first_, _slope(first_, exponent), size]))
@@ -104,21 +123,21 @@ class QuasiPolynomial:
         value = slope = curvature = error = 0.0
         for exponent, c, first, second, size, speed in plain:
             if exponent:
-                wave = cmath.exp(exponent * t)
-                value += (c * wave).real
-                slope += (first * wave).real
-                curvature += (second * wave).real
-                growth = abs(wave) if exponent.real else 1.0
+                turn = wave(exponent, t)
+                value += (c * turn).real
+                slope += (first * turn).real
+                curvature += (second * turn).real
+                growth = abs(turn) if exponent.real else 1.0
                 error += size.real * growth * (1.0 + speed.real * t)
             else:
                 value += c.real
                 error += size.real
         for exponent, (p, first_, second_, sizes) in powers:
-            wave = cmath.exp(exponent * t)
-            value += (_horner(p, t) * wave).real
-            slope += (_horner(first_, t) * wave).real
-            curvature += (_horner(second_, t) * wave).real
-            error += abs(_horner(sizes, t) * wave) * (1.0 + abs(exponent) * t / 8)
+            turn = wave(exponent, t)
+            value += (_horner(p, t) * turn).real
+            slope += (_horner(first_, t) * turn).real
+            curvature += (_horner(second_, t) * turn).real
+            error += abs(_horner(sizes, t) * turn) * (1.0 + abs(exponent.real) * t / 8)
         return value, slope, curvature, UNIT * error + TINY
 
     def rounding(self, t: float) -> float:

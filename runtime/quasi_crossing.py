@@ -180,7 +180,8 @@ class _Search:
         last = function.last_root()
         self.end, self.whole = min(window, last * 1.01), window > last * 1.01
         self.touched: list[tuple[float, float]] = []
-        self.before = 0.0
+        # a start that is left so slowly that g stays within its error is no touch
+        self.before, self.left = 0.0, series is None
         self.top: tuple[float, float] | None = None
 
     def jet(self, t: float) -> Jet:
@@ -226,6 +227,7 @@ class _Search:
             third = function.bound(3, t, length)
             if value < -error:
                 self.before = t
+                self.left = self.left or value < -function.rounding(t)
                 if self.top is not None:
                     depth, time = self.top
                     if self.reached:
@@ -234,7 +236,7 @@ class _Search:
                     self.top = None
             elif value > 2 * error:
                 return self._bisected(self.before, t)
-            elif self.top is None or value > self.top[0]:
+            elif self.left and (self.top is None or value > self.top[0]):
                 self.top = (value, t)
             if slope > 0:
                 near = abs(value) + 2 * error

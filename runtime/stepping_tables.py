@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Sequence
 from operator import mul
@@ -10,7 +9,7 @@ from operator import mul
 import numpy as np
 
 from nonsmooth.runtime.piecewise import PiecewiseLinear
-from nonsmooth.runtime.quasi import QuasiPolynomial
+from nonsmooth.runtime.quasi import QuasiPolynomial, wave
 from nonsmooth.runtime.quasi_crossing import ORDERS
 
 __all__ = ["BoundaryTable", "Clock", "ConfigurationTable", "Row", "dot", "orders", "rows_of"]
@@ -140,12 +139,12 @@ class ConfigurationTable:
         """Values and weights of the functions of time, with their places."""
         found = []
         for exponent, mode in self.modes:
-            wave, growth, power = cmath.exp(exponent * t), math.exp(exponent.real * t), 1.0
+            turn, growth, power = wave(exponent, t), math.exp(exponent.real * t), 1.0
             step = 2 if mode.oscillates else 1
             for place in mode.places[::step]:
-                found.append((power * wave.real, power * growth, place))
+                found.append((power * turn.real, power * growth, place))
                 if mode.oscillates:
-                    found.append((power * wave.imag, power * growth, place + 1))
+                    found.append((power * turn.imag, power * growth, place + 1))
                 power *= t
         return found
 

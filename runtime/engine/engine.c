@@ -6,7 +6,8 @@
 
 #include "phase.h"
 
-static const double LONGEST_WAIT = 1e5; /* radians of the fastest oscillation */
+/* Radians of the fastest oscillation; the angle does not round up beyond NONSMOOTH_PHASE_LIMIT. */
+static const double LONGEST_WAIT = 1e5 * (1.0 - 4.0 * DBL_EPSILON);
 static const double RESOLUTION = 0x1p-104; /* of the clock: a shorter flight is none */
 static const double ZERO = 16.0 * DBL_EPSILON;
 enum { MOST_IMMEDIATE = 100 };
@@ -67,12 +68,24 @@ flow(const configuration *c, const int n, const double *functions, double *state
             result[i] += function * sum;
         }
     }
-    for (int i = 0; i < n; ++i, reach += columns) {
-        double sizes = reach[n];
-        for (int j = 0; j < n; ++j)
-            sizes += reach[j] * fabs(state[j]);
-        magnitude[i] = largest * sizes;
-    }
+    if (largest > 1.0) { /* each function counts by itself: after a long wait one is huge */
+        for (int i = 0; i < n; ++i)
+            magnitude[i] = 0.0;
+        row = c->flow;
+        for (int f = 0; f < c->functions; ++f)
+            for (int i = 0; i < n; ++i, row += columns) {
+                double sizes = fabs(row[n]);
+                for (int j = 0; j < n; ++j)
+                    sizes += fabs(row[j] * state[j]);
+                magnitude[i] += fabs(functions[f]) * sizes;
+            }
+    } else
+        for (int i = 0; i < n; ++i, reach += columns) {
+            double sizes = reach[n];
+            for (int j = 0; j < n; ++j)
+                sizes += reach[j] * fabs(state[j]);
+            magnitude[i] = sizes;
+        }
     for (int i = 0; i < n; ++i)
         state[i] = result[i];
 }

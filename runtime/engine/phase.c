@@ -11,6 +11,8 @@ static const double VALUE = 8.0 * DBL_EPSILON;
 static const double SAMPLE = 96.0 * DBL_EPSILON;
 static const double START = 16.0 * DBL_EPSILON;
 
+static const double SHORTEST = 1e-30; /* cells behind a start in which nothing can be told */
+
 enum { FRESH = 32 }; /* cells after which samples are computed anew */
 
 typedef struct {
@@ -160,6 +162,14 @@ static double second_bound(const phase *p, int b, double from, double to)
     double curve[MOST_FUNCTIONS];
     differentiate(p->c, slope_of(p, b), curve);
     return bound_on(p->c, curve, from, to);
+}
+
+static double third_bound(const phase *p, int b, double from, double to)
+{
+    double second[MOST_FUNCTIONS], third[MOST_FUNCTIONS];
+    differentiate(p->c, slope_of(p, b), second);
+    differentiate(p->c, second, third);
+    return bound_on(p->c, third, from, to);
 }
 
 static double fourth_bound(const phase *p, int b, double from, double to)
@@ -348,6 +358,20 @@ static double time_away(const sampler *s, double end)
     return bound > 0.0 ? 0.5 * (s->order + 1) * leading / bound : HUGE_VAL;
 }
 
+/* A step that is safe behind a slow start, where the uniform bound on g'' hardly lets go on: no
+ * longer than the time itself, over which g'' changes little. */
+static double leaving_step(const sampler *s, sample at, double time, double third)
+{
+    double curve = 0.0, size = 0.0;
+    for (int k = SERIES - 1; k >= 2; --k) {
+        curve = curve * time + k * (k - 1) * s->series[k];
+        size = size * time + k * (k - 1) * fabs(s->series[k]);
+    }
+    const double bend = curve + SAMPLE * size + third * time;
+    const double step = safe_step(at, bend > 0.0 ? bend : 0.0);
+    return step < time ? step : time;
+}
+
 /* Newton's method for a crossing in [low, high], g <= 0 at low and >= 0 at high, kept inside. */
 static double polished(const sampler *s, double low, double high, double time)
 {
@@ -396,13 +420,20 @@ static double first_in(phase *p, sampler *s, double from, double to, double cell
 {
     const int b = s->boundary;
     const double second = second_bound(p, b, cell_start, to);
+    const double third = s->order ? third_bound(p, b, cell_start, to) : 0.0;
     double time = from, error;
     for (;;) {
         sample at = sampled(s, time, &error);
         while (at.value < -error) {
+            if (s->order == 0)
+                p->leaving &= ~((uint32_t)1 << b);
             if (time >= to)
                 return HUGE_VAL;
-            const double step = safe_step(at, second);
+            double step = safe_step(at, second);
+            if (s->order && step < time) {
+                const double slow = leaving_step(s, at, time, third);
+                step = slow > step ? slow : step;
+            }
             /* at least the next double: a step below it is within the error */
             const double next = time + step;
             time = next > to ? to : next > time ? next : nextafter(time, HUGE_VAL);
@@ -432,9 +463,12 @@ static double first_in(phase *p, sampler *s, double from, double to, double cell
             return polished(s, before, time, 0.5 * (before + time));
         if (at.value >= -error && time >= to && at.slope > 0.0)
             return HUGE_VAL; /* the next cell begins here and decides */
-        if (p->reached[b])
-            return top;
-        remember(p, b, entered, time, 0.5 * (entered + time), depth);
+        /* a start that is left so slowly that it takes more than a cell is no touch */
+        if (s->order > 0 || !(p->leaving >> b & 1)) {
+            if (p->reached[b])
+                return top;
+            remember(p, b, entered, time, 0.5 * (entered + time), depth);
+        }
         if (time >= to)
             return HUGE_VAL;
     }
@@ -609,7 +643,9 @@ crossing phase_search(phase *p, double window)
                 found = first_in(p, &s, from, earliest, from);
             else {
                 make_series(&s);
-                const double away = s.order > 0 ? time_away(&s, next) : 0.0;
+                const double shortest = SHORTEST * c->cell; /* powers of it do not underflow */
+                const double least = s.order > 0 ? time_away(&s, next) : 0.0;
+                const double away = least > shortest ? least : shortest;
                 found = s.order == 0 || away >= next ? HUGE_VAL
                                                      : first_in(p, &s, away, earliest, from);
             }
@@ -628,6 +664,8 @@ crossing phase_search(phase *p, double window)
         for (uint32_t rest = p->watched; rest; rest &= rest - 1) {
             const int b = __builtin_ctz(rest);
             left[b] = right[b];
+            if (right[b].value < -slack[b])
+                p->leaving &= ~((uint32_t)1 << b);
         }
         time = next;
         if (c->polynomial >= 0)
