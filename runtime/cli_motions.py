@@ -23,6 +23,8 @@ from nonsmooth.runtime.options import AsJson, Physical, SystemName
 
 __all__ = ["find", "simulate", "sweep"]
 
+PICTURES = (".png", ".svg", ".pdf")
+
 
 @app.command(
     epilog="Examples:\n\n"
@@ -74,16 +76,15 @@ def simulate(
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
     from nonsmooth.runtime.display_motion import show_motion, show_observables, show_proof
-    from nonsmooth.runtime.files import check_target
+    from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.report_motion import motion_json, observables_json, proof_json
     from nonsmooth.runtime.simulate import simulate as follow
     from nonsmooth.runtime.values import parse
 
-    for path, endings in ((save, (".npz", ".csv")), (plot, (".png", ".svg", ".pdf"))):
+    for path, endings in ((save, (".npz", ".csv")), (plot, PICTURES)):
         if path is not None:
             check_target(path)
-            if path.suffix.lower() not in endings:
-                raise InputError(f"{path} does not end in {', '.join(endings)}")
+            check_ending(path, endings)
     if start is None:
         raise InputError("the start is missing: --from NAME=VALUE,...")
     end = math.inf if until is None else float(parse(until))
@@ -177,12 +178,16 @@ def find(
     """Find the periodic orbits that live in a system, stable and unstable, and their basins."""
     from nonsmooth.runtime.display import counted, steps
     from nonsmooth.runtime.display_motion import show_found
-    from nonsmooth.runtime.files import check_target
+    from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.find import find_orbits
     from nonsmooth.runtime.report_found import found_json, save_found
 
     if (plot is None) != (basins is None):
         raise InputError("--basins says what to map and --plot where to draw it: give both")
+    if start and basins is None:
+        raise InputError("--from is for the plane of --basins, which is missing")
+    if plot is not None:
+        check_ending(plot, PICTURES)
     for path in (plot, save):
         if path is not None:
             check_target(path)
@@ -267,7 +272,7 @@ def sweep(
     from numpy import linspace
 
     from nonsmooth.runtime.display import counted
-    from nonsmooth.runtime.files import check_target
+    from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.sweep import sweep as follow
 
     for option, given in (("--state", state), ("--at", at), ("--from", start)):
@@ -275,6 +280,7 @@ def sweep(
             raise InputError(f"{option} is missing")
     if out is not None:
         check_target(out)
+        check_ending(out, PICTURES)
     swept = [text for text in parameters or [] if ":" in text]
     if len(swept) != 1:
         raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")

@@ -81,6 +81,8 @@ def show_found(found: Found) -> None:
     for share, what in ((found.resting, "came to rest"), (found.unclassified, "not classified")):
         if share:
             out.print(f"{100 * share:.4g} % of the starts {what}")
+    if found.unclassified:
+        out.print("(slow ones may need more --transitions; motions that keep energy never settle)")
 
 
 def show_observables(found: Observables) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nonsmooth.runtime.errors import InputError
 
-__all__ = ["check_target", "read_file", "unwritable", "write_file"]
+__all__ = ["check_ending", "check_target", "read_file", "unwritable", "write_file"]
 
 
 def check_target(out: Path) -> None:
@@ -20,6 +20,12 @@ def check_target(out: Path) -> None:
         raise InputError(f"cannot write {out}: it is a folder")
     if not os.access(out if out.exists() else folder, os.W_OK):
         raise InputError(f"cannot write {out}: permission denied")
+
+
+def check_ending(out: Path, endings: tuple[str, ...]) -> None:
+    """Refuse a file of another kind, before the work is done."""
+    if out.suffix.lower() not in endings:
+        raise InputError(f"{out} does not end in {', '.join(endings)}")
 
 
 def unwritable(path: Path, problem: OSError) -> InputError:

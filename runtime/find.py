@@ -171,6 +171,7 @@ def find_orbits(
     count = checked_count("n", n, 1)
     length = checked_count("transitions", transitions, 2)
     limits = start_box(point, box)
+    checked_count("seed", seed, 0)
     values = {name: float(value) for name, value in point.parameters.items()}
 
     def follow(starts: np.ndarray, number: int, keep: int) -> Trajectories:
@@ -239,7 +240,10 @@ def start_box(
     for name, bounds in (given or {}).items():
         if name not in structure.states:
             raise unknown_name("state", str(name), structure.states)
-        low, high = map(float, bounds)
+        try:
+            low, high = map(float, bounds)
+        except (TypeError, ValueError):
+            raise InputError(f"box of {name}: {bounds!r} is no pair of numbers") from None
         if not (np.isfinite([low, high]).all() and low < high):
             raise InputError(f"box of {name}: {low!r} to {high!r} is no interval")
         limits[structure.states.index(name)] = low, high
@@ -360,9 +364,13 @@ def _solved(
 
 
 def _same(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
-    """Whether two cycles of one rotation are the same."""
-    return orbit.itinerary == other.itinerary and np.allclose(
-        orbit.dwell_times, other.dwell_times, rtol=_SAME, atol=_SAME
+    """Whether two cycles are the same; a doubled one begins at either of its turns."""
+    return any(
+        orbit.itinerary == other.itinerary[turn:] + other.itinerary[:turn]
+        and np.allclose(
+            orbit.dwell_times, np.roll(other.dwell_times, -turn), rtol=_SAME, atol=_SAME
+        )
+        for turn in range(len(other.itinerary))
     )
 
 

@@ -122,7 +122,7 @@ class Structure:
     def configuration(self, name: str) -> int:
         """Index of a configuration; InputError if there is none of that name."""
         if name not in self.configurations:
-            raise unknown_name("configuration", name, self.configurations)
+            raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
 
     def boundary(self, configuration: int, name: str) -> int:

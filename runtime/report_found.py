@@ -74,6 +74,8 @@ def load_found(path: str | os.PathLike[str]) -> Found:
         return _found(_content(read_file(Path(path), _LARGEST_FILE, "file of found orbits")))
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
+    except (AttributeError, KeyError, TypeError, ValueError):
+        raise InputError(f"{os.fspath(path)}: not what find --save writes") from None
 
 
 def _orbit_json(found: Found, entry: FoundOrbit) -> dict[str, Any]:
@@ -140,13 +142,17 @@ def _found(content: dict[str, Any]) -> Found:
             )
         orbits.append(FoundOrbit(orbit, entry["starts"], float(entry["share"])))
     names = tuple(kernels.table["states"])
+    starts = np.array([[float(x) for x in row] for row in content["start_states"]])
+    labels = np.array(content["labels"], dtype=int)
+    if starts.shape != (len(labels), len(names)) or (labels >= len(orbits)).any():
+        raise InputError("its starts and labels do not belong together")
     return Found(
         kernels.name,
         parameters,
         names,
         tuple(orbits),
-        np.array([[float(x) for x in row] for row in content["start_states"]]),
-        np.array(content["labels"], dtype=int),
+        starts,
+        labels,
         np.array([[float(x) for x in content["box"][name]] for name in names]),
         content["transitions"],
     )

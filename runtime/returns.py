@@ -75,9 +75,7 @@ class PoincareMap:
         NoConvergence
             If the motion does not pass the transition again.
         """
-        start = np.asarray(state, dtype=float)
-        if start.shape != (len(self.system.structure.states),) or not np.isfinite(start).all():
-            raise InputError("the state is no row of as many finite numbers as the system has")
+        start = self._checked(state)
         names = self.system.structure.configurations
         most = _FIRST
         while most <= _MOST:
@@ -96,6 +94,15 @@ class PoincareMap:
             most *= 4
         raise NoConvergence(f"the motion does not come back within {most} transitions")
 
+    def _checked(self, state: Any) -> np.ndarray:
+        try:
+            start = np.asarray(state, dtype=float)
+        except (TypeError, ValueError):
+            start = np.empty(0)
+        if start.shape != (len(self.system.structure.states),) or not np.isfinite(start).all():
+            raise InputError("the state is no row of as many finite numbers as the system has")
+        return start
+
     @cached_property
     def basis(self) -> np.ndarray:
         """Orthonormal directions (N, d) in which a state behind the transition can move."""
@@ -111,7 +118,7 @@ class PoincareMap:
         The map is affine in the state but for the times of the transitions, so the error is
         of the order step^2.
         """
-        start = np.asarray(state, dtype=float)
+        start = self._checked(state)
         size = step * max(1.0, float(np.abs(start).max()))
         columns = [
             (self(start + size * direction) - self(start - size * direction)) / (2 * size)

@@ -12,8 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["LONGEST_WAIT", "Grazing", "Run", "Status"]
+__all__ = ["LARGEST_STATE", "LONGEST_WAIT", "Grazing", "Run", "Status"]
 
+LARGEST_STATE = 1e150  # its squares are finite
 LONGEST_WAIT = 1e5  # radians of the fastest oscillation without a transition
 
 
@@ -25,7 +26,7 @@ class Status(IntEnum):
     QUIET = 2  # no boundary can be reached any more, or none was for LONGEST_WAIT
     UNDECLARED = 3  # the system declares no transition for the boundaries that were reached
     IMMEDIATE = 4  # one transition after the other without any time between them
-    OVERFLOW = 5  # a number that is not finite
+    OVERFLOW = 5  # a state that is not finite, or not below LARGEST_STATE
 
     @property
     def message(self) -> str:
@@ -39,7 +40,7 @@ _MESSAGES = {
     Status.QUIET: "no boundary is reached any more",
     Status.UNDECLARED: "the system declares no transition for what happens here",
     Status.IMMEDIATE: "transitions follow each other without any time between them",
-    Status.OVERFLOW: "the state is not finite any more",
+    Status.OVERFLOW: "the state is larger than the engine computes with",
 }
 
 

@@ -38,6 +38,7 @@ from nonsmooth.runtime.trajectory import Trajectory
 __all__ = ["Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
 
 _LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time
+_MOST_TRANSITIONS = 2**62
 
 
 def simulate(
@@ -84,9 +85,12 @@ def simulate(
     """
     pieces = piecewise(system, parameters)
     start = start_state(pieces.structure, state)
-    most = _most_transitions(float(until), transitions)
+    end = _real("until", until)
+    if end.ndim:
+        raise InputError("until is no number")
+    most = _most_transitions(end, transitions)
     chosen = configuration_of(pieces, start, configuration)
-    return Trajectory(pieces, follow(pieces, start, chosen, until, most))
+    return Trajectory(pieces, follow(pieces, start, chosen, float(end), most))
 
 
 def follow(
@@ -183,13 +187,12 @@ def simulate_many(
     kernels = load_system(system) if isinstance(system, str) else system
     structure = structure_of(kernels)
     points, shape = parameter_points(kernels, parameters)
-    starts = np.asarray(states, dtype=float)
+    starts = _real("states", states)
     size = len(structure.states)
     if starts.ndim == 0 or starts.shape[-1] != size:
         raise InputError(f"the last axis of the states is not {size} long")
-    limits = np.asarray(until, dtype=float)
-    least = float(limits.min()) if limits.size else math.inf
-    most = _most_transitions(least, transitions)
+    limits = _real("until", until)
+    most = _most_transitions(limits, transitions)
     kept = checked_count("keep", keep, 0)
     workers = (os.cpu_count() or 1) if threads is None else checked_count("threads", threads, 1)
     try:
@@ -225,7 +228,7 @@ def simulate_many(
     if not parts:
         parts = [no_ends(0, size, kept)]
     joined = _ordered(Ends(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
-    shaped = Ends(*(array.reshape(*common, *array.shape[1:]) for array in joined))
+    shaped = Ends(*(array.reshape((*common, *array.shape[1:])) for array in joined))
     return Trajectories(
         structure,
         times=shaped.times,
@@ -300,15 +303,27 @@ def _fields_and_rows(structure: Structure, numbers: np.ndarray) -> tuple[np.ndar
     return fields, rows.reshape(-1, structure.rows, size + 1)
 
 
-def _most_transitions(until: float, transitions: int | None) -> int | None:
-    """Check what ends a motion."""
-    if not until > 0:
-        raise InputError(f"until = {until!r} is not a positive time")
+def _real(label: str, given: Any) -> np.ndarray:
+    """An array of real numbers; InputError otherwise."""
+    try:
+        array = np.asarray(given)
+        if array.dtype.kind not in "cmM":
+            return array.astype(float)
+    except (TypeError, ValueError):
+        pass
+    raise InputError(f"{label}: no array of real numbers")
+
+
+def _most_transitions(until: np.ndarray, transitions: int | None) -> int | None:
+    """Check what ends each motion."""
+    if not (until > 0).all():
+        wrong = float(until[~(until > 0)].flat[0])
+        raise InputError(f"until = {wrong!r} is not a positive time")
     if transitions is None:
-        if math.isinf(until):
+        if np.isinf(until).any():
             raise InputError("nothing ends the motion: give until, or transitions")
         return None
-    return checked_count("transitions", transitions, 1)
+    return min(checked_count("transitions", transitions, 1), _MOST_TRANSITIONS)
 
 
 def checked_count(label: str, value: object, least: int) -> int:

@@ -33,7 +33,10 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
             raise InputError(f"the start needs a value for: {', '.join(missing)}")
         values = [given[name] for name in names]
     else:
-        values = list(given)
+        try:
+            values = list(given)
+        except TypeError:
+            raise InputError(f"the start is no row of values: {given!r}") from None
         if len(values) != len(names):
             raise InputError(
                 f"the start has {len(values)} values; {structure.name} has {', '.join(names)}"

@@ -14,7 +14,7 @@ import numpy as np
 from nonsmooth.runtime.piecewise import PiecewiseLinear, TransitionShape
 from nonsmooth.runtime.quasi import UNIT, QuasiPolynomial
 from nonsmooth.runtime.quasi_crossing import Series, Start, first_crossing
-from nonsmooth.runtime.run import LONGEST_WAIT, Grazing, Run, Status
+from nonsmooth.runtime.run import LARGEST_STATE, LONGEST_WAIT, Grazing, Run, Status
 from nonsmooth.runtime.stepping_tables import (
     BoundaryTable,
     Clock,
@@ -248,7 +248,7 @@ def run(
         )
 
     while True:
-        if not all(map(math.isfinite, extended)):
+        if not all(abs(x) < LARGEST_STATE for x in extended):
             return ended(Status.OVERFLOW, clock.time)
         if transitions is not None and len(entries) > transitions:
             return ended(Status.TRANSITIONS, clock.time)

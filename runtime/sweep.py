@@ -113,8 +113,11 @@ def sweep(
     if state not in structure.states:
         raise unknown_name("state", state, structure.states)
     where = structure.configuration(configuration)
-    grid = np.asarray(values, dtype=float)
-    if grid.ndim != 1 or not np.isfinite(grid).all():
+    try:
+        grid = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        grid = np.empty(0)
+    if grid.ndim != 1 or not grid.size or not np.isfinite(grid).all():
         raise InputError(f"the values of {name} are no row of finite numbers")
     if name in parameters:
         raise InputError(f"parameter {name} is both given and swept")
@@ -123,7 +126,7 @@ def sweep(
     first = start_state(structure, start)
     place = structure.states.index(state)
     found = np.full((grid.size, taken), np.nan)
-    begin = first
+    begin, followed = first, 0
     for low in range(0, grid.size, _CHUNK):
         here = slice(low, low + _CHUNK)
         motions = simulate_many(
@@ -134,11 +137,16 @@ def sweep(
             keep=taken,
             threads=threads,
         )
-        entered = motions.last_configurations == where
+        followed += int((motions.status >= 0).sum())
+        # a motion that ended early has kept entries of its transient too
+        places = motions.transitions[:, None] - np.arange(taken)[::-1]
+        entered = (motions.last_configurations == where) & (places > skipped)
         found[here] = np.where(entered, motions.last_states[..., place], np.nan)
         last = motions.states[-1]
         begin = last if follow and np.isfinite(last).all() else first
         progress(min(low + _CHUNK, grid.size))
+    if not followed:
+        raise InputError(f"for no value of {name} are the parameters and the start possible")
     return Sweep(kernels.name, name, state, configuration, grid, found)
 
 

@@ -8,6 +8,7 @@
 
 /* Radians of the fastest oscillation; the angle does not round up beyond NONSMOOTH_PHASE_LIMIT. */
 static const double LONGEST_WAIT = 1e5 * (1.0 - 4.0 * DBL_EPSILON);
+static const double LARGEST_STATE = 1e150; /* its squares are finite */
 static const double RESOLUTION = 0x1p-104; /* of the clock: a shorter flight is none */
 static const double ZERO = 16.0 * DBL_EPSILON;
 enum { MOST_IMMEDIATE = 100 };
@@ -219,7 +220,7 @@ static void keep_touches(const record *r, const phase *p, const crossing *event,
 static int is_finite(int n, const double *state)
 {
     for (int i = 0; i < n; ++i)
-        if (!isfinite(state[i]))
+        if (!(fabs(state[i]) < LARGEST_STATE))
             return 0;
     return 1;
 }
@@ -239,6 +240,10 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
     for (int i = 0; i < n; ++i)
         magnitude[i] = fabs(state[i]);
     keep(r, 0, n, 0.0, here, state, state, 0);
+    if (!is_finite(n, state)) {
+        result.status = STATUS_OVERFLOW;
+        return result;
+    }
     p.start = 0.0;
     while (result.transitions < limit) {
         const configuration *c = &t->configuration[here];
