@@ -13,8 +13,8 @@ from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime import cli_motions  # noqa: F401 - its commands join the application
-from nonsmooth.runtime.command import (
+from nonsmooth.runtime.commands import motions as cli_motions  # noqa: F401 - its commands join the application
+from nonsmooth.runtime.commands.application import (
     ANSWERED,
     NOT_MET,
     UNANSWERED,
@@ -24,8 +24,7 @@ from nonsmooth.runtime.command import (
     print_json,
     split,
 )
-from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.options import (
+from nonsmooth.runtime.commands.options import (
     AsJson,
     Assignments,
     Digits,
@@ -39,6 +38,7 @@ from nonsmooth.runtime.options import (
     Save,
     Unknown,
 )
+from nonsmooth.runtime.errors import InputError, unknown_name
 
 __all__ = ["app", "main"]
 
@@ -71,7 +71,7 @@ def list_orbits(as_json: AsJson = False) -> int:
     if as_json:
         print_json(found)
     else:
-        from nonsmooth.runtime.display import show_list
+        from nonsmooth.runtime.commands.display import show_list
 
         show_list(found["systems"])
     return ANSWERED
@@ -94,8 +94,8 @@ def equations(
     as_json: AsJson = False,
 ) -> int:
     """Derive a system or an orbit and write it down, from the declaration to the trace."""
-    from nonsmooth.runtime import deriving
-    from nonsmooth.runtime.display import show_written, steps
+    from nonsmooth.runtime.commands import deriving
+    from nonsmooth.runtime.commands.display import show_written, steps
     from nonsmooth.runtime.files import check_target
 
     if out is None and form is Format.PDF:
@@ -191,23 +191,23 @@ def plot(
     as_json: AsJson = False,
 ) -> int:
     """Draw a saved orbit or motion: histories, phase portraits, configurations, multipliers."""
-    from nonsmooth.runtime.display import show_written
+    from nonsmooth.runtime.commands.display import show_written
     from nonsmooth.runtime.files import check_target
-    from nonsmooth.runtime.plot import save_figure
+    from nonsmooth.runtime.pictures.plot import save_figure
 
     target = file.parent / f"{file.stem}.png" if out is None else out
     if target.resolve() == file.resolve():
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
     if file.suffix.lower() in (".npz", ".csv"):
-        from nonsmooth.runtime.saved_trajectory import load_trajectory
-        from nonsmooth.runtime.scenes import trajectory_figure
+        from nonsmooth.runtime.pictures.scenes import trajectory_figure
+        from nonsmooth.runtime.simulation.saved import load_trajectory
 
         motion = load_trajectory(file)
         drawn = {"system": motion.name}
         save_figure(trajectory_figure(motion, kind.value), target)
     else:
-        from nonsmooth.runtime.plot import orbit_figure
+        from nonsmooth.runtime.pictures.plot import orbit_figure
         from nonsmooth.runtime.saved import load_orbit_file
 
         orbit = load_orbit_file(file)
@@ -231,7 +231,7 @@ def reproduce(
     as_json: AsJson = False,
 ) -> int:
     """Write every number and figure of the source paper beside ours: a report in HTML."""
-    from nonsmooth.runtime.display import show_written, steps
+    from nonsmooth.runtime.commands.display import show_written, steps
     from nonsmooth.runtime.reproduce.writing import reproduce as write
 
     with steps() as begin:
@@ -267,7 +267,7 @@ def regenerate(
     """Make the kernels again from the derivation, or check that they are up to date."""
     from nonsmooth.derive.codegen import regenerate as generation
     from nonsmooth.derive.systems import SYSTEMS
-    from nonsmooth.runtime.display import show_differences, show_written, steps
+    from nonsmooth.runtime.commands.display import show_differences, show_written, steps
     from nonsmooth.runtime.files import unwritable
 
     if system is not None and system not in SYSTEMS:
@@ -340,7 +340,7 @@ def _report(
     if as_json:
         print_json(told)
     else:
-        from nonsmooth.runtime.display import show_report
+        from nonsmooth.runtime.commands.display import show_report
 
         show_report(orbit, told, assigned, trace_first=trace_first)
         if save is not None:

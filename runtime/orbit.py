@@ -266,8 +266,8 @@ class Orbit:
         return orbit_motion(self)
 
     def plot(self, kind: str = "time", axes: Any = None, **options: Any) -> Any:
-        """Draw the orbit; see `nonsmooth.runtime.plot.plot_orbit`."""
-        from nonsmooth.runtime.plot import plot_orbit
+        """Draw the orbit; see `nonsmooth.runtime.pictures.plot.plot_orbit`."""
+        from nonsmooth.runtime.pictures.plot import plot_orbit
 
         return plot_orbit(self, kind, axes, **options)
 

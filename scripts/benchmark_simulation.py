@@ -9,22 +9,22 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from measuring import Row, interleaved
 
-from nonsmooth.runtime.composed import compose_many
-from nonsmooth.runtime.composed_newton import solve_cycle
-from nonsmooth.runtime.composition import cycle_of
-from nonsmooth.runtime.engine_layout import numbers_of
-from nonsmooth.runtime.engines import compiled_engine, run_motions
+from nonsmooth.runtime.composition.composed import compose_many
+from nonsmooth.runtime.composition.newton import solve_cycle
+from nonsmooth.runtime.composition.passage import cycle_of
 from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.piecewise import (
+from nonsmooth.runtime.simulation.engine_layout import numbers_of
+from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+from nonsmooth.runtime.simulation.piecewise import (
     PiecewiseLinear,
     numbers_at,
     parameter_points,
     piecewise,
     structure_of,
 )
-from nonsmooth.runtime.run import Run
-from nonsmooth.runtime.simulate import follow, simulate_many
-from nonsmooth.runtime.starting import configuration_of
+from nonsmooth.runtime.simulation.run import Run
+from nonsmooth.runtime.simulation.simulate import follow, simulate_many
+from nonsmooth.runtime.simulation.starting import configuration_of
 
 DATA = {
     "A": dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831"),
@@ -119,7 +119,7 @@ def sequences(quick: bool) -> Iterator[Row]:
     count = 30 if quick else 1000
     wrong = {"engine": 0, "DOP853": 0}
     seconds: dict[str, list[float]] = {name: [] for name in wrong}
-    from nonsmooth.runtime.stepping import run as reference
+    from nonsmooth.runtime.simulation.stepping import run as reference
 
     tried = 0
     for i in range(count):

@@ -7,10 +7,10 @@ import pytest
 from test_cli import run, told
 
 import nonsmooth
-from nonsmooth.runtime.engines import compiled_engine
-from nonsmooth.runtime.find import find_orbits
-from nonsmooth.runtime.report_found import load_found
-from nonsmooth.runtime.simulate import simulate
+from nonsmooth.runtime.finding.find import find_orbits
+from nonsmooth.runtime.finding.saved import load_found
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.simulate import simulate
 
 A = "chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
 B = "chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime import composed_newton
-from nonsmooth.runtime.composed import compose, compose_many
-from nonsmooth.runtime.composed_newton import solve_cycle, solve_in_python
-from nonsmooth.runtime.composition import cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.composition import newton as composed_newton
+from nonsmooth.runtime.composition.composed import compose, compose_many
+from nonsmooth.runtime.composition.newton import solve_cycle, solve_in_python
+from nonsmooth.runtime.composition.passage import cycle_of, numbers_in, pass_through
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
-from nonsmooth.runtime.piecewise import numbers_at, parameter_points, structure_of
 from nonsmooth.runtime.refine import refine
+from nonsmooth.runtime.simulation.piecewise import numbers_at, parameter_points, structure_of
 from nonsmooth.runtime.solve import solve
 
 STICK_DATA = {
@@ -242,7 +242,7 @@ def test_many_points():
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_threads_and_chunks_change_nothing(threads, monkeypatch):
-    monkeypatch.setattr("nonsmooth.runtime.composed_batch.CHUNK", 3)
+    monkeypatch.setattr("nonsmooth.runtime.composition.batch.CHUNK", 3)
     data = STICK_DATA | {"V": np.linspace(0.98, 1.02, 8)}
     start = stick().states[0]
     many = compose_many("dry-friction", STICK, data, STICK_GUESS, start, threads=threads)

@@ -15,9 +15,9 @@ from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.system import Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.flows import flow_states
 from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.piecewise import numbers_at, piecewise_at, structure_of
+from nonsmooth.runtime.simulation.flows import flow_states
+from nonsmooth.runtime.simulation.piecewise import numbers_at, piecewise_at, structure_of
 
 NAMES = list(SYSTEMS)
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.engine_layout import layout_of, numbers_of
-from nonsmooth.runtime.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.starting import configuration_of
-from nonsmooth.runtime.stepping import run
+from nonsmooth.runtime.simulation.engine_layout import layout_of, numbers_of
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.simulation.starting import configuration_of
+from nonsmooth.runtime.simulation.stepping import run
 
 ROOT = Path(__file__).parents[1]
 SYSTEMS = {

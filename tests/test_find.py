@@ -7,9 +7,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.engines import compiled_engine
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.find import (
+from nonsmooth.runtime.finding.find import (
     RESTING,
     UNCLASSIFIED,
     _same,
@@ -17,10 +16,11 @@ from nonsmooth.runtime.find import (
     label_names,
     start_box,
 )
-from nonsmooth.runtime.piecewise import piecewise
-from nonsmooth.runtime.recurrence import Candidate, canonical
-from nonsmooth.runtime.report_found import load_found
-from nonsmooth.runtime.simulate import simulate
+from nonsmooth.runtime.finding.recurrence import Candidate, canonical
+from nonsmooth.runtime.finding.saved import load_found
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.piecewise import piecewise
+from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.solve import solve
 
 A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}

@@ -12,12 +12,12 @@ from scipy.optimize import minimize_scalar
 
 import nonsmooth
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.flows import flow_states
-from nonsmooth.runtime.lyapunov import lyapunov, lyapunov_spectrum, tangent_map
-from nonsmooth.runtime.observables import Observables, observe
-from nonsmooth.runtime.piecewise import piecewise
-from nonsmooth.runtime.simulate import simulate
-from nonsmooth.runtime.trajectory import Trajectory
+from nonsmooth.runtime.observing.lyapunov import lyapunov, lyapunov_spectrum, tangent_map
+from nonsmooth.runtime.observing.observables import Observables, observe
+from nonsmooth.runtime.simulation.flows import flow_states
+from nonsmooth.runtime.simulation.piecewise import piecewise
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 DATA_B = {

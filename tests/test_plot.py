@@ -15,11 +15,11 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonsmooth
 from nonsmooth.derive.equations import derive_equations
 from nonsmooth.derive.systems import dry_friction
+from nonsmooth.runtime.commands.options import Kind
 from nonsmooth.runtime.errors import InputError, MissingExtra
 from nonsmooth.runtime.kernels import orbit_names
 from nonsmooth.runtime.notebook import symbol
-from nonsmooth.runtime.options import Kind
-from nonsmooth.runtime.plot import KINDS, PANELS, orbit_figure, plot_orbit, save_figure
+from nonsmooth.runtime.pictures.plot import KINDS, PANELS, orbit_figure, plot_orbit, save_figure
 from nonsmooth.runtime.stability import Multiplier, Stability
 
 matplotlib = pytest.importorskip("matplotlib")

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.quasi import UNIT, QuasiPolynomial
-from nonsmooth.runtime.quasi_crossing import first_crossing
+from nonsmooth.runtime.simulation.crossing import first_crossing
+from nonsmooth.runtime.simulation.quasi import UNIT, QuasiPolynomial
 
 HIGH = mp.MPContext()
 HIGH.dps = 40

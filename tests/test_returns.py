@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.composed import compose
-from nonsmooth.runtime.engines import compiled_engine
+from nonsmooth.runtime.composition.composed import compose
 from nonsmooth.runtime.errors import InputError, NoConvergence
-from nonsmooth.runtime.find import find_orbits
-from nonsmooth.runtime.piecewise import piecewise
-from nonsmooth.runtime.returns import poincare_map
+from nonsmooth.runtime.finding.find import find_orbits
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.piecewise import piecewise
+from nonsmooth.runtime.simulation.returns import poincare_map
 from nonsmooth.runtime.solve import solve
 
 STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}

@@ -16,11 +16,11 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime import saved_trajectory
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.run import Grazing, Status
-from nonsmooth.runtime.simulate import simulate
-from nonsmooth.runtime.trajectory import Trajectory
+from nonsmooth.runtime.simulation import saved as saved_trajectory
+from nonsmooth.runtime.simulation.run import Grazing, Status
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 FRICTION = {
     **{"chi": "2/5", "eta": 4, "V": 0.6773, "us1": "0.0127", "ur1": "0.0255"},

@@ -10,17 +10,17 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth.runtime.errors import InputError, MissingExtra
-from nonsmooth.runtime.observables import observe
-from nonsmooth.runtime.plot import save_figure
-from nonsmooth.runtime.scenes import (
+from nonsmooth.runtime.observing.observables import observe
+from nonsmooth.runtime.pictures.plot import save_figure
+from nonsmooth.runtime.pictures.scenes import (
     KINDS,
     basin_figure,
     bifurcation_figure,
     plot_trajectory,
     trajectory_figure,
 )
-from nonsmooth.runtime.simulate import simulate
-from nonsmooth.runtime.trajectory import Trajectory
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")

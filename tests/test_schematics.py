@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.errors import MissingExtra
-from nonsmooth.runtime.plot import save_figure
+from nonsmooth.runtime.pictures.plot import save_figure
 from nonsmooth.runtime.reproduce.schematics import (
     belt_schematic,
     poincare_schematic,

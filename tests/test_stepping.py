@@ -9,8 +9,8 @@ import pytest
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from nonsmooth.runtime import stepping
-from nonsmooth.runtime.piecewise import (
+from nonsmooth.runtime.simulation import stepping
+from nonsmooth.runtime.simulation.piecewise import (
     BoundaryShape,
     ModeShape,
     PiecewiseLinear,
@@ -18,8 +18,8 @@ from nonsmooth.runtime.piecewise import (
     TransitionShape,
     piecewise,
 )
-from nonsmooth.runtime.run import LONGEST_WAIT, Status
-from nonsmooth.runtime.stepping import run
+from nonsmooth.runtime.simulation.run import LONGEST_WAIT, Status
+from nonsmooth.runtime.simulation.stepping import run
 
 FRICTION = {
     "A": {"chi": 0.5, "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"},

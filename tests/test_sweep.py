@@ -5,11 +5,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.composed import compose_many
+from nonsmooth.runtime.composition.composed import compose_many
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.find import ILLEGAL, RESTING, UNCLASSIFIED, find_orbits
-from nonsmooth.runtime.simulate import simulate
-from nonsmooth.runtime.sweep import basins, sweep
+from nonsmooth.runtime.finding.find import ILLEGAL, RESTING, UNCLASSIFIED, find_orbits
+from nonsmooth.runtime.finding.sweep import basins, sweep
+from nonsmooth.runtime.simulation.simulate import simulate
 
 STICK = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 TWO = {

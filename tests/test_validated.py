@@ -13,11 +13,11 @@ from typing import Any
 import pytest
 from mpmath import MPContext
 
-from nonsmooth.runtime.enclosures import Facts, enclosed_system
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.first_crossing import first_crossing
-from nonsmooth.runtime.piecewise import BoundaryShape
-from nonsmooth.runtime.validated import Proof, validate
+from nonsmooth.runtime.simulation.piecewise import BoundaryShape
+from nonsmooth.runtime.validation.enclosures import Facts, enclosed_system
+from nonsmooth.runtime.validation.first_crossing import first_crossing
+from nonsmooth.runtime.validation.validate import Proof, validate
 from nonsmooth.runtime.values import flint_precision
 
 mp = MPContext()

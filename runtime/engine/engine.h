@@ -1,10 +1,10 @@
-/* One motion from event to event: the rules of nonsmooth.runtime.stepping, compiled. */
+/* One motion from event to event: the rules of nonsmooth.runtime.simulation.stepping, compiled. */
 #ifndef NONSMOOTH_ENGINE_H
 #define NONSMOOTH_ENGINE_H
 
 #include "tables.h"
 
-/* The members of nonsmooth.runtime.run.Status. */
+/* The members of nonsmooth.runtime.simulation.run.Status. */
 enum {
     STATUS_TRANSITIONS,
     STATUS_UNTIL,

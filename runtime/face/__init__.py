@@ -9,23 +9,23 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.batch import Orbits, solve_many
-    from nonsmooth.runtime.composed import ComposedOrbit, compose, compose_many
+    from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
     from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
-    from nonsmooth.runtime.find import Found, find_orbits
-    from nonsmooth.runtime.lyapunov import lyapunov
+    from nonsmooth.runtime.finding.find import Found, find_orbits
+    from nonsmooth.runtime.finding.saved import load_found
     from nonsmooth.runtime.motion import Motion
-    from nonsmooth.runtime.observables import observe
+    from nonsmooth.runtime.observing.lyapunov import lyapunov
+    from nonsmooth.runtime.observing.observables import observe
     from nonsmooth.runtime.orbit import Orbit
-    from nonsmooth.runtime.proof import Proof
     from nonsmooth.runtime.refine import refine
-    from nonsmooth.runtime.report_found import load_found
-    from nonsmooth.runtime.returns import PoincareMap, poincare_map
     from nonsmooth.runtime.saved import load_orbit_file as load
-    from nonsmooth.runtime.saved_trajectory import load_trajectory
-    from nonsmooth.runtime.simulate import Trajectories, simulate, simulate_many
+    from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
+    from nonsmooth.runtime.simulation.saved import load_trajectory
+    from nonsmooth.runtime.simulation.simulate import Trajectories, simulate, simulate_many
+    from nonsmooth.runtime.simulation.trajectory import Trajectory
     from nonsmooth.runtime.solve import solve
-    from nonsmooth.runtime.trajectory import Trajectory
-    from nonsmooth.runtime.validated import validate
+    from nonsmooth.runtime.validation.proof import Proof
+    from nonsmooth.runtime.validation.validate import validate
 
     __version__: str
 
@@ -62,8 +62,8 @@ __all__ = [
 ]
 
 _HOMES = {
-    "ComposedOrbit": "composed",
-    "Found": "find",
+    "ComposedOrbit": "composition.composed",
+    "Found": "finding.find",
     "InputError": "errors",
     "MissingExtra": "errors",
     "Motion": "motion",
@@ -71,25 +71,25 @@ _HOMES = {
     "NonsmoothError": "errors",
     "Orbit": "orbit",
     "Orbits": "batch",
-    "PoincareMap": "returns",
-    "Proof": "proof",
-    "Trajectories": "simulate",
-    "Trajectory": "trajectory",
-    "compose": "composed",
-    "compose_many": "composed",
-    "find_orbits": "find",
+    "PoincareMap": "simulation.returns",
+    "Proof": "validation.proof",
+    "Trajectories": "simulation.simulate",
+    "Trajectory": "simulation.trajectory",
+    "compose": "composition.composed",
+    "compose_many": "composition.composed",
+    "find_orbits": "finding.find",
     "load": "saved:load_orbit_file",
-    "load_found": "report_found",
-    "load_trajectory": "saved_trajectory",
-    "lyapunov": "lyapunov",
-    "observe": "observables",
-    "poincare_map": "returns",
+    "load_found": "finding.saved",
+    "load_trajectory": "simulation.saved",
+    "lyapunov": "observing.lyapunov",
+    "observe": "observing.observables",
+    "poincare_map": "simulation.returns",
     "refine": "refine",
-    "simulate": "simulate",
-    "simulate_many": "simulate",
+    "simulate": "simulation.simulate",
+    "simulate_many": "simulation.simulate",
     "solve": "solve",
     "solve_many": "batch",
-    "validate": "validated",
+    "validate": "validation.validate",
 }
 
 

@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.orbit import Orbit
-from nonsmooth.runtime.plot import orbit_figure
+from nonsmooth.runtime.pictures.plot import orbit_figure
 from nonsmooth.runtime.reproduce import schematics
 from nonsmooth.runtime.reproduce.records import Picture
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from nonsmooth.runtime.deriving import section_formulas
+from nonsmooth.runtime.commands.deriving import section_formulas
 from nonsmooth.runtime.errors import missing_extra
 from nonsmooth.runtime.files import unwritable
 from nonsmooth.runtime.reproduce.chapters import ORBITS, paper_orbits, paper_report
@@ -39,7 +39,7 @@ def reproduce(out: Path, begin: Callable[[str], None] = lambda step: None) -> tu
         If the folder cannot be written.
     """
     _check_extras()
-    from nonsmooth.runtime.plot import save_figure
+    from nonsmooth.runtime.pictures.plot import save_figure
     from nonsmooth.runtime.reproduce.figures import drawings
     from nonsmooth.runtime.reproduce.writers import to_html, to_json, to_markdown
 

@@ -1,0 +1,320 @@
+"""The commands that simulate."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from nonsmooth.runtime.commands.application import (
+    ANSWERED,
+    UNANSWERED,
+    answering,
+    app,
+    assignments,
+    print_json,
+    ranges,
+    split,
+)
+from nonsmooth.runtime.commands.options import AsJson, Physical, SystemName
+from nonsmooth.runtime.errors import InputError
+
+__all__ = ["find", "simulate", "sweep"]
+
+PICTURES = (".png", ".svg", ".pdf")
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth simulate rigid-stop m1=1 m2=2 k1=1 k2=5 r=0.8"
+    " --from x1=0,x2=0.5,v1=1,v2=0 --transitions 20\n\n"
+    "nonsmooth simulate dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+    " --from x1=0,x2=0,v1=0,v2=0 --until 100 --save motion.npz --plot motion.png\n\n"
+    "nonsmooth simulate elastic-stop m1=1 m2=2 k1=1 k2=5 k3=10 --from x1=0,x2=0,v1=2,v2=0"
+    " --transitions 40 --observe --prove"
+)
+@answering
+def simulate(
+    system: SystemName,
+    parameters: Physical = None,
+    start: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--from", metavar="NAME=VALUE,...", help="The start: positions and velocities."
+        ),
+    ] = None,
+    configuration: Annotated[
+        str | None,
+        typer.Option("--in", metavar="NAME", help="Where it starts; found when it is not given."),
+    ] = None,
+    transitions: Annotated[
+        int | None, typer.Option("--transitions", metavar="N", help="End after so many.")
+    ] = None,
+    until: Annotated[
+        str | None, typer.Option("--until", metavar="TIME", help="End at this time.")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save the motion: .npz or .csv.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+    ] = None,
+    observe: Annotated[
+        bool,
+        typer.Option("--observe", help="Peaks, averages, contact forces, Lyapunov exponent too."),
+    ] = False,
+    since: Annotated[
+        str, typer.Option("--since", metavar="TIME", help="Where --observe begins.")
+    ] = "0",
+    prove: Annotated[
+        bool,
+        typer.Option("--prove", help="Prove the sequence of configurations by ball arithmetic."),
+    ] = False,
+    as_json: AsJson = False,
+) -> int:
+    """Follow a motion from event to event, exactly: no event is missed."""
+    from nonsmooth.runtime.commands.display_motions import show_motion, show_observables, show_proof
+    from nonsmooth.runtime.commands.report_motions import motion_json, observables_json, proof_json
+    from nonsmooth.runtime.files import check_ending, check_target
+    from nonsmooth.runtime.simulation.simulate import simulate as follow
+    from nonsmooth.runtime.values import parse
+
+    for path, endings in ((save, (".npz", ".csv")), (plot, PICTURES)):
+        if path is not None:
+            check_target(path)
+            check_ending(path, endings)
+    if start is None:
+        raise InputError("the start is missing: --from NAME=VALUE,...")
+    end = math.inf if until is None else float(parse(until))
+    values, state = assignments("parameter", parameters or []), assignments("state", split(start))
+    motion = follow(system, values, state, configuration, until=end, transitions=transitions)
+    observed = proof = None
+    if observe:
+        from nonsmooth.runtime.observing.observables import observe as observe_motion
+
+        observed = observe_motion(motion, float(parse(since)))
+    if prove:
+        from nonsmooth.runtime.validation.validate import validate
+
+        exact = {name: value.exact for name, value in state.items()}
+        for name, fraction in exact.items():
+            if fraction is None:
+                raise InputError(f"state {name} = {state[name]} is not rational: no proof")
+        begin = motion.configurations[0]
+        proof = validate(system, values, exact, begin, motion.transitions)
+    written = []
+    if save is not None:
+        motion.save(save)
+        written.append(str(save))
+    if plot is not None:
+        from nonsmooth.runtime.pictures.plot import save_figure
+        from nonsmooth.runtime.pictures.scenes import trajectory_figure
+
+        save_figure(trajectory_figure(motion, "all"), plot)
+        written.append(str(plot))
+    if as_json:
+        told = motion_json(motion)
+        if observed is not None:
+            told["observables"] = observables_json(observed)
+        if proof is not None:
+            told["proof"] = proof_json(proof)
+        print_json({**told, "files": written})
+    else:
+        show_motion(motion)
+        if observed is not None:
+            show_observables(observed)
+        if proof is not None:
+            show_proof(proof)
+        for name in written:
+            print(f"{name} written")
+    return ANSWERED if proof is None or proof.decided else UNANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1\n\n"
+    "nonsmooth find dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+    " --starts 800 --box x1=-4:4,x2=-4:4 --save found.json\n\n"
+    "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    " --basins x1=-3:3:120,v2=-1:1:120 --plot basins.png"
+)
+@answering
+def find(
+    system: SystemName,
+    parameters: Physical = None,
+    starts: Annotated[
+        int, typer.Option("--starts", metavar="N", help="Random starts to follow.")
+    ] = 400,
+    transitions: Annotated[
+        int, typer.Option("--transitions", metavar="N", help="Length of the transients.")
+    ] = 2000,
+    box: Annotated[
+        list[str] | None,
+        typer.Option("--box", metavar="NAME=A:B,...", help="Where the starts are drawn."),
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random starts.")] = 0,
+    basins: Annotated[
+        str | None,
+        typer.Option(
+            "--basins",
+            metavar="NAME=A:B:N,NAME=A:B:N",
+            help="Map a plane of starts: two states with their ranges and counts.",
+        ),
+    ] = None,
+    start: Annotated[
+        list[str] | None,
+        typer.Option("--from", metavar="NAME=VALUE,...", help="The other states of that plane."),
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--plot", metavar="FILE", help="Draw the map of --basins.")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save all of it as JSON.")
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Find the periodic orbits that live in a system, stable and unstable, and their basins."""
+    from nonsmooth.runtime.commands.display import counted, steps
+    from nonsmooth.runtime.commands.display_motions import show_found
+    from nonsmooth.runtime.files import check_ending, check_target
+    from nonsmooth.runtime.finding.find import find_orbits
+    from nonsmooth.runtime.finding.saved import found_json, save_found
+
+    if (plot is None) != (basins is None):
+        raise InputError("--basins says what to map and --plot where to draw it: give both")
+    if start and basins is None:
+        raise InputError("--from is for the plane of --basins, which is missing")
+    if plot is not None:
+        check_ending(plot, PICTURES)
+    for path in (plot, save):
+        if path is not None:
+            check_target(path)
+    axes = ranges("state", split([basins]), counts=True) if basins else {}
+    if basins and len(axes) != 2:
+        raise InputError(f"--basins takes two states, not {len(axes)}")
+    with steps() as begin:
+        found = find_orbits(
+            system,
+            assignments("parameter", parameters or []),
+            starts,
+            transitions=transitions,
+            box={name: (low, high) for name, (low, high, _) in ranges("state", split(box)).items()},
+            seed=seed,
+            progress=begin,
+        )
+    written = []
+    if save is not None:
+        save_found(found, save)
+        written.append(str(save))
+    if plot is not None:
+        from nonsmooth.runtime.finding.sweep import basins as map_basins
+        from nonsmooth.runtime.pictures.maps import draw_basins
+        from nonsmooth.runtime.pictures.plot import save_figure
+
+        x, y = ((name, *bounds) for name, bounds in axes.items())
+        others = assignments("state", split(start))
+        with counted("mapping basins", y[3]) as progress:
+            plane = map_basins(found, x, y, others, progress=progress)
+        save_figure(draw_basins(plane), plot)
+        written.append(str(plot))
+    if as_json:
+        print_json({**found_json(found), "files": written})
+    else:
+        show_found(found)
+        for name in written:
+            print(f"{name} written")
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png"
+)
+@answering
+def sweep(
+    system: SystemName,
+    parameters: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="NAME=VALUE|A:B:N",
+            help="All physical parameters, one of them as a range: V=0.5:1.5:400.",
+            show_default=False,
+        ),
+    ] = None,
+    state: Annotated[
+        str | None, typer.Option("--state", metavar="NAME", help="What is drawn.")
+    ] = None,
+    at: Annotated[
+        str | None,
+        typer.Option("--at", metavar="NAME", help="At each entry of this configuration."),
+    ] = None,
+    start: Annotated[
+        list[str] | None, typer.Option("--from", metavar="NAME=VALUE,...", help="The start.")
+    ] = None,
+    transient: Annotated[
+        int, typer.Option("--transient", metavar="N", help="Transitions before the first point.")
+    ] = 1000,
+    samples: Annotated[
+        int, typer.Option("--samples", metavar="N", help="Transitions that points are taken from.")
+    ] = 60,
+    restart: Annotated[
+        bool, typer.Option("--restart", help="Start every value anew instead of following.")
+    ] = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
+    from numpy import linspace
+
+    from nonsmooth.runtime.commands.display import counted
+    from nonsmooth.runtime.files import check_ending, check_target
+    from nonsmooth.runtime.finding.sweep import sweep as follow
+
+    for option, given in (("--state", state), ("--at", at), ("--from", start)):
+        if not given:
+            raise InputError(f"{option} is missing")
+    if out is not None:
+        check_target(out)
+        check_ending(out, PICTURES)
+    swept = [text for text in parameters or [] if ":" in text]
+    if len(swept) != 1:
+        raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
+    fixed = [text for text in parameters or [] if text not in swept]
+    ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
+    with counted(f"sweeping {name}", count) as progress:
+        diagram = follow(
+            system,
+            assignments("parameter", fixed),
+            name,
+            linspace(low, high, count),
+            assignments("state", split(start)),
+            state=str(state),
+            configuration=str(at),
+            transient=transient,
+            samples=samples,
+            follow=not restart,
+            progress=progress,
+        )
+    written = []
+    if out is not None:
+        from nonsmooth.runtime.pictures.maps import draw_sweep
+        from nonsmooth.runtime.pictures.plot import save_figure
+
+        save_figure(draw_sweep(diagram), out)
+        written.append(str(out))
+    if as_json:
+        from nonsmooth.runtime.commands.report_motions import sweep_json
+
+        print_json({**sweep_json(diagram), "files": written})
+    else:
+        from nonsmooth.runtime.commands.display_motions import show_sweep
+
+        show_sweep(diagram)
+        for path in written:
+            print(f"{path} written")
+    return ANSWERED

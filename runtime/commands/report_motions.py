@@ -1,0 +1,117 @@
+"""Simulated motions as JSON: numbers are decimal strings that give back the same doubles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.finding.sweep import Sweep
+from nonsmooth.runtime.observing.extremes import Extreme
+from nonsmooth.runtime.observing.lyapunov import lyapunov
+from nonsmooth.runtime.observing.observables import Observables
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+from nonsmooth.runtime.validation.proof import Proof
+
+__all__ = ["motion_json", "observables_json", "proof_json", "sweep_json"]
+
+
+def motion_json(motion: Trajectory) -> dict[str, Any]:
+    """A motion: one entry for the start and one behind each transition.
+
+    States are physical: positions, then velocities, in the order of `names`.
+    """
+    shapes = motion.structure.boundaries
+    return {
+        "system": motion.name,
+        "parameters": {name: value.text for name, value in motion.parameters.items()},
+        "names": list(motion.names),
+        "times": [repr(t) for t in motion.times.tolist()],
+        "configurations": list(motion.configurations),
+        "boundaries": [list(names) for names in motion.boundaries],
+        "states": [[repr(x) for x in row] for row in motion.states.tolist()],
+        "transitions": motion.transitions,
+        "end": repr(motion.end),
+        "status": motion.status.name.lower(),
+        "message": motion.message,
+        "grazings": [
+            {
+                "time": repr(g.time),
+                "configuration": motion.structure.configurations[g.configuration],
+                "boundary": shapes[g.configuration][g.boundary].name,
+                "depth": repr(g.depth),
+            }
+            for g in motion.grazings
+        ],
+    }
+
+
+def sweep_json(diagram: Sweep) -> dict[str, Any]:
+    """A bifurcation diagram: for each value of the parameter the points that were taken."""
+    rows = zip(diagram.values.tolist(), diagram.samples.tolist(), strict=True)
+    return {
+        "system": diagram.system,
+        "parameter": diagram.parameter,
+        "state": diagram.state,
+        "configuration": diagram.configuration,
+        "values": [repr(value) for value in diagram.values.tolist()],
+        "samples": [[repr(x) for x in row if x == x] for _, row in rows],
+    }
+
+
+def observables_json(found: Observables) -> dict[str, Any]:
+    """Peaks, averages, shares of time, contacts and the largest Lyapunov exponent."""
+
+    def numbers(values: Mapping[str, float]) -> dict[str, str]:
+        return {name: repr(float(value)) for name, value in values.items()}
+
+    return {
+        "since": repr(found.since),
+        "duration": repr(found.duration),
+        "minima": {name: _extreme_json(e) for name, e in found.minima.items()},
+        "maxima": {name: _extreme_json(e) for name, e in found.maxima.items()},
+        "means": numbers(found.means),
+        "rms": numbers(found.rms),
+        "fractions": numbers(found.fractions),
+        "sticking": numbers(found.sticking),
+        "contacts": {
+            name: {
+                "minimum": _extreme_json(contact.minimum),
+                "maximum": _extreme_json(contact.maximum),
+                "mean": repr(contact.mean),
+                "work": repr(contact.work),
+                "dissipated": repr(contact.dissipated),
+            }
+            for name, contact in found.contacts.items()
+        },
+        "lyapunov": largest_exponent(found),
+    }
+
+
+def largest_exponent(found: Observables) -> str | None:
+    """The largest Lyapunov exponent as text; None where the motion has none."""
+    try:
+        value = lyapunov(found.trajectory, found.since)
+    except InputError:
+        return None
+    return repr(value) if math.isfinite(value) else None
+
+
+def proof_json(proof: Proof) -> dict[str, Any]:
+    """What is proved of a motion: its sequence, with enclosures of the times."""
+    instant = proof.instant
+    return {
+        "decided": proof.decided,
+        "transitions": proof.transitions,
+        "configurations": list(proof.configurations),
+        "boundaries": [list(names) for names in proof.sets],
+        "times": [{"mid": time.mid, "rad": time.rad} for time in proof.times],
+        "reason": proof.reason,
+        "instant": None if instant is None else {"mid": instant.mid, "rad": instant.rad},
+        "bits": proof.bits,
+    }
+
+
+def _extreme_json(extreme: Extreme) -> dict[str, str]:
+    return {"value": repr(extreme.value), "time": repr(extreme.time)}

@@ -1,0 +1,265 @@
+"""The Poincare map of a composed orbit: sections, multipliers and what they mean.
+
+Behind a transition a motion lies on a section that may have fewer dimensions than the states
+less one: a velocity that a reset has set stays what it is. The map from the smallest of the
+sections to itself has no multiplier that is zero for this reason; the others are exactly zero.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.composition.newton import LEAST, sizes
+from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage
+from nonsmooth.runtime.stability import Multiplier
+
+__all__ = [
+    "ComposedStability",
+    "assess",
+    "local_maps",
+    "saltations",
+    "section_dimension",
+    "smallest_section",
+]
+
+_RANK = 1e-9  # relative length below which a direction is none
+
+
+@dataclass(frozen=True)
+class ComposedStability:
+    """Multipliers and verdict.
+
+    Attributes
+    ----------
+    multipliers : tuple of Multiplier
+        Of the map on the section where the orbit starts, by decreasing absolute value; those
+        that are zero because the orbit passes a smaller section are exact.
+    trace : number
+        Of the same map.
+    rank : int
+        No more multipliers differ from zero.
+    margin : number
+        1 - the largest nontrivial |multiplier|; 0 where the verdict is "neutral".
+    verdict : {"stable", "neutral", "unstable", "undecided"}
+        As `nonsmooth.runtime.stability.Stability`.
+    """
+
+    multipliers: tuple[Multiplier, ...]
+    trace: Any
+    rank: int
+    margin: Any
+    verdict: str
+
+
+def local_maps(cycle: Cycle, numbers: Numbers, now: Passage) -> list[Any]:
+    """Derivative of each phase's start by that of the phase before it, on the sections."""
+    size = now.starts.shape[-1]
+    found = []
+    for place, transition in enumerate(cycle.transitions):
+        normal = numbers.rows[cycle.rows[place], :size]
+        projected = np.eye(size, dtype=int) - np.outer(
+            now.fields[place], normal / now.speeds[place]
+        )
+        reset = numbers.resets[transition.reset, :, :size]
+        found.append(reset @ projected @ now.flows[place][:, :size])
+    return found
+
+
+def saltations(cycle: Cycle, numbers: Numbers, now: Passage) -> Any:
+    """Saltation matrix of each transition (p, N, N): R + (f_after - R f_before) n / (n f_before).
+
+    A perturbation in front of the transition, times the matrix, is that behind it, to first
+    order at the same time.
+    """
+    size, count = now.starts.shape[-1], len(cycle)
+    found = []
+    for place, transition in enumerate(cycle.transitions):
+        reset = numbers.resets[transition.reset, :, :size]
+        field = numbers.fields[cycle.configurations[(place + 1) % count]]
+        after = field[:, :size] @ now.starts[place + 1] + field[:, size]
+        normal = numbers.rows[cycle.rows[place], :size]
+        jump = after - reset @ now.fields[place]
+        found.append(reset + np.outer(jump, normal / now.speeds[place]))
+    return np.array(found)
+
+
+def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
+    """Basis (N, k) of what is left of all directions at the start of each phase.
+
+    Passage after passage under the local maps, until none loses a dimension; orthonormal, in
+    units of the states' sizes.
+    """
+    basis = np.eye(len(size_of), dtype=maps[0].dtype)
+    while True:
+        bases = []
+        for matrix in maps:
+            bases.append(basis)
+            basis = _orthonormal(_scaled(matrix, size_of) @ basis, lib)
+        if bases[0].shape[1] == basis.shape[1]:
+            return bases
+
+
+def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
+    """Phase from which one passage leaves the fewest directions, and how many.
+
+    The map from there has no more multipliers that are not zero, and zero is not a defective
+    one of them.
+    """
+    ranks = []
+    for first in range(len(maps)):
+        basis = np.eye(len(size_of))
+        for matrix in (*maps[first:], *maps[:first]):
+            basis = _orthonormal(_scaled(matrix, size_of) @ basis, np)
+        ranks.append(basis.shape[1])
+    return ranks.index(min(ranks)), min(ranks)
+
+
+def section_dimension(cycle: Cycle, numbers: Numbers, size_of: Any, lib: Any) -> int:
+    """Dimension of the section where the first phase starts.
+
+    It is the reset's image of where the last phase's boundary is reached, with the velocities
+    of held positions as they are.
+    """
+    structure, size = cycle.structure, len(size_of)
+    held = {x + size // 2 for x in structure.held[cycle.configurations[-1]]}
+    free = [k for k in range(size) if k not in held]
+    normal = numbers.rows[cycle.rows[-1], :size] * size_of
+    reached = np.eye(size, dtype=normal.dtype)[:, free]
+    part = normal[free]
+    length = part @ part
+    if length > 0:
+        reached = reached - np.outer(reached @ part, part / length)
+    reset = numbers.resets[cycle.transitions[-1].reset, :, :size]
+    return int(_orthonormal(_scaled(reset, size_of) @ reached, lib).shape[1])
+
+
+def _scaled(matrix: Any, size_of: Any) -> Any:
+    return matrix * size_of[None, :] / size_of[:, None]
+
+
+def _orthonormal(columns: Any, lib: Any) -> Any:
+    """Orthonormal basis of what the columns span, by Gram and Schmidt with pivoting."""
+    left = [columns[:, k] for k in range(columns.shape[1])]
+    basis: list[Any] = []
+    largest = max((lib.sqrt(v @ v) for v in left), default=0)
+    while left:
+        lengths = [lib.sqrt(v @ v) for v in left]
+        best = max(range(len(left)), key=lambda k: lengths[k])
+        if not lengths[best] > _RANK * largest:
+            break
+        unit = left.pop(best) / lengths[best]
+        for _ in range(2):  # once more for what the first pass has lost
+            unit = unit - sum((b * (b @ unit) for b in basis), 0 * unit)
+            unit = unit / lib.sqrt(unit @ unit)
+        basis.append(unit)
+        left = [v - unit * (unit @ v) for v in left]
+    if not basis:
+        return columns[:, :0]
+    return np.stack(basis, axis=-1)
+
+
+def assess(
+    cycle: Cycle, numbers: Numbers, now: Passage, dwell: Any, family: bool, lib: Any, error: Any
+) -> ComposedStability:
+    """Multipliers and verdict of an orbit.
+
+    Parameters
+    ----------
+    family : bool
+        Whether the orbit is one of a family: then one multiplier is 1.
+    lib : arithmetic of single numbers
+        `numpy`, or a context of mpmath.
+    error : number
+        Error of the multipliers.
+    """
+    size_of, maps = sizes(now, dwell), local_maps(cycle, numbers, now)
+    bases = _remaining(maps, size_of, lib)
+    rank = bases[0].shape[1]
+    dimension = max(rank, section_dimension(cycle, numbers, size_of, lib))
+    matrix = np.eye(rank, dtype=maps[0].dtype)
+    for local, before, after in zip(maps, bases, [*bases[1:], bases[0]], strict=True):
+        matrix = after.T @ _scaled(local, size_of) @ before @ matrix
+    precise = maps[0].dtype == object
+    zero = lib.zero if precise else 0.0
+    trace = sum((matrix[k, k] for k in range(rank)), zero)
+    trace = trace if precise else float(trace)
+    found = _eigenvalues(matrix, trace, lib)
+    if family and found:
+        found = _family(matrix, found, trace, lib)
+    found += [Multiplier(zero, zero)] * (dimension - rank)
+    found.sort(key=lambda m: -round(float(_modulus(m, lib)), 12))
+    largest = max((_modulus(m, lib) for m in found if not m.trivial), default=zero)
+    margin = 1 - largest if precise else float(1 - largest)
+    pair = _reciprocal(matrix, rank, lib) if family else False
+    distance = 2 - abs(trace - 1) if pair else margin
+    if family and not pair:
+        error = math.sqrt(LEAST)  # a neutral multiplier may be a defective one
+    if abs(distance) <= error:
+        verdict = "neutral" if family and not pair else "undecided"
+    elif distance < 0:
+        verdict = "unstable"
+    else:
+        verdict = "neutral" if family else "stable"
+    if _grazes(cycle, numbers, now, error):
+        verdict = "undecided"
+    return ComposedStability(
+        tuple(found), trace, rank, zero if verdict == "neutral" else margin, verdict
+    )
+
+
+def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:
+    size = len(matrix)
+    if size == 0:
+        return []
+    if size == 1:
+        return [Multiplier(trace, 0 * trace)]
+    if matrix.dtype == object:
+        values = lib.eig(lib.matrix(matrix.tolist()), left=False, right=False)
+        return [Multiplier(lib.re(v), lib.im(v)) for v in values]
+    return [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
+
+
+def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
+    """Whether the map, one of whose multipliers is 1, keeps the area of the two others."""
+    if rank != 3:
+        return False
+    values = matrix.tolist()
+    determinant = lib.det(lib.matrix(values)) if matrix.dtype == object else np.linalg.det(matrix)
+    return bool(abs(determinant - 1) < math.sqrt(LEAST))
+
+
+def _family(matrix: Any, found: list[Multiplier], trace: Any, lib: Any) -> list[Multiplier]:
+    """Mark the multiplier that is 1; a reciprocal pair beside it keeps the trace's digits."""
+    one, zero = 0 * trace + 1, 0 * trace
+    nearest = min(found, key=lambda m: abs(m.real - 1) + abs(m.imaginary))
+    rest = [m for m in found if m is not nearest]
+    if _reciprocal(matrix, len(found), lib):
+        half = (trace - 1) / 2
+        root = lib.sqrt(abs((half - 1) * (half + 1)))
+        if abs(half) <= 1:
+            rest = [Multiplier(half, root), Multiplier(half, -root)]
+        else:
+            larger = half + (root if half > 0 else -root)
+            rest = [Multiplier(larger, zero), Multiplier(1 / larger, zero)]
+        if matrix.dtype != object:
+            rest = [Multiplier(float(m.real), float(m.imaginary)) for m in rest]
+    return [*rest, Multiplier(one, zero, trivial=True)]
+
+
+def _modulus(multiplier: Multiplier, lib: Any) -> Any:
+    return lib.sqrt(multiplier.real**2 + multiplier.imaginary**2)
+
+
+def _grazes(cycle: Cycle, numbers: Numbers, now: Passage, error: Any) -> bool:
+    """Whether a boundary may be reached tangentially: there no map has a slope."""
+    size = now.starts.shape[-1]
+    for place, row in enumerate(cycle.rows):
+        terms = sum(abs(numbers.rows[row, :size] * now.fields[place]))
+        if abs(now.speeds[place]) <= error * terms:
+            return True
+    return False

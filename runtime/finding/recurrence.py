@@ -1,0 +1,170 @@
+"""Recurrent motions: the phases after which an entry of a motion comes back.
+
+An entry is what `simulate_many` keeps: the configuration behind a transition, the set of
+boundaries that led there, the state and the time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+
+from nonsmooth.runtime.simulation.piecewise import Structure
+from nonsmooth.runtime.simulation.simulate import Trajectories
+
+__all__ = [
+    "Candidate",
+    "Itinerary",
+    "candidate_at",
+    "canonical",
+    "near_returns",
+    "phase_name",
+    "recurrent_lengths",
+    "scale_of",
+]
+
+_EXAMPLES = 20  # of near returns by one cycle
+
+Itinerary = tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """A cycle of phases that a motion went through, as a guess of a periodic orbit.
+
+    Attributes
+    ----------
+    itinerary : tuple of (configuration, boundary)
+        Rotated so that equal cycles are equal tuples.
+    dwell_times : array (p,)
+    state : array (N,)
+        At the start of its first phase.
+    miss : float
+        How far the motion was from coming back, relative to its size.
+    """
+
+    itinerary: Itinerary
+    dwell_times: np.ndarray
+    state: np.ndarray
+    miss: float
+
+
+class _Entries(NamedTuple):
+    times: np.ndarray
+    configurations: np.ndarray
+    sets: np.ndarray
+    states: np.ndarray
+
+
+def canonical(itinerary: Itinerary) -> int:
+    """Rotation of a cycle that comes first in the alphabet."""
+    return min(range(len(itinerary)), key=lambda i: itinerary[i:] + itinerary[:i])
+
+
+def recurrent_lengths(motions: Trajectories, tolerance: float) -> np.ndarray:
+    """After how many transitions the last entry of each motion came back; 0 where it did not.
+
+    The whole last cycle repeats the configurations and boundaries of the one before, and the
+    state comes back within `tolerance` times the size of all states.
+    """
+    count, kept = motions.last_times.shape
+    configurations, sets, states = (
+        motions.last_configurations,
+        motions.last_sets,
+        motions.last_states,
+    )
+    scale = scale_of(motions)
+    found = np.zeros(count, dtype=int)
+    for length in range(1, (kept - 1) // 2 + 1):
+        back = slice(kept - 2 * length, kept - length)
+        same = (configurations[:, -length:] == configurations[:, back]).all(axis=1)
+        same &= (sets[:, -length:] == sets[:, back]).all(axis=1)
+        same &= configurations[:, kept - 2 * length - 1] >= 0
+        with np.errstate(invalid="ignore"):
+            miss = (np.abs(states[:, -1] - states[:, -1 - length]) / scale).max(axis=1)
+        found[(found == 0) & same & (miss <= tolerance)] = length
+    return found
+
+
+def candidate_at(
+    motions: Trajectories, motion: int, end: int, length: int, scale: np.ndarray
+) -> Candidate | None:
+    """The cycle of `length` phases that ends with entry `end` of a motion.
+
+    None where boundaries were reached together: such a phase has no single boundary.
+    """
+    entries = _Entries(
+        motions.last_times[motion],
+        motions.last_configurations[motion],
+        motions.last_sets[motion],
+        motions.last_states[motion],
+    )
+    first = end - length
+    phases = []
+    for i in range(first, end):
+        name = phase_name(
+            motions.structure, int(entries.configurations[i]), int(entries.sets[i + 1])
+        )
+        if name is None:
+            return None
+        phases.append(name)
+    itinerary = tuple(phases)
+    turn = canonical(itinerary)
+    dwell = np.diff(entries.times[first : end + 1])
+    miss = float((np.abs(entries.states[end] - entries.states[first]) / scale).max())
+    return Candidate(
+        itinerary[turn:] + itinerary[:turn],
+        np.roll(dwell, -turn),
+        entries.states[first + turn],
+        miss,
+    )
+
+
+def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[Candidate]:
+    """Cycles of at most `longest` phases after which a motion nearly came back."""
+    kept = motions.last_times.shape[1]
+    scale = scale_of(motions)
+    # a phase as a number: its configuration, and the boundaries by which it is left
+    phases = motions.last_configurations[:, :-1].astype(np.int64) << 32 | motions.last_sets[:, 1:]
+    found = []
+    for length in range(2, min(longest, kept - 1) + 1):
+        ahead, back = slice(length, None), slice(None, kept - length)
+        same = motions.last_configurations[:, ahead] == motions.last_configurations[:, back]
+        same &= motions.last_sets[:, ahead] == motions.last_sets[:, back]
+        same &= motions.last_configurations[:, back] >= 0
+        with np.errstate(invalid="ignore"):
+            moved = np.abs(motions.last_states[:, ahead] - motions.last_states[:, back]) / scale
+        miss = moved.max(axis=2)
+        same &= miss <= tolerance
+        places = np.argwhere(same)
+        cycles = sliding_window_view(phases, length, axis=1)[*places.T]
+        _, groups = np.unique(cycles, axis=0, return_inverse=True)
+        order = np.lexsort((miss[*places.T], groups.ravel()))
+        ranks = np.arange(order.size) - np.searchsorted(
+            groups.ravel()[order], groups.ravel()[order]
+        )
+        for motion, place in places[order[ranks < _EXAMPLES]].tolist():
+            candidate = candidate_at(motions, motion, place + length, length, scale)
+            if candidate is not None and (candidate.dwell_times > 0).all():
+                found.append(candidate)
+    return found
+
+
+def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[str, str] | None:
+    """Names of a phase and of the one boundary that ended it."""
+    if reached == 0 or reached & (reached - 1):
+        return None
+    boundary = structure.boundaries[configuration][reached.bit_length() - 1]
+    return structure.configurations[configuration], boundary.name
+
+
+def scale_of(motions: Trajectories) -> np.ndarray:
+    """Largest size (N,) of each state over the entries that were kept."""
+    states = motions.last_states
+    sizes = np.abs(states).reshape(-1, states.shape[-1])
+    sizes = sizes[np.isfinite(sizes).all(axis=1)]
+    largest = sizes.max(axis=0) if len(sizes) else np.ones(states.shape[-1])
+    return np.maximum(largest, 1e-300)

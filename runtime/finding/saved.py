@@ -1,0 +1,158 @@
+"""Periodic orbits that were found, as JSON, in files, and read again."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.composition.composed import compose
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.files import read_file, write_file
+from nonsmooth.runtime.finding.find import Found, FoundOrbit
+from nonsmooth.runtime.kernels import load_system
+from nonsmooth.runtime.simulation.piecewise import system_parameters
+from nonsmooth.runtime.stability import Multiplier
+
+__all__ = ["FORMAT", "found_json", "load_found", "save_found"]
+
+FORMAT, VERSION = "nonsmooth found orbits", 1
+_LARGEST_FILE = 200_000_000  # bytes
+_DIGITS_KEPT = 1e-9  # relative change of a dwell time that solving again may make
+
+
+def found_json(found: Found) -> dict[str, Any]:
+    """Orbits, basins and shares; numbers are decimal strings that give back the same doubles."""
+    return {
+        "system": found.system,
+        "parameters": {name: value.text for name, value in found.parameters.items()},
+        "starts": len(found.starts),
+        "transitions": found.transitions,
+        "box": {
+            name: [repr(low), repr(high)]
+            for name, (low, high) in zip(found.names, found.box.tolist(), strict=True)
+        },
+        "orbits": [_orbit_json(found, orbit) for orbit in found.orbits],
+        "resting": repr(found.resting),
+        "unclassified": repr(found.unclassified),
+    }
+
+
+def save_found(found: Found, path: str | os.PathLike[str]) -> None:
+    """Write what was found as JSON, with every start and its label.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    content = {
+        "format": FORMAT,
+        "version": VERSION,
+        **found_json(found),
+        "start_states": [[repr(x) for x in row] for row in found.starts.tolist()],
+        "labels": found.labels.tolist(),
+    }
+    content["sha256"] = _checksum(content)
+    write_file(Path(path), (json.dumps(content, indent=1, allow_nan=False) + "\n").encode())
+
+
+def load_found(path: str | os.PathLike[str]) -> Found:
+    """Read what `save_found` wrote; each orbit is solved again and has to be the same.
+
+    Raises
+    ------
+    InputError
+        For a file that cannot be read, is cut, edited or foreign, or holds what is no orbit
+        of the system that is installed. The message names the file.
+    """
+    try:
+        return _found(_content(read_file(Path(path), _LARGEST_FILE, "file of found orbits")))
+    except InputError as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+    except (AttributeError, KeyError, TypeError, ValueError):
+        raise InputError(f"{os.fspath(path)}: not what find --save writes") from None
+
+
+def _orbit_json(found: Found, entry: FoundOrbit) -> dict[str, Any]:
+    orbit = entry.orbit
+    return {
+        "period": repr(entry.period),
+        "stability": entry.verdict,
+        "starts": entry.starts,
+        "share": repr(entry.share),
+        "itinerary": [
+            {"configuration": configuration, "boundary": boundary, "dwell_time": repr(duration)}
+            for (configuration, boundary), duration in zip(
+                entry.itinerary, orbit.dwell_times.tolist(), strict=True
+            )
+        ],
+        "start": dict(zip(found.names, map(repr, orbit.states[0].tolist()), strict=True)),
+        "multipliers": [_multiplier_json(m) for m in orbit.stability.multipliers],
+        "trace": repr(float(orbit.stability.trace)),
+        "residual": repr(float(orbit.residual)),
+        "admissible": orbit.admissibility.verdict,
+    }
+
+
+def _multiplier_json(multiplier: Multiplier) -> dict[str, Any]:
+    return {
+        "re": repr(float(multiplier.real)),
+        "im": repr(float(multiplier.imaginary)),
+        "trivial": multiplier.trivial,
+    }
+
+
+def _checksum(content: dict[str, Any]) -> str:
+    covered = {name: entry for name, entry in content.items() if name != "sha256"}
+    return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
+
+
+def _content(data: bytes) -> dict[str, Any]:
+    try:
+        content = json.loads(data.decode("utf-8"))
+    except (ValueError, RecursionError):
+        raise InputError("cut, or not JSON") from None
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise InputError("no file of found orbits, such as find --save writes")
+    if content.get("version") != VERSION:
+        raise InputError(f"version {content.get('version')!r} of the format, {VERSION} is known")
+    if content.get("sha256") != _checksum(content):
+        raise InputError("edited or damaged: the checksum differs")
+    return content
+
+
+def _found(content: dict[str, Any]) -> Found:
+    kernels = load_system(content["system"])
+    parameters = system_parameters(kernels, content["parameters"])
+    orbits = []
+    for entry in content["orbits"]:
+        phases = [(p["configuration"], p["boundary"]) for p in entry["itinerary"]]
+        dwell = [float(p["dwell_time"]) for p in entry["itinerary"]]
+        start = [float(x) for x in entry["start"].values()]
+        orbit = compose(kernels, parameters, phases, dwell, start)
+        if not orbit.converged or not np.allclose(orbit.dwell_times, dwell, rtol=_DIGITS_KEPT):
+            raise InputError(
+                f"the orbit of period {entry['period']} is none of the {kernels.name} that is"
+                " installed"
+            )
+        orbits.append(FoundOrbit(orbit, entry["starts"], float(entry["share"])))
+    names = tuple(kernels.table["states"])
+    starts = np.array([[float(x) for x in row] for row in content["start_states"]])
+    labels = np.array(content["labels"], dtype=int)
+    if starts.shape != (len(labels), len(names)) or (labels >= len(orbits)).any():
+        raise InputError("its starts and labels do not belong together")
+    return Found(
+        kernels.name,
+        parameters,
+        names,
+        tuple(orbits),
+        starts,
+        labels,
+        np.array([[float(x) for x in content["box"][name]] for name in names]),
+        content["transitions"],
+    )

@@ -1,0 +1,9 @@
+"""What is measured along a simulated motion.
+
+=============  ==============================================================
+`phases`       a motion, phase by phase, in closed form
+`extremes`     guaranteed peaks
+`observables`  peaks, averages, times in configurations, contact forces
+`lyapunov`     derivatives of a motion by its start, Lyapunov exponents
+=============  ==============================================================
+"""

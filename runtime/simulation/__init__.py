@@ -1,0 +1,19 @@
+"""Exact simulation from event to event.
+
+===============  ==============================================================
+`piecewise`      a system at a parameter point: rows, fields, flows, resets
+`flows`          states inside a configuration, many at once
+`starting`       a start by names, and the configuration that it belongs to
+`run`            what an engine gives, and why it ended
+`engines`        the compiled engine (`runtime/engine/`, in C) and its arrays
+`engine_layout`  a system packed for it
+`stepping`       the same rules in Python: the fallback, and the engine's judge
+`tables`         its numbers of a configuration, and its clock
+`quasi`          quasi-polynomials with error bounds
+`crossing`       their first crossing, guaranteed
+`simulate`       one motion, or many in threads
+`trajectory`     the record of a motion: its state at any time
+`saved`          motions in files
+`returns`        the Poincaré map by simulation
+===============  ==============================================================
+"""

@@ -1,0 +1,213 @@
+"""The engine that follows a motion: compiled where it is built, else in Python.
+
+NONSMOOTH_BACKEND chooses, as it does for the kernels.
+"""
+
+from __future__ import annotations
+
+import math
+from importlib import import_module
+from types import ModuleType
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import backend
+from nonsmooth.runtime.simulation.engine_layout import layout_of, numbers_of
+from nonsmooth.runtime.simulation.flows import flow_states
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure
+from nonsmooth.runtime.simulation.run import Grazing, Run, Status
+
+__all__ = ["Ends", "compiled_engine", "no_ends", "run_compiled", "run_motions", "store_end"]
+
+_FIRST_ENTRIES, _GRAZINGS = 4096, 64
+
+
+class Ends(NamedTuple):
+    """Ends and last entries of many motions.
+
+    Attributes
+    ----------
+    states : array (count, N)
+    configurations : array (count,) of int32
+    times : array (count,)
+    transitions, grazings : array (count,) of int64
+    status : array (count,) of int64
+        Members of `Status`.
+    kept_times : array (count, kept)
+    kept_configurations, kept_sets : array (count, kept) of int32
+    kept_states : array (count, kept, N)
+        The last entries: entry k of a motion, 0 its start, is at k modulo `kept`.
+    """
+
+    states: np.ndarray
+    configurations: np.ndarray
+    times: np.ndarray
+    transitions: np.ndarray
+    grazings: np.ndarray
+    status: np.ndarray
+    kept_times: np.ndarray
+    kept_configurations: np.ndarray
+    kept_sets: np.ndarray
+    kept_states: np.ndarray
+
+
+def compiled_engine() -> ModuleType | None:
+    """The compiled engine, or None where Python is to be used."""
+    if backend() != "c":
+        return None
+    try:
+        return import_module("nonsmooth.runtime._engine")
+    except ImportError:
+        return None
+
+
+def run_compiled(
+    engine: ModuleType,
+    system: PiecewiseLinear,
+    state: np.ndarray,
+    configuration: int,
+    until: float = math.inf,
+    transitions: int | None = None,
+) -> Run:
+    """Follow one motion in the compiled engine.
+
+    Parameters
+    ----------
+    engine : module
+    system : PiecewiseLinear
+        In double precision.
+    state : array (N,)
+    configuration : int
+    until : float
+    transitions : int or None
+        The most transitions; None where only `until` ends the motion.
+    """
+    structure = system.structure
+    size = len(structure.states)
+    layout, numbers = layout_of(structure), numbers_of(system)
+    if not (np.isfinite(numbers).all() and np.isfinite(state).all()):
+        raise InputError("the system or the state is not finite")
+    most = np.iinfo(np.int64).max if transitions is None else transitions
+    # unknown counts: once more with room for twice as many
+    entries = min(most + 1, _FIRST_ENTRIES)
+    while True:
+        times, kept = np.empty(entries), np.empty(entries, dtype=np.int32)
+        before, after = np.empty((entries, size)), np.empty((entries, size))
+        sets, grazings = np.empty(entries, dtype=np.int32), np.empty((_GRAZINGS, 4))
+        counts, ends = np.empty(3, dtype=np.int64), np.array([float(until)])
+        engine.simulate(
+            layout,
+            numbers,
+            np.zeros(1, dtype=np.int32),
+            np.array(state, dtype=float),
+            np.array([configuration], dtype=np.int32),
+            ends,
+            min(most, entries),
+            times,
+            kept,
+            before,
+            after,
+            sets,
+            grazings,
+            counts,
+        )
+        status, done, touched = counts.tolist()
+        if done < entries:
+            break
+        entries = min(most + 1, 2 * entries)
+    return Run(
+        times[: done + 1].copy(),
+        kept[: done + 1].copy(),
+        before[: done + 1].copy(),
+        after[: done + 1].copy(),
+        sets[: done + 1].copy(),
+        tuple(
+            Grazing(time, int(where), int(boundary), depth)
+            for time, where, boundary, depth in grazings[:touched].tolist()
+        ),
+        Status(status),
+        float(ends[0]),
+    )
+
+
+def no_ends(count: int, size: int, kept: int) -> Ends:
+    """Ends of motions that were not simulated."""
+    return Ends(
+        np.full((count, size), np.nan),
+        np.full(count, -1, dtype=np.int32),
+        np.full(count, np.nan),
+        np.zeros(count, dtype=np.int64),
+        np.zeros(count, dtype=np.int64),
+        np.full(count, -1, dtype=np.int64),
+        np.full((count, kept), np.nan),
+        np.full((count, kept), -1, dtype=np.int32),
+        np.zeros((count, kept), dtype=np.int32),
+        np.full((count, kept, size), np.nan),
+    )
+
+
+def store_end(ends: Ends, place: int, system: PiecewiseLinear, run: Run) -> None:
+    """Put the end and the last entries of one motion where the compiled engine puts them."""
+    kept, last = ends.kept_times.shape[1], len(run.times) - 1
+    where = int(run.configurations[-1])
+    since = np.array([run.end - run.times[-1]])
+    ends.states[place] = flow_states(system, where, since, run.states[-1])[0]
+    ends.configurations[place], ends.times[place] = where, run.end
+    ends.transitions[place], ends.grazings[place] = last, len(run.grazings)
+    ends.status[place] = run.status
+    for entry in range(max(0, last + 1 - kept), last + 1):
+        ends.kept_times[place, entry % kept] = run.times[entry]
+        ends.kept_configurations[place, entry % kept] = run.configurations[entry]
+        ends.kept_sets[place, entry % kept] = run.sets[entry]
+        ends.kept_states[place, entry % kept] = run.states[entry]
+
+
+def run_motions(
+    engine: ModuleType,
+    structure: Structure,
+    numbers: np.ndarray,
+    points: np.ndarray,
+    states: np.ndarray,
+    configurations: np.ndarray,
+    until: np.ndarray,
+    transitions: int | None,
+    kept: int = 0,
+) -> Ends:
+    """Follow many motions in the compiled engine, one after the other, without the GIL.
+
+    Parameters
+    ----------
+    numbers : array (p, size)
+        Parameter points, as `nonsmooth.runtime.simulation.piecewise.piecewise_many` gives them.
+    points : array (count,)
+        Row of `numbers` of each motion.
+    states : array (count, N)
+    configurations : array (count,)
+    until : array (count,)
+    transitions : int or None
+    kept : int
+        How many of the last entries to keep of each motion.
+    """
+    count = len(states)
+    ends = no_ends(count, states.shape[1], kept)
+    ends.states[:], ends.configurations[:], ends.times[:] = states, configurations, until
+    counts = np.zeros((count, 3), dtype=np.int64)
+    engine.simulate(
+        layout_of(structure),
+        np.ascontiguousarray(numbers, dtype=float),
+        np.ascontiguousarray(points, dtype=np.int32),
+        ends.states,
+        ends.configurations,
+        ends.times,
+        np.iinfo(np.int64).max if transitions is None else transitions,
+        ends.kept_times,
+        ends.kept_configurations,
+        np.empty(0),
+        ends.kept_states,
+        ends.kept_sets,
+        np.empty((count, 0, 4)),
+        counts,
+    )
+    return ends._replace(status=counts[:, 0], transitions=counts[:, 1], grazings=counts[:, 2])

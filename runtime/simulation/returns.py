@@ -1,0 +1,159 @@
+"""The Poincaré map by simulation: an independent check of every Jacobian that is derived."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.linalg import null_space, orth
+
+from nonsmooth.runtime.errors import InputError, NoConvergence
+from nonsmooth.runtime.kernels import SystemKernels
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, TransitionShape, piecewise
+from nonsmooth.runtime.simulation.simulate import follow
+
+__all__ = ["PoincareMap", "Return", "poincare_map"]
+
+_FIRST, _MOST = 64, 65_536  # transitions that a return may take
+_STEP = 1e-6  # of a finite difference, relative to the state
+
+
+class Return(NamedTuple):
+    """A return to the section: the state there, how long it took, and through which phases.
+
+    Attributes
+    ----------
+    state : array (N,)
+    time : float
+    configurations : tuple of str
+    """
+
+    state: np.ndarray
+    time: float
+    configurations: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class PoincareMap:
+    """From one passage of a transition to the next: states behind it, in physical coordinates.
+
+    Attributes
+    ----------
+    system : PiecewiseLinear
+    source, boundary, target : int
+        The transition: leaving `source` by its `boundary` for `target`.
+    transition : TransitionShape
+
+    Examples
+    --------
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    >>> impact = poincare_map("rigid-stop", data, ("free", "first-reaches-stop", "free"))
+    >>> impact.basis.shape
+    (4, 3)
+    """
+
+    system: PiecewiseLinear
+    source: int
+    boundary: int
+    target: int
+    transition: TransitionShape
+
+    def __call__(self, state: Any) -> np.ndarray:
+        """State (N,) at the next passage."""
+        return self.next_return(state).state
+
+    def next_return(self, state: Any) -> Return:
+        """The next passage of a motion that starts behind the transition.
+
+        Raises
+        ------
+        InputError
+            For a state of the wrong size or not finite.
+        NoConvergence
+            If the motion does not pass the transition again.
+        """
+        start = self._checked(state)
+        names = self.system.structure.configurations
+        most = _FIRST
+        while most <= _MOST:
+            run = follow(self.system, start, self.target, transitions=most)
+            passed = (
+                (run.configurations[1:] == self.target)
+                & (run.configurations[:-1] == self.source)
+                & (run.sets[1:] == 1 << self.boundary)
+            )
+            if passed.any():
+                entry = 1 + int(np.argmax(passed))
+                through = tuple(names[c] for c in run.configurations[:entry])
+                return Return(run.states[entry], float(run.times[entry]), through)
+            if len(run.times) <= most:
+                break
+            most *= 4
+        raise NoConvergence(f"the motion does not come back within {most} transitions")
+
+    def _checked(self, state: Any) -> np.ndarray:
+        try:
+            start = np.asarray(state, dtype=float)
+        except (TypeError, ValueError):
+            start = np.empty(0)
+        if start.shape != (len(self.system.structure.states),) or not np.isfinite(start).all():
+            raise InputError("the state is no row of as many finite numbers as the system has")
+        return start
+
+    @cached_property
+    def basis(self) -> np.ndarray:
+        """Orthonormal directions (N, d) in which a state behind the transition can move."""
+        structure, rows = self.system.structure, self.system.rows
+        located = structure.boundaries[self.source][self.boundary].row
+        fixed = [*structure.constraints[self.source], located]
+        before = null_space(rows[fixed, :-1])
+        return np.asarray(orth(self.system.resets[self.transition.reset][:, :-1] @ before))
+
+    def jacobian(self, state: Any, step: float = _STEP) -> np.ndarray:
+        """Jacobian (d, d) of the map in the coordinates of `basis`, by central differences.
+
+        The map is affine in the state but for the times of the transitions, so the error is
+        of the order step^2.
+        """
+        start = self._checked(state)
+        size = step * max(1.0, float(np.abs(start).max()))
+        columns = [
+            (self(start + size * direction) - self(start - size * direction)) / (2 * size)
+            for direction in self.basis.T
+        ]
+        return np.asarray(self.basis.T @ np.array(columns).T)
+
+
+def poincare_map(
+    system: str | SystemKernels,
+    parameters: Mapping[str, object],
+    section: tuple[str, str, str],
+) -> PoincareMap:
+    """The map from one passage of a transition to the next, by simulation.
+
+    Parameters
+    ----------
+    system : str or SystemKernels
+    parameters : mapping of str to str, number or Value
+        All physical parameters.
+    section : (configuration, boundary, configuration)
+        The transition: leaving the first by the boundary for the second.
+
+    Raises
+    ------
+    InputError
+        For wrong names or values, or a transition that the system does not have.
+    """
+    point = piecewise(system, parameters)
+    structure = point.structure
+    if len(section) != 3:
+        raise InputError("a section is (configuration, boundary, configuration)")
+    source, target = structure.configuration(section[0]), structure.configuration(section[2])
+    boundary = structure.boundary(source, section[1])
+    for transition in structure.transitions[source]:
+        if transition.boundaries == {boundary} and transition.target == target:
+            return PoincareMap(point, source, boundary, target, transition)
+    raise InputError(f"no transition leads from {section[0]} by {section[1]} to {section[2]}")

@@ -1,0 +1,333 @@
+"""Exact simulation from event to event, of one motion or of many."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.simulation.engines import (
+    Ends,
+    compiled_engine,
+    no_ends,
+    run_compiled,
+    run_motions,
+    store_end,
+)
+from nonsmooth.runtime.simulation.piecewise import (
+    PiecewiseLinear,
+    Structure,
+    numbers_at,
+    parameter_points,
+    piecewise,
+    piecewise_at,
+    structure_of,
+)
+from nonsmooth.runtime.simulation.run import Run
+from nonsmooth.runtime.simulation.starting import configuration_of, configurations_of, start_state
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
+
+_LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time
+_MOST_TRANSITIONS = 2**62
+
+
+def simulate(
+    system: str | SystemKernels,
+    parameters: Mapping[str, object],
+    state: Mapping[str, object] | Sequence[object],
+    configuration: str | None = None,
+    *,
+    until: float = math.inf,
+    transitions: int | None = None,
+) -> Trajectory:
+    """Follow one motion from event to event.
+
+    Inside a configuration the motion is known in closed form; the first crossing of a
+    boundary is found with a guarantee, so that no event is missed.
+
+    Parameters
+    ----------
+    system : str or SystemKernels
+        A system that `nonsmooth list` shows.
+    parameters : mapping of str to str, number or Value
+        All physical parameters.
+    state : mapping of str to number, or sequence (N,)
+        Physical coordinates: positions, then velocities.
+    configuration : str, optional
+        Where it starts; found by the system's own conditions when omitted.
+    until : float
+        Time at which to end.
+    transitions : int, optional
+        Number of transitions after which to end; at least one of the two has to be given.
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers, a start that belongs to no configuration or not to the one
+        that is named, or an end that is none.
+
+    Examples
+    --------
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+    >>> motion = simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=2)
+    >>> motion.boundaries[1:]
+    (('first-reaches-stop',), ('first-reaches-stop',))
+    """
+    pieces = piecewise(system, parameters)
+    start = start_state(pieces.structure, state)
+    end = _real("until", until)
+    if end.ndim:
+        raise InputError("until is no number")
+    most = _most_transitions(end, transitions)
+    chosen = configuration_of(pieces, start, configuration)
+    return Trajectory(pieces, follow(pieces, start, chosen, float(end), most))
+
+
+def follow(
+    system: PiecewiseLinear,
+    state: np.ndarray,
+    configuration: int,
+    until: float = math.inf,
+    transitions: int | None = None,
+) -> Run:
+    """Follow one motion in the engine that is there; the start is not checked."""
+    engine = compiled_engine()
+    if engine is not None:
+        return run_compiled(engine, system, state, configuration, until, transitions)
+    from nonsmooth.runtime.simulation.stepping import run
+
+    return run(system, state, configuration, until, transitions)
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectories:
+    """Ends of many motions; arrays have the common shape of what was given.
+
+    Attributes
+    ----------
+    structure : Structure
+    times : array (...)
+        At which each motion ended.
+    states : array (..., N)
+        At that time, behind the last transition.
+    configurations : array (...) of int32
+        Indices of `structure.configurations`; -1 where the start belongs to none.
+    transitions : array (...) of int64
+    grazings : array (...) of int64
+        How many boundaries were touched and not crossed.
+    status : array (...) of int64
+        Members of `nonsmooth.runtime.simulation.run.Status`; -1 where nothing was simulated.
+    last_times : array (..., kept)
+    last_configurations, last_sets : array (..., kept) of int32
+    last_states : array (..., kept, N)
+        The last entries in their order, behind the transitions; NaN and -1 in front of the
+        start.
+    """
+
+    structure: Structure
+    times: np.ndarray
+    states: np.ndarray
+    configurations: np.ndarray
+    transitions: np.ndarray
+    grazings: np.ndarray
+    status: np.ndarray
+    last_times: np.ndarray
+    last_configurations: np.ndarray
+    last_sets: np.ndarray
+    last_states: np.ndarray
+
+
+def simulate_many(
+    system: str | SystemKernels,
+    parameters: Mapping[str, Any],
+    states: Any,
+    configurations: str | None = None,
+    *,
+    until: Any = math.inf,
+    transitions: int | None = None,
+    keep: int = 0,
+    threads: int | None = None,
+) -> Trajectories:
+    """Follow many motions in the compiled engine, in threads.
+
+    Parameters
+    ----------
+    system : str or SystemKernels
+    parameters : mapping of str to array
+        All physical parameters; they broadcast against each other and the starts.
+    states : array (..., N)
+        Physical coordinates.
+    configurations : str, optional
+        Where all start; found for each when omitted.
+    until : float or array (...)
+    transitions : int, optional
+        At least one of the two has to be given.
+    keep : int
+        How many of the last entries of each motion to keep: memory grows with what is
+        returned only.
+    threads : int, optional
+        As many as there are processors when omitted.
+
+    Raises
+    ------
+    InputError
+        For wrong names, shapes or counts. A start that belongs to no configuration gets a
+        status of its own.
+    """
+    kernels = load_system(system) if isinstance(system, str) else system
+    structure = structure_of(kernels)
+    points, shape = parameter_points(kernels, parameters)
+    starts = _real("states", states)
+    size = len(structure.states)
+    if starts.ndim == 0 or starts.shape[-1] != size:
+        raise InputError(f"the last axis of the states is not {size} long")
+    limits = _real("until", until)
+    most = _most_transitions(limits, transitions)
+    kept = checked_count("keep", keep, 0)
+    workers = (os.cpu_count() or 1) if threads is None else checked_count("threads", threads, 1)
+    try:
+        common = np.broadcast_shapes(shape, starts.shape[:-1], limits.shape)
+    except ValueError:
+        raise InputError(
+            f"parameters {shape}, states {starts.shape} and until {limits.shape} do not broadcast"
+        ) from None
+    which = np.broadcast_to(np.arange(len(points)).reshape(shape), common).ravel()
+    flat = np.broadcast_to(starts, (*common, size)).reshape(-1, size)
+    until_each = np.broadcast_to(limits, common).ravel()
+    engine = compiled_engine()
+    chunk = min(max(len(flat) // (8 * workers), _LEAST_CHUNK), _LARGEST_CHUNK)
+
+    def part(begin: int) -> Ends:
+        here = slice(begin, begin + chunk)
+        used, places = np.unique(which[here], return_inverse=True)
+        numbers = numbers_at(kernels, points[used])
+        fields, rows = _fields_and_rows(structure, numbers)
+        sound = np.isfinite(numbers).all(axis=1)[places]
+        if len(used) > 1:
+            fields, rows = fields[places], rows[places]
+        found = configurations_of(structure, fields, rows, flat[here], configurations)
+        found[~sound] = -1
+        return _follow_many(
+            engine, kernels, structure, points[used], numbers, places, flat[here], found,
+            until_each[here], most, kept,
+        )  # fmt: skip
+
+    begins = range(0, len(flat), chunk)
+    with ThreadPoolExecutor(workers) as pool:
+        parts = list(pool.map(part, begins))
+    if not parts:
+        parts = [no_ends(0, size, kept)]
+    joined = _ordered(Ends(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
+    shaped = Ends(*(array.reshape((*common, *array.shape[1:])) for array in joined))
+    return Trajectories(
+        structure,
+        times=shaped.times,
+        states=shaped.states,
+        configurations=shaped.configurations,
+        transitions=shaped.transitions,
+        grazings=shaped.grazings,
+        status=shaped.status,
+        last_times=shaped.kept_times,
+        last_configurations=shaped.kept_configurations,
+        last_sets=shaped.kept_sets,
+        last_states=shaped.kept_states,
+    )
+
+
+def _follow_many(
+    engine: ModuleType | None,
+    kernels: SystemKernels,
+    structure: Structure,
+    points: np.ndarray,
+    numbers: np.ndarray,
+    places: np.ndarray,
+    states: np.ndarray,
+    configurations: np.ndarray,
+    until: np.ndarray,
+    most: int | None,
+    kept: int,
+) -> Ends:
+    """Ends of motions of one chunk; a configuration of -1 is left out."""
+    ends = no_ends(len(states), states.shape[1], kept)
+    sound = np.flatnonzero(configurations >= 0)
+    if engine is not None:
+        found = run_motions(
+            engine, structure, numbers, places[sound], states[sound], configurations[sound],
+            until[sound], most, kept,
+        )  # fmt: skip
+        for whole, piece in zip(ends, found, strict=True):
+            whole[sound] = piece
+        return ends
+    systems = [piecewise_at(kernels, point) for point in points]
+    for i in sound.tolist():
+        run = follow(systems[places[i]], states[i], int(configurations[i]), float(until[i]), most)
+        store_end(ends, i, systems[places[i]], run)
+    return ends
+
+
+def _ordered(ends: Ends) -> Ends:
+    """Kept entries in the order of time instead of that of the ring."""
+    kept = ends.kept_times.shape[1]
+    if kept == 0:
+        return ends
+    first = ends.transitions + 1 - kept
+    places = (first[:, None] + np.arange(kept)) % kept
+
+    def turned(array: np.ndarray) -> np.ndarray:
+        index = places.reshape(*places.shape, *[1] * (array.ndim - 2))
+        return np.take_along_axis(array, index, axis=1)
+
+    return ends._replace(
+        kept_times=turned(ends.kept_times),
+        kept_configurations=turned(ends.kept_configurations),
+        kept_sets=turned(ends.kept_sets),
+        kept_states=turned(ends.kept_states),
+    )
+
+
+def _fields_and_rows(structure: Structure, numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    size, count = len(structure.states), len(structure.configurations)
+    cut = count * size * (size + 1)
+    fields = numbers[:, :cut].reshape(-1, count, size, size + 1)
+    rows = numbers[:, cut : cut + structure.rows * (size + 1)]
+    return fields, rows.reshape(-1, structure.rows, size + 1)
+
+
+def _real(label: str, given: Any) -> np.ndarray:
+    """An array of real numbers; InputError otherwise."""
+    try:
+        array = np.asarray(given)
+        if array.dtype.kind not in "cmM":
+            return array.astype(float)
+    except (TypeError, ValueError):
+        pass
+    raise InputError(f"{label}: no array of real numbers")
+
+
+def _most_transitions(until: np.ndarray, transitions: int | None) -> int | None:
+    """Check what ends each motion."""
+    if not (until > 0).all():
+        wrong = float(until[~(until > 0)].flat[0])
+        raise InputError(f"until = {wrong!r} is not a positive time")
+    if transitions is None:
+        if np.isinf(until).any():
+            raise InputError("nothing ends the motion: give until, or transitions")
+        return None
+    return min(checked_count("transitions", transitions, 1), _MOST_TRANSITIONS)
+
+
+def checked_count(label: str, value: object, least: int) -> int:
+    """An integer of at least so much; InputError otherwise."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+        raise InputError(f"{label} = {value!r} is not an integer from {least}")
+    return int(value)

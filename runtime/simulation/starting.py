@@ -1,0 +1,187 @@
+"""The start of a simulation: a state by names, and the configuration that it belongs to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure
+from nonsmooth.runtime.values import as_value
+
+__all__ = ["configuration_of", "configurations_of", "start_state"]
+
+_ERROR = 16 * np.finfo(float).eps
+
+
+def start_state(structure: Structure, given: Mapping[str, object] | Sequence[object]) -> np.ndarray:
+    """State (N,) from values by name, or in the system's order: positions, then velocities.
+
+    Raises
+    ------
+    InputError
+        For an unknown or missing name, a wrong number of values, or one that is not finite.
+    """
+    names = structure.states
+    if isinstance(given, Mapping):
+        for name in given:
+            if name not in names:
+                raise unknown_name("state", str(name), names)
+        missing = [name for name in names if name not in given]
+        if missing:
+            raise InputError(f"the start needs a value for: {', '.join(missing)}")
+        values = [given[name] for name in names]
+    else:
+        try:
+            values = list(given)
+        except TypeError:
+            raise InputError(f"the start is no row of values: {given!r}") from None
+        if len(values) != len(names):
+            raise InputError(
+                f"the start has {len(values)} values; {structure.name} has {', '.join(names)}"
+            )
+    return np.array([_number(n, v) for n, v in zip(names, values, strict=True)])
+
+
+def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | None = None) -> int:
+    """Configuration that a state belongs to, by the system's own conditions.
+
+    A configuration with constraints (a stuck mass, a mass resting on a stop) is tried before
+    those with fewer: it takes the state if its constraints hold and it is not left at once.
+    Where every configuration is left at once, the first whose boundaries are not exceeded
+    takes it, and its transition follows.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    state : array (N,)
+    wanted : str, optional
+        A configuration to be checked instead of found.
+
+    Raises
+    ------
+    InputError
+        If the state belongs to no configuration, or not to the wanted one.
+    """
+    structure = system.structure
+    if wanted is not None:
+        chosen = structure.configuration(wanted)
+        problem = _violated(system, chosen, state)
+        if problem:
+            raise InputError(f"the start does not belong to {wanted}: {problem}")
+        return chosen
+    found = configurations_of(structure, system.fields[None], system.rows[None], state[None])
+    if found[0] >= 0:
+        return int(found[0])
+    problems = {
+        structure.configurations[c]: _violated(system, c, state)
+        for c in range(len(structure.configurations))
+        if not structure.constraints[c]
+    }
+    told = "; ".join(f"{name}: {problem}" for name, problem in problems.items())
+    raise InputError(f"the start belongs to no configuration ({told})")
+
+
+def configurations_of(
+    structure: Structure,
+    fields: np.ndarray,
+    rows: np.ndarray,
+    states: np.ndarray,
+    wanted: str | None = None,
+) -> np.ndarray:
+    """Configurations of many states, by the rules of `configuration_of`; -1 where there is none.
+
+    Parameters
+    ----------
+    fields : array (n or 1, configurations, N, N + 1)
+    rows : array (n or 1, R, N + 1)
+    states : array (n, N)
+    wanted : str, optional
+        The only configuration that is tried.
+    """
+    every = range(len(structure.configurations))
+    order = sorted(every, key=lambda c: -len(structure.constraints[c]))
+    if wanted is not None:
+        order = [structure.configuration(wanted)]
+    staying = np.full(len(states), -1, dtype=np.int32)
+    possible = staying.copy()
+    extended = np.concatenate([states, np.ones((len(states), 1))], axis=1)
+    with np.errstate(invalid="ignore", over="ignore"):
+        for c in order:
+            inside = np.isfinite(extended).all(axis=1)
+            for row in structure.constraints[c]:
+                value, error = next(_orders(fields[:, c], rows[:, row], extended))
+                inside &= np.abs(value) <= error
+            stays = inside.copy()
+            for boundary in structure.boundaries[c]:
+                orders = _orders(fields[:, c], rows[:, boundary.row], extended)
+                undecided = np.ones(len(states), dtype=bool)
+                for order_, (value, error) in enumerate(orders):
+                    if order_ == 0:
+                        inside &= value <= error
+                    stays &= ~(undecided & (value > error))
+                    undecided &= np.abs(value) <= error
+                    if not undecided.any():
+                        break
+            staying[(staying < 0) & inside & stays] = c
+            possible[(possible < 0) & inside] = c
+    return np.where(staying >= 0, staying, possible)
+
+
+def _number(name: str, given: object) -> float:
+    try:
+        value = float(given) if isinstance(given, np.floating) else float(as_value(given))
+    except InputError as problem:
+        raise InputError(f"state {name}: {problem}") from None
+    if not np.isfinite(value):
+        raise InputError(f"state {name} is {value}, not a finite number")
+    return value
+
+
+def _orders(
+    field: np.ndarray, row: np.ndarray, extended: np.ndarray
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Values and errors of a row and of its derivatives of order 1 to N along a flow.
+
+    Field (n or 1, N, N + 1), row (n or 1, N + 1), extended (n, N + 1): states and 1.
+    """
+    sizes = np.abs(extended)
+    bound, bounds = np.abs(row), np.abs(field)
+    for _ in range(extended.shape[1]):
+        yield (row * extended).sum(axis=-1), _ERROR * (bound * sizes).sum(axis=-1)
+        row = (row[:, :-1, None] * field).sum(axis=1)
+        bound = (bound[:, :-1, None] * bounds).sum(axis=1)
+
+
+def _violated(system: PiecewiseLinear, c: int, state: np.ndarray) -> str:
+    """Which constraint or boundary the state misses; empty if none."""
+    structure, extended = system.structure, np.append(state, 1.0)
+
+    def excess(row: int) -> tuple[float, float]:
+        products = system.rows[row] * extended
+        return float(products.sum()), float(_ERROR * np.abs(products).sum())
+
+    for row in structure.constraints[c]:
+        value, error = excess(row)
+        if abs(value) > error:
+            return f"{_text(structure, system.rows[row])} is {value:.6g} there, not 0"
+    for boundary in structure.boundaries[c]:
+        value, error = excess(boundary.row)
+        if value > error:
+            function = _text(structure, system.rows[boundary.row])
+            return f"beyond {boundary.name}, {function} is {value:.6g} > 0"
+    return ""
+
+
+def _text(structure: Structure, row: np.ndarray) -> str:
+    """An affine function as text: ``v1 - 1``."""
+    text = ""
+    for name, factor in zip((*structure.states, ""), row.tolist(), strict=True):
+        if factor == 0:
+            continue
+        size = f"{abs(factor):.6g}"
+        size = name if size == "1" and name else f"{size} {name}".strip()
+        sign = "-" if factor < 0 else "+" if text else ""
+        text += f" {sign} {size}" if text else f"{sign}{size}"
+    return text or "0"

@@ -1,0 +1,302 @@
+"""The engine in Python: from transition to transition by closed flows and guaranteed crossings.
+
+It is the reference of the compiled engine and takes its place on machines without a compiler.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.simulation.crossing import ORDERS, Series, Start, first_crossing
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, TransitionShape
+from nonsmooth.runtime.simulation.quasi import UNIT, QuasiPolynomial
+from nonsmooth.runtime.simulation.run import LARGEST_STATE, LONGEST_WAIT, Grazing, Run, Status
+from nonsmooth.runtime.simulation.tables import (
+    BoundaryTable,
+    Clock,
+    ConfigurationTable,
+    Row,
+    dot,
+    orders,
+    rows_of,
+)
+
+__all__ = ["run"]
+
+MOST_AT_ONCE = 100  # transitions in a row without time between them
+_RESOLUTION = 2.0**-104  # of a time that is the sum of two numbers
+
+
+class _Watch(NamedTuple):
+    """A boundary function of a phase and how it starts."""
+
+    place: int
+    boundary: BoundaryTable
+    function: QuasiPolynomial
+    start: Start
+
+
+class _Event(NamedTuple):
+    """The end of a phase: time (None: none), reached boundaries, those that are zero there."""
+
+    time: float | None
+    boundaries: frozenset[int]
+    located: frozenset[int]
+    error: float
+    grazings: tuple[tuple[float, int, float], ...]
+    never: bool
+
+
+# sums of absolute values behind a state, what it moves within the error of its time, that error
+_Errors = tuple[list[float], list[float], float]
+
+
+class _Stepper:
+    """The rules, over tables that are made when a configuration is first entered."""
+
+    def __init__(self, system: PiecewiseLinear) -> None:
+        self.system, self.structure = system, system.structure
+        self.configurations: dict[int, ConfigurationTable] = {}
+        self.pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
+        self.resets = [rows_of(reset) for reset in system.resets]
+
+    def configuration(self, index: int) -> ConfigurationTable:
+        if index not in self.configurations:
+            self.configurations[index] = ConfigurationTable(self.system, index)
+        return self.configurations[index]
+
+    def watches(
+        self, configuration: int, state: list[float], error: float, left_out: frozenset[int]
+    ) -> list[_Watch]:
+        """Boundary functions of a phase, each start judged; what slides along is left out."""
+        table, size = self.configuration(configuration), [abs(x) for x in state]
+        found = []
+        for index, boundary in enumerate(table.boundaries):
+            if index in left_out:
+                continue
+            function = table.function(boundary, state, size)
+            start = _start(boundary, function, state, size, error)
+            if start.sign:
+                found.append(_Watch(index, boundary, function, start))
+        return found
+
+    def event(self, watches: list[_Watch], window: float) -> _Event:
+        """First event of a phase within a window."""
+        at_once = frozenset(w.place for w in watches if w.start.sign > 0)
+        if at_once:
+            beyond = {w.place for w in watches if w.start.beyond}
+            return _Event(0.0, at_once, at_once - beyond, 0.0, (), False)
+        best: tuple[float, float, _Watch] | None = None
+        touched: list[tuple[float, int, float]] = []
+        never, overflow, end = True, False, window
+        for watch in watches:
+            # no longer than what is left of LONGEST_WAIT, lest the sum of both pass it
+            fastest = watch.function.fastest
+            limit = min(end, LONGEST_WAIT / fastest) if fastest else end
+            try:
+                crossing = first_crossing(
+                    watch.function, limit, reached=watch.boundary.reached, start=watch.start
+                )
+            except OverflowError:
+                overflow = True
+                continue
+            never = never and crossing.never
+            touched += [(time, watch.place, depth) for time, depth in crossing.touched]
+            if crossing.time is not None and crossing.time < (best[0] if best else math.inf):
+                best = crossing.time, crossing.error, watch
+                end = min(window, crossing.time + 2 * crossing.error)
+        if best is None:
+            if overflow:
+                raise OverflowError
+            return _Event(None, frozenset(), frozenset(), 0.0, tuple(sorted(touched)), never)
+        time, error, trigger = best
+        together = {w.place for w in watches if w is trigger or _together(w, time, error)}
+        passed = tuple(sorted(t for t in touched if t[0] <= time and t[1] not in together))
+        return _Event(time, frozenset(together), frozenset(together), error, passed, False)
+
+    def transition(
+        self,
+        configuration: int,
+        event: _Event,
+        state: list[float],
+        errors: _Errors,
+    ) -> TransitionShape | None:
+        """The first transition declared for a set of boundaries whose conditions hold."""
+        shapes = self.structure.boundaries[configuration]
+        rows = {shapes[b].row for b in event.located}
+        for transition in self.structure.transitions[configuration]:
+            if transition.boundaries == event.boundaries and all(
+                self._positive(row, along, state, errors, row in rows) is holds
+                for row, along, holds in transition.conditions
+            ):
+                return transition
+        return None
+
+    def _positive(
+        self, row: int, along: int, state: list[float], errors: _Errors, is_zero: bool
+    ) -> bool:
+        """Whether the first nonzero derivative of a row along a configuration is positive.
+
+        The time of the state errs: it may have moved on along either configuration.
+        """
+        sizes, moved, error = errors
+        if (row, along) not in self.pairs:
+            count = len(state) + 1
+            found = orders(self.system.rows[row], self.system.fields[along], count)
+            self.pairs[row, along] = found
+        values, bounds = self.pairs[row, along]
+        following = dot(values[0], state)
+        for order in range(len(values) - 1):
+            value, following = following, dot(values[order + 1], state)
+            if order == 0 and is_zero:
+                continue
+            drift = max(error * abs(following), abs(dot(values[order], moved)))
+            if abs(value) > UNIT * dot(bounds[order], sizes) + drift:
+                return value > 0
+        return False
+
+    def reset(self, transition: TransitionShape, state: list[float]) -> list[float]:
+        return [*(dot(row, state) for row in self.resets[transition.reset]), 1.0]
+
+
+def _start(
+    boundary: BoundaryTable,
+    function: QuasiPolynomial,
+    state: list[float],
+    size: list[float],
+    error: float,
+) -> Start:
+    """Judge the start of a boundary function by its derivatives along the field.
+
+    They err by the rounding of the modes, and by the error of the time at which the state was
+    found.
+    """
+    value, following = dot(boundary.orders[0], state), dot(boundary.orders[1], state)
+    rounding = UNIT * sum(s[0] for s in function.sizes)
+    if abs(value) > rounding + error * abs(following):
+        return Start(1, None, True) if value > 0 else Start(-1, None)
+    count = len(boundary.values)
+    modal, errors = function.taylor(count)
+    for order in range(1, count):
+        value, following = following, dot(boundary.orders[order + 1], state)
+        if abs(value) > errors[order] + error * abs(following):
+            if value > 0:
+                return Start(1, None)
+            values = [dot(row, state) for row in boundary.orders]
+            sizes = [dot(row, size) for row in boundary.bounds]
+            if modal[order] < 0:  # one function of time behind the start and from there on
+                values, errors = function.taylor(ORDERS)
+                sizes = [e / UNIT for e in errors]
+            return Start(-1, Series(order, values, sizes, function.fastest))
+    return Start(0, None)
+
+
+def _together(watch: _Watch, time: float, error: float) -> bool:
+    """Whether a boundary is reached at the time of another one's event."""
+    series = watch.start.series
+    early = series is not None and time <= series.radius
+    value, slope, _, rounding = (series if series and early else watch.function).jet(time)
+    if abs(value) > rounding + error * abs(slope):
+        return False
+    certain = watch.function.derivative().rounding(time)
+    return slope > certain or (watch.boundary.reached and slope >= -certain)
+
+
+def run(
+    system: PiecewiseLinear,
+    state: Sequence[float] | np.ndarray,
+    configuration: int,
+    until: float = math.inf,
+    transitions: int | None = None,
+) -> Run:
+    """The motion from a state, transition by transition.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+        In double precision.
+    state : array (N,)
+        Physical: positions, then velocities.
+    configuration : int
+    until : float
+        Time at which it ends, at the latest; inf for no such time.
+    transitions : int, optional
+        Number of transitions after which it ends.
+
+    Returns
+    -------
+    Run
+    """
+    stepper, clock = _Stepper(system), Clock()
+    extended = [*map(float, state), 1.0]
+    entries = [(0.0, configuration, extended, extended, 0)]
+    grazings: list[Grazing] = []
+    error, immediate, left_out = 0.0, 0, frozenset[int]()
+
+    def ended(status: Status, end: float) -> Run:
+        times, configurations, before, states, sets = zip(*entries, strict=True)
+        return Run(
+            np.array(times),
+            np.array(configurations, dtype=np.int32),
+            np.array(before)[:, :-1],
+            np.array(states)[:, :-1],
+            np.array(sets, dtype=np.int32),
+            tuple(grazings),
+            status,
+            end,
+        )
+
+    while True:
+        if not all(abs(x) < LARGEST_STATE for x in extended):
+            return ended(Status.OVERFLOW, clock.time)
+        if transitions is not None and len(entries) > transitions:
+            return ended(Status.TRANSITIONS, clock.time)
+        if immediate > MOST_AT_ONCE:
+            return ended(Status.IMMEDIATE, clock.time)
+        remaining = clock.before(until)
+        if remaining < 0:
+            return ended(Status.UNTIL, until)
+        table = stepper.configuration(configuration)
+        horizon = LONGEST_WAIT / table.fastest if table.fastest else math.inf
+        window = min(horizon, remaining)
+        try:
+            watches = stepper.watches(configuration, extended, error, left_out)
+            event = stepper.event(watches, window)
+            dwell = window if event.time is None else event.time
+            for time, boundary, depth in event.grazings:
+                grazings.append(Grazing(clock.time + time, configuration, boundary, depth))
+            if event.time is None:
+                if window == remaining and until < math.inf:
+                    return ended(Status.UNTIL, until)
+                if until == math.inf:
+                    return ended(Status.QUIET, clock.time)
+                if event.never:
+                    return ended(Status.UNTIL, until)
+                # the same phase from here on, within reach of the guarantee again
+                watched = {w.place for w in watches}
+                left_out = frozenset(range(len(table.boundaries))) - watched
+                extended, error = table.after(extended, dwell), 4 * math.ulp(dwell)
+                clock.advance(dwell)
+                continue
+            if dwell > 0:
+                error = event.error
+            # a flight too short for the clock is none
+            error = max(error, _RESOLUTION * (clock.time + dwell))
+            sizes = table.magnitudes([abs(x) for x in extended], dwell)
+            before = table.after(extended, dwell)
+        except OverflowError:
+            return ended(Status.OVERFLOW, clock.time)
+        clock.advance(dwell)
+        moved = [*(error * dot(row, before) for row in table.field), 0.0]
+        transition = stepper.transition(configuration, event, before, (sizes, moved, error))
+        if transition is None:
+            return ended(Status.UNDECLARED, clock.time)
+        extended = stepper.reset(transition, before)
+        configuration, left_out = transition.target, frozenset()
+        immediate = 0 if dwell > 0 else immediate + 1
+        mask = sum(1 << b for b in event.boundaries)
+        entries.append((clock.time, configuration, before, extended, mask))

@@ -1,0 +1,246 @@
+"""A simulated motion: its transitions, and its state at any time in closed form."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.errors import InputError, missing_extra
+from nonsmooth.runtime.simulation.flows import flow_states
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure
+from nonsmooth.runtime.simulation.run import Grazing, Run, Status
+from nonsmooth.runtime.values import Value
+
+__all__ = ["Trajectory"]
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """A motion from event to event, in physical coordinates.
+
+    Calling it gives the state at any times between its start and its end, from the flows in
+    closed form; at a transition that is the state behind it.
+
+    Attributes
+    ----------
+    system : PiecewiseLinear
+        The system at the motion's parameters.
+    run : Run
+        What the engine gave.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.simulation.simulate import simulate
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    >>> motion = simulate("rigid-stop", data, {"x1": 1, "x2": 0, "v1": -1, "v2": 0}, transitions=3)
+    >>> motion.configurations
+    ('free', 'free', 'free', 'free')
+    >>> motion([0.0, 0.5]).shape
+    (2, 4)
+    """
+
+    system: PiecewiseLinear
+    run: Run
+
+    @property
+    def structure(self) -> Structure:
+        """The system apart from its parameters."""
+        return self.system.structure
+
+    @property
+    def name(self) -> str:
+        """Name of the system."""
+        return self.structure.name
+
+    @property
+    def parameters(self) -> dict[str, Value]:
+        """Parameters as they were given."""
+        return self.system.parameters
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the states: positions, then velocities."""
+        return self.structure.states
+
+    @property
+    def times(self) -> np.ndarray:
+        """Times of the start and of each transition, (n,)."""
+        return self.run.times
+
+    @cached_property
+    def configurations(self) -> tuple[str, ...]:
+        """Configurations from each of the times on."""
+        return tuple(self.structure.configurations[c] for c in self.run.configurations)
+
+    @cached_property
+    def boundaries(self) -> tuple[tuple[str, ...], ...]:
+        """Boundaries that were reached together at each of the times; none at the start."""
+        found: list[tuple[str, ...]] = [()]
+        for source, reached in zip(self.run.configurations, self.run.sets[1:], strict=False):
+            shapes = self.structure.boundaries[source]
+            found.append(tuple(b.name for i, b in enumerate(shapes) if reached >> i & 1))
+        return tuple(found)
+
+    @property
+    def states(self) -> np.ndarray:
+        """States behind each transition, (n, N)."""
+        return self.run.states
+
+    @property
+    def before(self) -> np.ndarray:
+        """States in front of each transition, (n, N); the start itself in the first row."""
+        return self.run.before
+
+    @property
+    def transitions(self) -> int:
+        """Number of transitions."""
+        return len(self.times) - 1
+
+    @property
+    def end(self) -> float:
+        """Time at which the simulation ended."""
+        return self.run.end
+
+    @property
+    def status(self) -> Status:
+        """Why it ended."""
+        return self.run.status
+
+    @property
+    def message(self) -> str:
+        """Why it ended, in words."""
+        return self.run.status.message
+
+    @property
+    def grazings(self) -> tuple[Grazing, ...]:
+        """Boundaries that were touched within rounding and not crossed."""
+        return self.run.grazings
+
+    def __call__(self, times: Any) -> np.ndarray:
+        """State at each of the times.
+
+        Parameters
+        ----------
+        times : array (...)
+
+        Returns
+        -------
+        array (..., N)
+
+        Raises
+        ------
+        InputError
+            For a time that is not a number between 0 and `end`.
+        """
+        array = self._checked(times)
+        flat = array.ravel()
+        phases = self._phases(flat)
+        since = flat - self.times[phases]
+        states = np.empty((flat.size, len(self.names)))
+        where = self.run.configurations[phases]
+        for configuration in np.unique(where):
+            here = where == configuration
+            starts = self.states[phases[here]]
+            states[here] = flow_states(self.system, int(configuration), since[here], starts)
+        return states.reshape(*array.shape, len(self.names))
+
+    def configuration(self, times: Any) -> Any:
+        """Configuration at each of the times: a name, or an array of names."""
+        array = self._checked(times)
+        indices = self.run.configurations[self._phases(array.ravel())].reshape(array.shape)
+        names = np.array(self.structure.configurations)[indices]
+        return str(names) if names.ndim == 0 else names
+
+    def sample(self, points: int = 2000) -> tuple[np.ndarray, np.ndarray]:
+        """Times (m,) and states (m, N) for a drawing: about so many, and every transition.
+
+        Each transition occurs twice: in front of it and behind it.
+        """
+        if isinstance(points, bool) or not isinstance(points, int | np.integer) or points < 1:
+            raise InputError(f"points = {points!r} is not a positive integer")
+        times, states = [], []
+        breaks = [*self.times.tolist(), max(self.end, float(self.times[-1]))]
+        share = points / (breaks[-1] or 1.0)
+        for phase, (begin, end) in enumerate(pairwise(breaks)):
+            inside = np.linspace(begin, end, max(2, round(share * (end - begin)) + 1))
+            where = int(self.run.configurations[phase])
+            found = flow_states(self.system, where, inside - begin, self.states[phase])
+            if phase + 1 < len(self.before):
+                found[-1] = self.before[phase + 1]
+            times.append(inside)
+            states.append(found)
+        return np.concatenate(times), np.concatenate(states)
+
+    def to_xarray(self) -> Any:
+        """The transitions as an xarray Dataset with the dimensions transition and state.
+
+        Raises
+        ------
+        MissingExtra
+            If xarray is not installed.
+        """
+        try:
+            import xarray
+        except ImportError:
+            raise missing_extra("chart", "xarray") from None
+        return xarray.Dataset(
+            {
+                "before": (("transition", "state"), self.before),
+                "after": (("transition", "state"), self.states),
+            },
+            coords={
+                "time": ("transition", self.times),
+                "configuration": ("transition", list(self.configurations)),
+                "boundaries": ("transition", ["+".join(names) for names in self.boundaries]),
+                "state": list(self.names),
+            },
+            attrs={
+                "system": self.name,
+                "parameters": {name: value.text for name, value in self.parameters.items()},
+                "end": self.end,
+                "status": self.status.name.lower(),
+            },
+        )
+
+    def plot(
+        self,
+        kind: str = "time",
+        axes: Any = None,
+        *,
+        masses: Iterable[int] | None = None,
+        points: int = 2000,
+    ) -> Any:
+        """Draw the motion; see `nonsmooth.runtime.pictures.scenes.plot_trajectory`."""
+        from nonsmooth.runtime.pictures.scenes import plot_trajectory
+
+        return plot_trajectory(self, kind, axes, masses=masses, points=points)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the motion to a file that `nonsmooth.load_trajectory` reads: .npz or .csv.
+
+        Raises
+        ------
+        InputError
+            For another ending, or a file that cannot be written.
+        """
+        from nonsmooth.runtime.simulation.saved import save_trajectory
+
+        save_trajectory(self, path)
+
+    def _checked(self, times: Any) -> np.ndarray:
+        try:
+            array = np.asarray(times, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError("the times are not real numbers") from None
+        if not ((array >= 0) & (array <= self.end)).all():
+            raise InputError(f"a time is not between 0 and the end of the motion, {self.end!r}")
+        return array
+
+    def _phases(self, times: np.ndarray) -> np.ndarray:
+        return np.searchsorted(self.times, times, side="right") - 1
