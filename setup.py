@@ -9,6 +9,7 @@ from setuptools.command.build_ext import build_ext
 
 # No contraction into fused multiply-adds: every build gives the same bits.
 FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"]
+FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
 
 
 class BuildKernels(build_ext):

@@ -28,7 +28,10 @@ pytestmark = pytest.mark.skipif(compiler is None, reason="no C compiler")
 @pytest.fixture(scope="module")
 def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
     program = tmp_path_factory.mktemp("engine") / "harness"
-    sources = [ROOT / "runtime" / "engine" / f"{name}.c" for name in ("engine", "phase", "tables")]
+    sources = [
+        ROOT / "runtime" / "engine" / f"{name}.c"
+        for name in ("engine", "phase", "search", "tables")
+    ]
     flags = ["-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
     flags += ["-ffp-contract=off", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
     folders = [f"-I{ROOT / 'runtime' / 'engine'}", f"-I{ROOT / 'generated'}"]

@@ -51,6 +51,16 @@ fill_phase(phase *p, const configuration *c, const int n, const double *state,
     p->states = n;
 }
 
+/* Sum of absolute values of an affine function's products. */
+static inline __attribute__((always_inline)) double
+size_of(const int n, const double *row, const double *state)
+{
+    double sum = fabs(row[n]);
+    for (int j = 0; j < n; ++j)
+        sum += fabs(row[j] * state[j]);
+    return sum;
+}
+
 /* The state at a time of a configuration, and bounds on the sizes of what was summed. */
 static inline __attribute__((always_inline)) void
 flow(const configuration *c, const int n, const double *functions, double *state,
@@ -69,24 +79,22 @@ flow(const configuration *c, const int n, const double *functions, double *state
             result[i] += function * sum;
         }
     }
-    if (largest > 1.0) { /* each function counts by itself: after a long wait one is huge */
+    const int simple = c->uniform && c->mode[0].length <= 2; /* only t can pass 1 */
+    if (largest > 1.0 && !simple) { /* each function counts by itself: one may be huge */
         for (int i = 0; i < n; ++i)
             magnitude[i] = 0.0;
         row = c->flow;
         for (int f = 0; f < c->functions; ++f)
-            for (int i = 0; i < n; ++i, row += columns) {
-                double sizes = fabs(row[n]);
-                for (int j = 0; j < n; ++j)
-                    sizes += fabs(row[j] * state[j]);
-                magnitude[i] += fabs(functions[f]) * sizes;
-            }
-    } else
-        for (int i = 0; i < n; ++i, reach += columns) {
-            double sizes = reach[n];
-            for (int j = 0; j < n; ++j)
-                sizes += reach[j] * fabs(state[j]);
-            magnitude[i] = sizes;
+            for (int i = 0; i < n; ++i, row += columns)
+                magnitude[i] += fabs(functions[f]) * size_of(n, row, state);
+    } else {
+        const double *drift = c->flow + (size_t)n * columns; /* that of t, if there is one */
+        for (int i = 0; i < n; ++i, reach += columns, drift += columns) {
+            magnitude[i] = size_of(n, reach, state);
+            if (largest > 1.0)
+                magnitude[i] += (largest - 1.0) * size_of(n, drift, state);
         }
+    }
     for (int i = 0; i < n; ++i)
         state[i] = result[i];
 }

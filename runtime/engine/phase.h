@@ -45,6 +45,14 @@ typedef struct {
     double functions[MOST_FUNCTIONS]; /* of the configuration, at `time` */
 } crossing;
 
+/* Order of the first derivative of a boundary's function at the start that is nonzero beyond its
+ * error, and its sign; the sign is 0 if none is. */
+typedef struct {
+    int order, sign;
+} beginning;
+
+beginning phase_beginning(const phase *p, int b);
+
 /* Values at `time` of the functions of a configuration, each within a few ulps. */
 void phase_functions(const configuration *c, double time, double *functions);
 

@@ -139,7 +139,7 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
 {
     int function = 0, lengths = 0;
     c->fastest = 0.0;
-    c->uniform = 1;
+    c->uniform = c->harmonic = 1;
     for (int m = 0; m < c->modes; ++m) {
         mode *one = &modes[m];
         one->rate = exponents[2 * m];
@@ -151,6 +151,8 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
         c->fastest = speed > c->fastest ? speed : c->fastest;
         if (one->rate > 0.0 || (m > 0 && one->length > 1))
             c->uniform = 0;
+        if (one->rate != 0.0 || one->length > (m > 0 ? 1 : 2))
+            c->harmonic = 0;
     }
     c->mode = modes;
     c->polynomial = c->modes == 1 ? lengths - 1 : -1;

@@ -38,6 +38,7 @@ typedef struct {
 typedef struct {
     int modes, functions, boundaries;
     int uniform;    /* derivatives are bounded by their amplitudes at every later time */
+    int harmonic;   /* nothing but 1, t, cosines and sines */
     int polynomial; /* largest power of t where there is no other function, else -1 */
     double fastest; /* largest |exponent| */
     double cell;    /* length h of a search cell */

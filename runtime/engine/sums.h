@@ -1,0 +1,160 @@
+/* Sums of a configuration's functions of time: values, derivatives, bounds, errors. */
+#ifndef NONSMOOTH_SUMS_H
+#define NONSMOOTH_SUMS_H
+
+#include <float.h>
+#include <math.h>
+
+#include "phase.h"
+
+/* Errors in units of eps times the size of what is summed: of a value, of a sample that was
+ * advanced by rotation, of a derivative at the start. */
+static const double VALUE = 8.0 * DBL_EPSILON;
+static const double SAMPLE = 96.0 * DBL_EPSILON;
+static const double START = 16.0 * DBL_EPSILON;
+
+typedef struct {
+    double value, slope;
+} sample;
+
+/* Functions of one mode from e^(st) cos(wt) and e^(st) sin(wt). */
+static inline void spread(const mode *m, double time, double cosine, double sine, double *functions)
+{
+    double power = 1.0;
+    for (int k = 0, f = m->first; k < m->length; ++k) {
+        functions[f++] = power * cosine;
+        if (m->oscillates)
+            functions[f++] = power * sine;
+        power *= time;
+    }
+}
+
+/* Coefficients of the derivative. */
+static inline void differentiate(const configuration *c, const double *from, double *to)
+{
+    for (int i = 0; i < c->modes; ++i) {
+        const mode *m = &c->mode[i];
+        const int step = 1 + m->oscillates, end = m->first + m->length * step;
+        for (int k = 1, f = m->first; f < end; ++k, f += step) {
+            const int last = f + step == end;
+            const double cosine = from[f], above = last ? 0.0 : k * from[f + step];
+            if (m->oscillates) {
+                const double sine = from[f + 1], next = last ? 0.0 : k * from[f + 3];
+                to[f] = m->rate * cosine + m->frequency * sine + above;
+                to[f + 1] = m->rate * sine - m->frequency * cosine + next;
+            } else
+                to[f] = m->rate * cosine + above;
+        }
+    }
+}
+
+/* Bound on the sizes of a derivative's coefficients, from such bounds. */
+static inline void differentiate_sizes(const configuration *c, const double *from, double *to)
+{
+    for (int i = 0; i < c->modes; ++i) {
+        const mode *m = &c->mode[i];
+        const int step = 1 + m->oscillates, end = m->first + m->length * step;
+        const double rate = fabs(m->rate), frequency = fabs(m->frequency);
+        for (int k = 1, f = m->first; f < end; ++k, f += step) {
+            const int last = f + step == end;
+            for (int part = 0; part < step; ++part) {
+                const double above = last ? 0.0 : k * from[f + part + step];
+                to[f + part] = rate * from[f + part] + above;
+                if (m->oscillates)
+                    to[f + part] += frequency * from[f + 1 - part];
+            }
+        }
+    }
+}
+
+/* Value at 0: of every mode the coefficient of its first function. */
+static inline double at_start(const configuration *c, const double *coefficients)
+{
+    double sum = 0.0;
+    for (int i = 0; i < c->modes; ++i)
+        sum += coefficients[c->mode[i].first];
+    return sum;
+}
+
+/* Bound on a sum of functions over [from, to]. */
+static inline double bound_on(const configuration *c, const double *coefficients, double from, double to)
+{
+    double sum = 0.0;
+    for (int i = 0; i < c->modes; ++i) {
+        const mode *m = &c->mode[i];
+        double part = 0.0, power = 1.0;
+        for (int k = 0, f = m->first; k < m->length; ++k, f += 1 + m->oscillates, power *= to)
+            part += power * (m->oscillates ? hypot(coefficients[f], coefficients[f + 1])
+                                           : fabs(coefficients[f]));
+        sum += m->rate == 0.0 ? part : part * exp(m->rate * (m->rate > 0.0 ? to : from));
+    }
+    return sum * (1.0 + 64.0 * DBL_EPSILON);
+}
+
+static inline double dot(int count, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (int i = 0; i < count; ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+static inline const double *value_of(const phase *p, int b)
+{
+    return p->value + b * p->c->functions;
+}
+
+static inline const double *slope_of(const phase *p, int b)
+{
+    return p->slope + b * p->c->functions;
+}
+
+/* Error of g_b at a time that is not advanced by rotation. */
+static inline double error_at(const phase *p, int b, double time)
+{
+    const configuration *c = p->c;
+    double size = p->size[b];
+    if (c->uniform && c->mode[0].length == 2)
+        size += fabs(value_of(p, b)[1]) * time;
+    else if (!c->uniform || c->mode[0].length > 2)
+        size += bound_on(c, value_of(p, b), time, time);
+    return VALUE * size;
+}
+
+static inline double second_bound(const phase *p, int b, double from, double to)
+{
+    if (p->c->uniform && p->c->mode[0].length <= 2)
+        return p->second[b];
+    double curve[MOST_FUNCTIONS];
+    differentiate(p->c, slope_of(p, b), curve);
+    return bound_on(p->c, curve, from, to);
+}
+
+static inline double third_bound(const phase *p, int b, double from, double to)
+{
+    double second[MOST_FUNCTIONS], third[MOST_FUNCTIONS];
+    differentiate(p->c, slope_of(p, b), second);
+    differentiate(p->c, second, third);
+    return bound_on(p->c, third, from, to);
+}
+
+static inline double fourth_bound(const phase *p, int b, double from, double to)
+{
+    if (p->c->uniform)
+        return p->fourth[b];
+    double third[MOST_FUNCTIONS], fourth[MOST_FUNCTIONS];
+    differentiate(p->c, slope_of(p, b), fourth);
+    differentiate(p->c, fourth, third);
+    differentiate(p->c, third, fourth);
+    return bound_on(p->c, fourth, from, to);
+}
+
+static inline sample sample_at(const phase *p, int b, double time)
+{
+    double functions[MOST_FUNCTIONS];
+    phase_functions(p->c, time, functions);
+    return (sample){dot(p->c->functions, value_of(p, b), functions),
+                    dot(p->c->functions, slope_of(p, b), functions)};
+}
+
+#endif
