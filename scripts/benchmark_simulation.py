@@ -198,7 +198,8 @@ def dop853(
             def event(_: float, y: np.ndarray, row: np.ndarray = row) -> float:
                 return float(row[:-1] @ y + row[-1])
 
-            event.terminal, event.direction = True, 1.0  # type: ignore[attr-defined]
+            # what solve_ivp reads; functions have attributes of any name
+            event.terminal, event.direction = True, 1.0
             events.append(event)
         solution = solve_ivp(
             lambda _, y, a=matrix, b=offset: a @ y + b,

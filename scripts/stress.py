@@ -12,6 +12,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from multiprocessing.pool import Pool
 
 import numpy as np
 from rich.console import Console
@@ -71,7 +72,7 @@ def main() -> int:
     return 1 if wrong else 0
 
 
-def _run(pool: object, name: str, count: int, seed: int) -> tuple[Counter[str], list[str]]:
+def _run(pool: Pool, name: str, count: int, seed: int) -> tuple[Counter[str], list[str]]:
     """One section in chunks over the processes."""
     section = SECTIONS[name]
     tasks = [
@@ -82,7 +83,7 @@ def _run(pool: object, name: str, count: int, seed: int) -> tuple[Counter[str], 
     told: list[str] = []
     with Progress(console=Console(stderr=True)) as progress:
         bar = progress.add_task(name, total=count)
-        for found, lines in pool.imap_unordered(_task, tasks):  # type: ignore[attr-defined]
+        for found, lines in pool.imap_unordered(_task, tasks):
             total += found
             told += lines
             for line in lines[:5]:

@@ -315,7 +315,8 @@ def _integrated(
             def event(_: float, y: np.ndarray, row: np.ndarray = row) -> float:
                 return float(row[:-1] @ y + row[-1])
 
-            event.terminal, event.direction = True, 1.0  # type: ignore[attr-defined]
+            # what solve_ivp reads; functions have attributes of any name
+            event.terminal, event.direction = True, 1.0
             events.append(event)
         solution = solve_ivp(
             lambda _, y, a=field[:, :-1], b=field[:, -1]: a @ y + b,

@@ -66,8 +66,8 @@ def simulate(
         typer.Option("--observe", help="Peaks, averages, contact forces, Lyapunov exponent too."),
     ] = False,
     since: Annotated[
-        str, typer.Option("--since", metavar="TIME", help="Where --observe begins.")
-    ] = "0",
+        str | None, typer.Option("--since", metavar="TIME", help="Where --observe begins.")
+    ] = None,
     prove: Annotated[
         bool,
         typer.Option("--prove", help="Prove the sequence of configurations by ball arithmetic."),
@@ -85,6 +85,8 @@ def simulate(
         if path is not None:
             check_target(path)
             check_ending(path, endings)
+    if since is not None and not observe:
+        raise InputError("--since says where --observe begins, which is missing")
     if start is None:
         raise InputError("the start is missing: --from NAME=VALUE,...")
     end = math.inf if until is None else float(parse(until))
@@ -94,7 +96,7 @@ def simulate(
     if observe:
         from nonsmooth.runtime.observing.observables import observe as observe_motion
 
-        observed = observe_motion(motion, float(parse(since)))
+        observed = observe_motion(motion, float(parse(since or "0")))
     if prove:
         from nonsmooth.runtime.validation.validate import validate
 

@@ -297,7 +297,8 @@ def _shown(ball: arb) -> str:
 def _exact(kernels: SystemKernels, values: tuple[Value, ...], _: tuple[Any, ...]) -> _Exact:
     from flint import fmpq
 
-    point = [fmpq(value.exact.numerator, value.exact.denominator) for value in values]  # type: ignore[union-attr]
+    fractions = [value.exact for value in values if value.exact is not None]  # all are
+    point = [fmpq(fraction.numerator, fraction.denominator) for fraction in fractions]
     lib, size = _Rationals(), len(kernels.table["states"])
     fields, rows, resets = (
         [tuple(fmpq(0) + entry for entry in row) for row in kernels.source(kernel)(point, lib=lib)]
