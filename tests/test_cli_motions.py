@@ -9,7 +9,6 @@ from test_cli import run, told
 import nonsmooth
 from nonsmooth.runtime.finding.find import find_orbits
 from nonsmooth.runtime.finding.saved import load_found
-from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.simulate import simulate
 
 A = "chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
@@ -41,10 +40,8 @@ def refused(command, part, code=2):
 # --- simulate
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
 def test_json_of_simulate_is_the_motion(backend, monkeypatch):
-    if backend == "c" and compiled_engine() is None:
-        pytest.skip("the engine is not compiled")
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     found = told(*FRICTION.split())
     motion = simulate("dry-friction", values(A), [0, 0, 0, 0], transitions=12)
@@ -240,6 +237,7 @@ def test_json_of_find(found):
         assert isinstance(entry["multipliers"][0]["re"], str)
 
 
+@pytest.mark.compiled
 def test_find_shows_saves_and_maps(found, tmp_path):
     pytest.importorskip("matplotlib")
     kept, picture = tmp_path / "found.json", tmp_path / "basins.png"
@@ -256,6 +254,7 @@ def test_find_shows_saves_and_maps(found, tmp_path):
     np.testing.assert_array_equal(load_found(kept).labels, found.labels)
 
 
+@pytest.mark.compiled
 def test_seed_and_box_reach_the_search():
     document = told(*f"{FIND} --seed 3 --box x1=0:1/2,v2=-1:0".split())
     assert document["box"]["x1"] == ["0.0", "0.5"]

@@ -37,10 +37,8 @@ SLOW = dict(chi="0.5", eta=1, V=10, us1=1, us2=1, ur1=2, ur2=2)
 compiled = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
 
 
-@pytest.fixture(params=["c", "numpy"])
+@pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
 def backend(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
-    if request.param == "c" and compiled_engine() is None:
-        pytest.skip("no compiled engine")
     monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
     return request.param
 

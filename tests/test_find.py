@@ -23,6 +23,9 @@ from nonsmooth.runtime.simulation.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.solve import solve
 
+# the engine in Python takes minutes for these starts; test_cli_motions has a short one
+pytestmark = pytest.mark.compiled
+
 A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 B = {
     **{"chi": "0.4", "eta": 4, "V": "0.6773"},

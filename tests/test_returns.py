@@ -121,6 +121,7 @@ def test_an_impact_that_loses_energy_shrinks_volumes_by_its_square():
     assert determinant == pytest.approx(0.8**2 * abs(state[2] / after[2]), rel=1e-6)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", [0, 1])
 def test_every_orbit_that_is_found_is_a_fixed_point(seed):
     found = find_orbits("dry-friction", SYMMETRIC, 60, seed=seed, transitions=600)

@@ -285,7 +285,7 @@ def test_bad_input(changes, match):
 # --- many motions
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
 def test_many_are_the_single_ones(backend, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     starts = np.random.default_rng(5).uniform(-2, 2, (3, 1, 4))
@@ -347,6 +347,7 @@ def test_what_belongs_nowhere_has_a_status_of_its_own():
     assert none.last_states.shape == (0, 2, 4)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("threads", [1, 3])
 def test_threads_change_nothing(threads):
     starts = np.random.default_rng(8).uniform(-3, 3, (300, 4))
@@ -398,10 +399,8 @@ def test_counts_beyond_any_integer_are_no_limit():
     np.testing.assert_allclose(many.states, one(5.0), rtol=0, atol=1e-13)
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
 def test_a_state_too_large_to_compute_with_ends_the_motion(backend, monkeypatch):
-    if backend == "c":
-        pytest.importorskip("nonsmooth.runtime._engine")
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
     motion = simulate("rigid-stop", data, [-1e160, 0, 0, 0], transitions=3)

@@ -41,6 +41,7 @@ def swept(**changes):
     return sweep(**(arguments | changes))
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("place", range(4))
 def test_along_the_branch_a_sweep_gives_the_orbit(place):
     diagram = swept(configuration=ITINERARY[place][0])
@@ -58,7 +59,7 @@ def test_along_the_branch_a_sweep_gives_the_orbit(place):
             np.testing.assert_allclose(taken, states[place, 0], rtol=0, atol=1e-8)
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
 def test_a_sweep_is_its_single_motions(backend, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     diagram = swept(transient=15, samples=9, follow=False)
@@ -92,6 +93,7 @@ def test_following_continues_from_chunk_to_chunk():
     assert not np.array_equal(anew.samples[64:], diagram.samples[64:], equal_nan=True)
 
 
+@pytest.mark.compiled
 def test_what_comes_to_rest_leaves_no_points():
     # the stop takes all the energy: after a few impacts no boundary is reached
     start = {"x1": 0, "x2": 0, "v1": 2, "v2": 0}
@@ -154,6 +156,7 @@ def found():
     return find_orbits("dry-friction", TWO, 60, transitions=1000)
 
 
+@pytest.mark.compiled
 def test_labels_agree_with_following_single_starts():
     told = []
     plane = basins(

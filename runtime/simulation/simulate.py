@@ -268,10 +268,13 @@ def _follow_many(
         for whole, piece in zip(ends, found, strict=True):
             whole[sound] = piece
         return ends
-    systems = [piecewise_at(kernels, point) for point in points]
+    systems: dict[int, PiecewiseLinear] = {}
     for i in sound.tolist():
-        run = follow(systems[places[i]], states[i], int(configurations[i]), float(until[i]), most)
-        store_end(ends, i, systems[places[i]], run)
+        place = int(places[i])
+        if place not in systems:
+            systems[place] = piecewise_at(kernels, points[place])
+        run = follow(systems[place], states[i], int(configurations[i]), float(until[i]), most)
+        store_end(ends, i, systems[place], run)
     return ends
 
 
