@@ -114,7 +114,15 @@ def test_every_command_has_help_with_examples_and_json(name: str) -> None:
         assert example in " ".join(out.split())
 
 
-@pytest.mark.parametrize("example", EXAMPLES)
+def engine_needed(example: str) -> bool:
+    """Thousands of motions, which take minutes in Python."""
+    return example.startswith(("nonsmooth find", "nonsmooth sweep"))
+
+
+@pytest.mark.parametrize(
+    "example",
+    [pytest.param(e, marks=pytest.mark.compiled) if engine_needed(e) else e for e in EXAMPLES],
+)
 @pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
 def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)

@@ -15,6 +15,7 @@ def blocks(language):
     return re.findall(rf"```{language}\n(.*?)```", README, flags=re.DOTALL)
 
 
+@pytest.mark.compiled  # finding orbits takes minutes in Python
 def test_the_python_example_runs(capsys):
     (example,) = blocks("python")
     exec(compile(example, "README.md", "exec"), {})
@@ -36,6 +37,7 @@ def commands(block):
 COMMANDS = [command for block in blocks("sh") for command in commands(block)]
 
 
+@pytest.mark.compiled
 @pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
 def test_every_command_line_is_answered(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # in the README's order: a later one reads what an earlier saved
