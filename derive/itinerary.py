@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 from keyword import iskeyword
 
 import sympy as sp
@@ -264,7 +264,7 @@ class Itinerary:
         substitution = {**dict(shown.substitution.items()), **values}
         return replace(self, presentation=replace(shown, substitution=substitution))
 
-    @property
+    @cached_property
     def presented_system(self) -> System:
         """The system in the coordinates and parameters of the presentation, and the period."""
         system = self.presentation.present(self.system) if self.presentation else self.system

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -264,8 +265,8 @@ class System:
 
     def gradient(self, function: sp.Expr) -> tuple[sp.Matrix, sp.Expr]:
         """Row n and constant c of an affine function ``n y + c`` of the state."""
-        row = sp.Matrix([[sp.diff(function, s) for s in self.states]])
-        return row, sp.expand(function - (row * sp.Matrix(self.states))[0])
+        row, constant = _gradient(function, self.states)
+        return sp.Matrix(row), constant
 
     def _check_configuration(self, configuration: Configuration) -> None:
         where = f"configuration {configuration.name!r}"
@@ -329,6 +330,14 @@ class System:
                 if states_allowed
                 else f"{where}: symbol {unknown[0]} is not a parameter"
             )
+
+
+@lru_cache(maxsize=4096)  # a declaration is checked again with each change of its coordinates
+def _gradient(
+    function: sp.Expr, states: tuple[sp.Symbol, ...]
+) -> tuple[sp.ImmutableMatrix, sp.Expr]:
+    row = sp.ImmutableMatrix([[sp.diff(function, s) for s in states]])
+    return row, sp.expand(function - (row * sp.Matrix(states))[0])
 
 
 def _unique(names: Sequence[str], what: str) -> None:

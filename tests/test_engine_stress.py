@@ -247,6 +247,13 @@ def test_grazing_within_rounding_and_a_miss(backend: str, system: str, miss: flo
         assert (motion.transitions > 0) == (miss < 0)
 
 
+def test_each_maximum_may_graze(backend: str) -> None:
+    data = dict(m1=1, m2=1, k1=2, k2=3, k3=1)
+    motion = ns.simulate("elastic-stop", data, [-1, "-0.5", 0, 0], until=600)
+    times = [g.time for g in motion.grazings]
+    np.testing.assert_allclose(times, math.pi * np.arange(1, 191, 2), rtol=0, atol=1e-5)
+
+
 def test_what_never_comes(backend: str) -> None:
     """At the centre of slip-slip it rests; around it no boundary is reached."""
     rest = ns.simulate("dry-friction", SLOW, [4, 6, 0, 0], until=1e9)

@@ -24,9 +24,9 @@ from nonsmooth.runtime.stability import Multiplier, Stability
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.axes import Axes  # noqa: E402
-from matplotlib.figure import Figure  # noqa: E402
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 ORBIT = "dry-friction/global-stick"
 CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]

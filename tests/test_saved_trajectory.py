@@ -222,17 +222,24 @@ def test_a_missing_row_is_refused(tmp_path: Path) -> None:
     assert refusal(path) == "edited or damaged: the checksum differs"
 
 
-def test_a_changed_character_is_refused(path: Path) -> None:
+def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
     friction().save(path)
     whole = path.read_bytes()
+    refused = 0
     for place in range(3, len(whole), 211):
         changed = bytes([whole[place] ^ 1])
         path.write_bytes(whole[:place] + changed + whole[place + 1 :])
-        if loads(path):  # a byte that holds nothing, such as a date in the archive
-            assert path.suffix == ".npz"
-            assert np.array_equal(nonsmooth.load_trajectory(path).states, friction().states)
+        # nothing hangs on a date in an archive, or the last of the digits of a number
+        if loads(path):
+            found = nonsmooth.load_trajectory(path)
+            assert found.configurations == friction().configurations
+            assert found.boundaries == friction().boundaries
+            for name in ("times", "states", "before"):
+                assert np.array_equal(getattr(found.run, name), getattr(friction().run, name))
         else:
             refusal(path)
+            refused += 1
+    assert refused > 0.8 * len(range(3, len(whole), 211))
 
 
 def loads(path: Path) -> bool:

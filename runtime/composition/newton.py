@@ -91,7 +91,7 @@ def solve_cycle(
     ----------
     cycle : Cycle
     flat : array (n, size)
-        Numbers of each point, as `piecewise_many` gives them.
+        Numbers of each point, as `numbers_at` gives them.
     dwell : array (n, p)
         Guess.
     start : array (n, N), optional

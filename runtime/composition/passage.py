@@ -157,7 +157,7 @@ class Numbers(NamedTuple):
 
 
 def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = None) -> Numbers:
-    """Numbers of one point, or those that `piecewise_many` gives flat, for its structure."""
+    """Numbers of one point, or those that `numbers_at` gives flat, for its structure."""
     if isinstance(system, PiecewiseLinear):
         return Numbers(system.fields, system.rows, system.resets, system.exponents, system.flows)
     if flat is None:

@@ -14,7 +14,7 @@ typedef struct {
     int boundary;
 } touch;
 
-enum { MOST_TOUCHES = 8 }; /* of one cell */
+enum { MOST_TOUCHES = 256 }; /* of one stay; later ones are not reported */
 
 typedef struct {
     const configuration *c;

@@ -52,7 +52,7 @@ def check_picture(kind: str, kinds: Sequence[str]) -> None:
     if kind not in kinds:
         raise unknown_name("kind of picture", kind, kinds)
     try:
-        import matplotlib  # noqa: F401
+        import matplotlib  # noqa: F401 (is it there?)
     except ImportError:
         raise missing_extra("plot", "matplotlib") from None
 

@@ -91,11 +91,11 @@ def run_compiled(
         raise InputError("the system or the state is not finite")
     most = np.iinfo(np.int64).max if transitions is None else transitions
     # unknown counts: once more with room for twice as many
-    entries = min(most + 1, _FIRST_ENTRIES)
+    entries, touches = min(most + 1, _FIRST_ENTRIES), _GRAZINGS
     while True:
         times, kept = np.empty(entries), np.empty(entries, dtype=np.int32)
         before, after = np.empty((entries, size)), np.empty((entries, size))
-        sets, grazings = np.empty(entries, dtype=np.int32), np.empty((_GRAZINGS, 4))
+        sets, grazings = np.empty(entries, dtype=np.int32), np.empty((touches, 4))
         counts, ends = np.empty(3, dtype=np.int64), np.array([float(until)])
         engine.simulate(
             layout,
@@ -114,9 +114,11 @@ def run_compiled(
             counts,
         )
         status, done, touched = counts.tolist()
-        if done < entries:
+        if done < entries and touched <= touches:
             break
-        entries = min(most + 1, 2 * entries)
+        touches = max(touches, touched)
+        if done >= entries:
+            entries = min(most + 1, 2 * entries)
     return Run(
         times[: done + 1].copy(),
         kept[: done + 1].copy(),
@@ -180,7 +182,7 @@ def run_motions(
     Parameters
     ----------
     numbers : array (p, size)
-        Parameter points, as `nonsmooth.runtime.simulation.piecewise.piecewise_many` gives them.
+        Parameter points, as `nonsmooth.runtime.simulation.piecewise.numbers_at` gives them.
     points : array (count,)
         Row of `numbers` of each motion.
     states : array (count, N)

@@ -75,6 +75,7 @@ class Run:
         Boundaries of the configuration before that were reached together, as a mask; 0 at the
         start.
     grazings : tuple of Grazing
+        The compiled engine reports the first 256 of one stay in a configuration.
     status : Status
     end : float
         Time at which the simulation ended: that of the last transition, or `until`.
