@@ -80,11 +80,14 @@ def modes_of(flow: Flow) -> tuple[Mode, ...] | None:
 
 @dataclass(frozen=True)
 class Declaration:
-    """A system, its spectrum and its flows, seen as rows and tables."""
+    """A system, its spectrum and its flows, seen as rows and tables.
+
+    Without flows in closed form, None, the runtime finds the modes from the fields.
+    """
 
     system: System
     spectrum: Spectrum
-    flows: Mapping[str, Flow]
+    flows: Mapping[str, Flow] | None
 
     @cached_property
     def rows(self) -> tuple[sp.Expr, ...]:
@@ -111,6 +114,8 @@ class Declaration:
     @cached_property
     def modes(self) -> dict[str, tuple[Mode, ...]] | None:
         """Modes of each configuration; None where one has no closed form of that kind."""
+        if self.flows is None:
+            return None
         found = {name: modes_of(flow) for name, flow in self.flows.items()}
         known = {name: modes for name, modes in found.items() if modes is not None}
         return known if len(known) == len(found) else None
@@ -120,7 +125,7 @@ class Declaration:
         system = self.system
         parameters = _vector("parameters", (p.symbol for p in system.parameters))
         spectrum = _vector("spectrum", self.spectrum.symbols)
-        fields = [flow.field for flow in self.flows.values()]
+        fields = [c.dynamics.field(system.states) for c in system.configurations]
         kernels = [
             Kernel(
                 "fields",
@@ -179,6 +184,7 @@ class Declaration:
                 name: [{"length": m.length, "oscillates": m.oscillates} for m in found]
                 for name, found in modes.items()
             },
+            "forcing": [(str(c), str(s)) for c, s in system.forcing],
             "held": {c.name: self._held(c.dynamics) for c in system.configurations},
             "constraint_rows": {
                 c.name: [self._row(function) for function in self._constraints(c)]
@@ -241,8 +247,8 @@ class Declaration:
         return sp.Matrix.vstack(*joined)
 
     def _coefficient(self, configuration: str, term: sp.Expr) -> sp.Matrix:
-        flow = self.flows[configuration]
-        if term not in flow.basis:
+        flow = self.flows[configuration] if self.flows else None
+        if flow is None or term not in flow.basis:
             return sp.zeros(len(self.system.states), len(self.system.states) + 1)
         place = flow.basis.index(term)
         return sp.Matrix(flow.matrices[place]).row_join(sp.Matrix(flow.offsets[place]))

@@ -131,6 +131,7 @@ class Presentation:
                 )
                 for c in system.contacts
             ),
+            forcing=tuple((names[c], names[s]) for c, s in system.forcing),
         )
 
 

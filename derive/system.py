@@ -194,6 +194,9 @@ class System:
         Relations between parameters, each nonnegative.
     contacts : tuple of Contact
         Forces of the surroundings, to be observed along a motion.
+    forcing : tuple of (symbol, symbol)
+        States c and s of each harmonic forcing: c' = -w s and s' = w c in every configuration,
+        c^2 + s^2 = 1, so that c = cos(w t) from c = 1, s = 0.
 
     Raises
     ------
@@ -210,6 +213,7 @@ class System:
     transitions: tuple[Transition, ...] = ()
     constraints: tuple[sp.Expr, ...] = ()
     contacts: tuple[Contact, ...] = ()
+    forcing: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
 
     def __post_init__(self) -> None:
         for attribute in (
@@ -219,6 +223,7 @@ class System:
             "transitions",
             "constraints",
             "contacts",
+            "forcing",
         ):
             object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
         object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))
@@ -243,6 +248,8 @@ class System:
                 self.configuration(name)
             for function in (*contact.forces.values(), contact.velocity, contact.surface):
                 self._check_affine(function, where)
+        for cosine, sine in self.forcing:
+            self._check_forcing(cosine, sine)
 
     def configuration(self, name: str) -> Configuration:
         """The configuration of that name; DeclarationError if there is none."""
@@ -310,6 +317,32 @@ class System:
             if symbol not in self.states:
                 raise DeclarationError(f"{where}: reset of {symbol}, which is not a state")
             self._check_affine(expression, f"{where}, reset of {symbol}")
+
+    def _check_forcing(self, cosine: sp.Symbol, sine: sp.Symbol) -> None:
+        """Check that all configurations turn the pair alike, and no reset changes it."""
+        where = f"forcing {cosine}, {sine}"
+        for symbol in (cosine, sine):
+            if symbol not in self.states:
+                raise DeclarationError(f"{where}: {symbol} is not a state")
+        speeds = set()
+        for configuration in self.configurations:
+            matrix, offset = configuration.dynamics.field(self.states)
+            rates = matrix * sp.Matrix(self.states) + offset
+            speed = sp.diff(rates[self.states.index(sine)], cosine)
+            wanted = {cosine: -speed * sine, sine: speed * cosine}
+            for symbol, rate in wanted.items():
+                if sp.expand(rates[self.states.index(symbol)] - rate) != 0:
+                    raise DeclarationError(
+                        f"{where}: in {configuration.name!r} it does not turn, c' = -w s, s' = w c"
+                    )
+            speeds.add(sp.simplify(speed))
+        if len(speeds) > 1:
+            raise DeclarationError(f"{where}: it turns at different speeds: {speeds}")
+        for transition in self.transitions:
+            if {cosine, sine} & set(transition.reset):
+                raise DeclarationError(
+                    f"transition {transition.source!r} -> {transition.target!r} resets the {where}"
+                )
 
     def _check_affine(self, function: sp.Expr, where: str) -> None:
         self._check_symbols(function.free_symbols, where)

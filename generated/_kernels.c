@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 48ec3cc42c0946e2 */
+ * SymPy 1.14.0, derivation 88f773d194a8e1b5 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -2803,11 +2803,11 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "4463b7b2825c9ebd") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "b5de131890c2366f") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "4be54838730e57d7") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "23616f0a9a320e81") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "b8e3cbc2d156cb30") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "881793280cce45d9") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation b8e3cbc2d156cb30 */
+ * SymPy 1.14.0, derivation 881793280cce45d9 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation b8e3cbc2d156cb30
+# SymPy 1.14.0, derivation 881793280cce45d9
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "b8e3cbc2d156cb30"
+DERIVATION = "881793280cce45d9"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -108,6 +108,7 @@ SYSTEM = {'name': 'dry-friction',
            'overshoot-overshoot': [{'length': 1, 'oscillates': False},
                                    {'length': 1, 'oscillates': True},
                                    {'length': 1, 'oscillates': True}]},
+ 'forcing': [],
  'held': {'slip-slip': [],
           'slip-stick': ['x2'],
           'slip-overshoot': [],

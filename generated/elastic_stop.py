@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 4be54838730e57d7
+# SymPy 1.14.0, derivation 23616f0a9a320e81
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "4be54838730e57d7"
+DERIVATION = "23616f0a9a320e81"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -62,6 +62,7 @@ SYSTEM = {'name': 'elastic-stop',
            'free': [{'length': 1, 'oscillates': False},
                     {'length': 1, 'oscillates': True},
                     {'length': 1, 'oscillates': True}]},
+ 'forcing': [],
  'held': {'contact': [], 'free': []},
  'constraint_rows': {'contact': [], 'free': []},
  'boundary_rows': {'contact': [0], 'free': [1]},

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 4463b7b2825c9ebd */
+ * SymPy 1.14.0, derivation b5de131890c2366f */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

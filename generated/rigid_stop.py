@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 4463b7b2825c9ebd
+# SymPy 1.14.0, derivation b5de131890c2366f
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "4463b7b2825c9ebd"
+DERIVATION = "b5de131890c2366f"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -49,6 +49,7 @@ SYSTEM = {'name': 'rigid-stop',
                     {'length': 1, 'oscillates': True},
                     {'length': 1, 'oscillates': True}],
            'contact': [{'length': 2, 'oscillates': False}, {'length': 1, 'oscillates': True}]},
+ 'forcing': [],
  'held': {'free': [], 'contact': ['x1']},
  'constraint_rows': {'free': [], 'contact': [2, 0]},
  'boundary_rows': {'free': [0], 'contact': [1]},

@@ -15,7 +15,7 @@ import numpy as np
 
 from nonsmooth.runtime.values import Value, flint_precision
 
-__all__ = ["FLOATS", "Balls", "Floats", "Mpmath"]
+__all__ = ["FLOATS", "Balls", "Floats", "Mpmath", "exact_ball", "middle"]
 
 _Matrix = list[list[Any]]
 
@@ -264,3 +264,19 @@ class Balls(_Entire):
 
     def _widen(self, number: Any, error: float) -> Any:
         return number + self.flint.arb(0, error)
+
+
+def exact_ball(number: Any) -> Any:
+    """A ball of no radius at a float or an mpmath number."""
+    from flint import arb
+
+    if isinstance(number, float):
+        return arb(number)
+    sign, mantissa, exponent, _ = number._mpf_
+    return arb((int(-mantissa if sign else mantissa), int(exponent)))
+
+
+def middle(mp: Any, ball: Any) -> Any:
+    """The midpoint of a ball as an mpmath number of a context's precision."""
+    mantissa, exponent = ball.mid().man_exp()
+    return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from nonsmooth.runtime.arithmetic import Balls, Mpmath
+from nonsmooth.runtime.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.errors import InputError, NoConvergence
 from nonsmooth.runtime.kernels import OrbitKernels
 from nonsmooth.runtime.orbit import GUARD, Orbit
@@ -120,7 +120,7 @@ def _with_mpmath(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
 
 def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
     lib, names = Balls(), list(orbit.unknowns)
-    x = [_to_ball(lib, value) for value in orbit.unknowns.values()]
+    x = [exact_ball(value) for value in orbit.unknowns.values()]
     steps = _precisions(digits)
     for precision in steps:
         with lib.working(_bits(precision + _MARGIN)):
@@ -137,8 +137,8 @@ def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
         if radii is None or not all(r < bound for r in radii):
             raise _lost(orbit, digits)
         mp = Mpmath(digits + _MARGIN).mp
-        largest = max(_to_mpf(mp, abs(r).upper()) for r in residual)
-        return [_to_mpf(mp, v) for v in x], largest, len(steps) + 1
+        largest = max(middle(mp, abs(r).upper()) for r in residual)
+        return [middle(mp, v) for v in x], largest, len(steps) + 1
 
 
 def _at(
@@ -180,20 +180,6 @@ def _krawczyk(
 
 def _bits(digits: int) -> int:
     return math.ceil(digits * math.log2(10)) + 8
-
-
-def _to_ball(lib: Balls, value: Any) -> Any:
-    """An exact ball around a float or an mpmath number."""
-    if isinstance(value, float):
-        return lib.flint.arb(value)
-    mantissa, exponent = value.man_exp
-    return lib.flint.arb((int(mantissa), int(exponent)))
-
-
-def _to_mpf(mp: Any, number: Any) -> Any:
-    """The midpoint of a ball as an mpmath number of the context's precision."""
-    mantissa, exponent = number.mid().man_exp()
-    return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))
 
 
 def _lost(orbit: Orbit, digits: int) -> NoConvergence:

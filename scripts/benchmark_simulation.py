@@ -20,11 +20,11 @@ from nonsmooth.runtime.simulation.piecewise import (
     numbers_at,
     parameter_points,
     piecewise,
-    structure_of,
 )
 from nonsmooth.runtime.simulation.run import Run
 from nonsmooth.runtime.simulation.simulate import follow, simulate_many
 from nonsmooth.runtime.simulation.starting import configuration_of
+from nonsmooth.runtime.simulation.structure import structure_of
 
 DATA = {
     "A": dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831"),
@@ -74,12 +74,12 @@ def composed(quick: bool) -> Iterator[Row]:
     kernels = load_system("dry-friction")
     points, _ = parameter_points(kernels, values)
     cycle = cycle_of(structure_of(kernels), phases)
-    numbers = numbers_at(kernels, points[:256])
+    (group,) = numbers_at(kernels, points[:256])
     dwell, free = np.tile(guess, (256, 1)), np.full(256, np.nan)
 
     def engine() -> None:
         for _ in range(20):
-            solve_cycle(cycle, numbers, dwell, None, free)
+            solve_cycle(cycle, group.flat, dwell, None, free)
 
     def whole() -> object:
         return compose_many("dry-friction", phases, values, guess, threads=1)

@@ -10,13 +10,13 @@ import numpy as np
 from stressing import EPS, Ball, Shape, Sums, first_excess, undecided
 
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
-from nonsmooth.runtime.simulation.piecewise import (
+from nonsmooth.runtime.simulation.run import Status
+from nonsmooth.runtime.simulation.structure import (
     BoundaryShape,
     ModeShape,
     Structure,
     TransitionShape,
 )
-from nonsmooth.runtime.simulation.run import Status
 
 __all__ = ["FAMILIES", "random_sums", "search", "search_chunk", "verdicts"]
 

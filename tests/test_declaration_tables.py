@@ -14,10 +14,10 @@ from nonsmooth.derive.modal import TIME, derive_flows
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.system import Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import numbers_at, piecewise_at, structure_of
+from nonsmooth.runtime.simulation.piecewise import numbers_at, piecewise_at
+from nonsmooth.runtime.simulation.structure import structure_of
 
 NAMES = list(SYSTEMS)
 
@@ -231,8 +231,8 @@ def test_the_table_is_made_of_the_rows_it_names(name):
 def test_numbers_of_many_points_are_those_of_each(name):
     kernels = load_system(name)
     grid = np.array([[v[p.name] for p in kernels.parameters] for v in points(name, 5)])
-    many = numbers_at(kernels, grid)
-    for row, point in zip(many, grid, strict=True):
+    (many,) = numbers_at(kernels, grid)
+    for row, point in zip(many.flat, grid, strict=True):
         one = piecewise_at(kernels, point)
         parts = (one.fields, one.rows, one.resets, *one.exponents, *one.flows)
         np.testing.assert_array_equal(row, np.concatenate([p.ravel() for p in parts]))
@@ -295,16 +295,3 @@ def test_entire_functions_are_no_modes():
     assert found.modes is None
     assert found.table()["modes"] is None
     assert [kernel.name for kernel in found.kernels()] == ["fields", "rows", "resets"]
-
-
-def test_a_system_without_modes_says_so():
-    class Kernels:
-        name = entire().system.name
-
-        @property
-        def table(self):
-            names = {"name": self.name, "configurations": {"free": []}, "states": ["x1"]}
-            return names | entire().table()
-
-    with pytest.raises(InputError, match="chain-of-3 has configurations without modes"):
-        structure_of(Kernels())

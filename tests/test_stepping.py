@@ -10,16 +10,15 @@ from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from nonsmooth.runtime.simulation import stepping
-from nonsmooth.runtime.simulation.piecewise import (
-    BoundaryShape,
-    ModeShape,
-    PiecewiseLinear,
-    Structure,
-    TransitionShape,
-    piecewise,
-)
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import LONGEST_WAIT, Status
 from nonsmooth.runtime.simulation.stepping import run
+from nonsmooth.runtime.simulation.structure import (
+    BoundaryShape,
+    ModeShape,
+    Structure,
+    TransitionShape,
+)
 
 FRICTION = {
     "A": {"chi": 0.5, "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"},

@@ -14,7 +14,7 @@ import pytest
 from mpmath import MPContext
 
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.simulation.piecewise import BoundaryShape
+from nonsmooth.runtime.simulation.structure import BoundaryShape
 from nonsmooth.runtime.validation.enclosures import Facts, enclosed_system
 from nonsmooth.runtime.validation.first_crossing import first_crossing
 from nonsmooth.runtime.validation.validate import Proof, validate

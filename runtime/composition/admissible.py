@@ -6,23 +6,29 @@ boundary the first whose conditions hold has to be the itinerary's.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 from nonsmooth.runtime.admissible import MOST_MISSED, Admissibility, Violation
-from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage
-from nonsmooth.runtime.crossing import LONGEST_PHASE, TrigonometricSum, maximum
+from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, numbers_in
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.simulation.crossing import first_crossing
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.quasi import QuasiPolynomial
+from nonsmooth.runtime.simulation.run import LONGEST_WAIT
+from nonsmooth.runtime.simulation.tables import ConfigurationTable
 
-__all__ = ["assess_cycle", "boundary_sums"]
+__all__ = ["assess_cycle"]
 
 _EPSILON = float(np.finfo(float).eps)
+_SAMPLES, _MOST_SAMPLES = 16, 20_000  # a radian, and altogether
 
 
-def assess_cycle(cycle: Cycle, numbers: Numbers, now: Passage, dwell: np.ndarray) -> Admissibility:
+def assess_cycle(
+    cycle: Cycle, system: PiecewiseLinear, now: Passage, dwell: np.ndarray
+) -> Admissibility:
     """Check all boundaries along all phases, and all transitions.
 
     A transition that the conditions refuse is a violation of its own boundary at the end of
@@ -31,71 +37,56 @@ def assess_cycle(cycle: Cycle, numbers: Numbers, now: Passage, dwell: np.ndarray
     Raises
     ------
     InputError
-        For a flow that decays or grows, or a phase longer than a guarantee reaches.
+        For a phase longer than the guarantee of the search reaches.
     """
+    numbers = numbers_in(system)
     begins = np.concatenate([[0.0], np.cumsum(dwell)])
+    tables: dict[int, ConfigurationTable] = {}
     violations = []
     for place, duration in enumerate(dwell.tolist()):
         configuration = cycle.configurations[place]
         name = cycle.structure.configurations[configuration]
+        if configuration not in tables:
+            tables[configuration] = ConfigurationTable(system, configuration)
+        table = tables[configuration]
+        if not duration * table.fastest <= LONGEST_WAIT:
+            raise InputError(
+                f"{name} lasts {duration:.6g}, more than {LONGEST_WAIT:g} over its largest"
+                " exponent: no guarantee reaches that far"
+            )
         noise = _noise(cycle, numbers, now, place)
-        for boundary, row, function in boundary_sums(cycle, numbers, now, place):
-            if not duration * max(function.frequency, default=0.0) <= LONGEST_PHASE:
-                raise InputError(
-                    f"{name} lasts {duration:.6g}, more than {LONGEST_PHASE:g} radians of its"
-                    " fastest oscillation: no guarantee reaches that far"
-                )
-            floor = function.rounding(duration) + noise[row]
-            begins_there = abs(function(0.0)) <= floor
-            rises = begins_there and duration > 0 and function.rises(float(noise[row]))
-            found = maximum(function, duration, -math.inf if rises else floor)
-            if rises or found.value > floor:
-                time = found.time if found.value > floor else 0.0
-                violations.append(
-                    Violation(
-                        place, name, boundary, float(begins[place]) + time, max(found.value, 0.0)
-                    )
-                )
+        state = [*map(float, now.starts[place]), 1.0]
+        shapes = cycle.structure.boundaries[configuration]
+        for boundary, shape in zip(table.boundaries, shapes, strict=True):
+            function = table.function(boundary, state, [abs(x) for x in state])
+            rounding = max(function.rounding(0.0), function.rounding(duration))
+            floor = rounding + float(noise[shape.row])
+            crossing = first_crossing(function.raised(-floor), duration)
+            if crossing.time is not None:
+                time, excess = _maximum(function, crossing.time, duration)
+                found = Violation(place, name, shape.name, float(begins[place]) + time, excess)
+                violations.append(found)
         if not _taken(cycle, numbers, now, place, noise):
-            boundary = cycle.itinerary[place][1]
-            violations.append(Violation(place, name, boundary, float(begins[place + 1]), 0.0))
+            last = cycle.itinerary[place][1]
+            violations.append(Violation(place, name, last, float(begins[place + 1]), 0.0))
     return Admissibility(not violations, tuple(violations), ())
 
 
-def boundary_sums(
-    cycle: Cycle, numbers: Numbers, now: Passage, place: int
-) -> Iterator[tuple[str, int, TrigonometricSum]]:
-    """Each boundary of a phase's configuration: name, row, function of the time in the phase."""
-    structure, configuration = cycle.structure, cycle.configurations[place]
-    modes, exponents = structure.modes[configuration], numbers.exponents[configuration]
-    parts = numbers.flows[configuration]
-    start = now.starts[place]
-    amplitudes = parts[..., :-1] @ start + parts[..., -1]
-    for shape in structure.boundaries[configuration]:
-        row = numbers.rows[shape.row]
-        values = amplitudes @ row[:-1]
-        constant, slope = float(row[-1]), 0.0
-        cosine, sine, frequency = [], [], []
-        for mode, (rate, turn) in zip(modes, exponents.tolist(), strict=True):
-            waves = mode.oscillates
-            if rate != 0 or mode.length > (1 if waves else 2):
-                raise InputError(
-                    f"{structure.name}: {structure.configurations[configuration]} does not only"
-                    " oscillate and drift; its boundaries are not checked"
-                )
-            if waves:
-                cosine.append(float(values[mode.places[0]]))
-                sine.append(float(values[mode.places[1]]))
-                frequency.append(abs(turn))
-                sine[-1] *= math.copysign(1.0, turn)
-            else:
-                constant += float(values[mode.places[0]])
-                slope += float(values[mode.places[1]]) if mode.length == 2 else 0.0
-        yield (
-            shape.name,
-            shape.row,
-            TrigonometricSum(constant, slope, tuple(cosine), tuple(sine), tuple(frequency)),
-        )
+def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[float, float]:
+    """Where a function that has crossed zero is largest, and its value there."""
+    angle = function.fastest * (last - first)
+    times = np.linspace(first, last, int(min(64 + _SAMPLES * angle, _MOST_SAMPLES)))
+    values = [function(time) for time in times.tolist()]
+    best = int(np.argmax(values))
+    low, high = times[max(best - 1, 0)], times[min(best + 1, len(times) - 1)]
+    if low < high:
+        found = minimize_scalar(
+            lambda time: -function(time), bounds=(low, high), method="bounded",
+            options={"xatol": 1e-12 * max(high, 1.0)},
+        )  # fmt: skip
+        if -found.fun > values[best]:
+            return float(found.x), float(-found.fun)
+    return float(times[best]), float(values[best])
 
 
 def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int) -> np.ndarray:

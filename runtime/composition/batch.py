@@ -20,13 +20,16 @@ from nonsmooth.runtime.composition.passage import (
 )
 from nonsmooth.runtime.composition.stability import (
     local_maps,
+    mechanical_states,
     section_dimension,
     smallest_section,
+    stroboscopic_maps,
 )
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.newton import CONVERGED
-from nonsmooth.runtime.simulation.piecewise import numbers_at, parameter_points, structure_of
+from nonsmooth.runtime.simulation.piecewise import numbers_at, parameter_points
+from nonsmooth.runtime.simulation.structure import structure_of
 
 __all__ = ["ComposedOrbits", "compose_many"]
 
@@ -136,30 +139,38 @@ def compose_many(
         lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
     count = len(dwell)
 
-    def numbers_of(part: slice) -> np.ndarray:
-        return numbers_at(kernels, points[part])
-
-    first, rank, dimension = _smallest_section(cycle, numbers_of, dwell, start)
-    rotated = cycle.rotated(first)
+    driven = mechanical_states(cycle)
+    if driven is None:
+        first, rank, dimension = _smallest_section(cycle, kernels, points, dwell, start)
+    else:
+        first, rank, dimension = 0, len(driven), len(driven)
     dwell_times = np.empty((count, len(cycle)))
     states = np.empty((count, len(cycle), size))
-    maps = np.empty((count, size, size))
+    maps = np.empty((count, *(2 * (size if driven is None else len(driven),))))
     residual = np.empty(count)
     iterations, status = np.empty(count, dtype=np.int32), np.empty(count, dtype=np.int32)
 
     def work(begin: int) -> None:
-        part = slice(begin, begin + CHUNK)
-        flat, at = numbers_of(part), None
-        if start is not None:
-            numbers = numbers_in(structure, flat)
-            with np.errstate(all="ignore"):
-                at = pass_through(cycle, numbers, dwell[part], start[part], np).starts[first]
-        guess = np.roll(dwell[part], -first, axis=1)
-        found = solve_cycle(rotated, flat, guess, at, lengths[part])
-        dwell_times[part] = np.roll(found.dwell, first, axis=1)
-        states[part] = np.roll(found.starts, first, axis=1)
-        maps[part], residual[part] = found.maps, found.residual
-        iterations[part], status[part] = found.iterations, found.status
+        for group in numbers_at(kernels, points[begin : begin + CHUNK]):
+            part, here, at = begin + group.places, cycle.at(group.structure), None
+            if start is not None:
+                numbers = numbers_in(group.structure, group.flat)
+                with np.errstate(all="ignore"):
+                    at = pass_through(here, numbers, dwell[part], start[part], np).starts[first]
+            guess = np.roll(dwell[part], -first, axis=1)
+            found = solve_cycle(here.rotated(first), group.flat, guess, at, lengths[part])
+            dwell_times[part] = np.roll(found.dwell, first, axis=1)
+            states[part] = np.roll(found.starts, first, axis=1)
+            residual[part] = found.residual
+            if driven is None:
+                maps[part] = found.maps
+            else:
+                fields = numbers_in(group.structure, group.flat).fields
+                first_field = fields[:, cycle.configurations[0]]
+                maps[part] = stroboscopic_maps(
+                    here, first_field, found.starts[:, 0], found.maps, driven
+                )
+            iterations[part], status[part] = found.iterations, found.status
 
     parts = range(0, count, CHUNK)
     if threads == 1 or len(parts) < 2:
@@ -197,7 +208,11 @@ def _spread(
 
 
 def _smallest_section(
-    cycle: Cycle, numbers_of: Any, dwell: np.ndarray, start: np.ndarray | None
+    cycle: Cycle,
+    kernels: SystemKernels,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray | None,
 ) -> tuple[int, int, int]:
     """Phase that starts on the smallest section, its dimension, and that of the first's.
 
@@ -206,15 +221,17 @@ def _smallest_section(
     size = len(cycle.structure.states)
     for place in range(min(len(dwell), CHUNK)):
         part = slice(place, place + 1)
-        flat = numbers_of(part)
+        (group,) = numbers_at(kernels, points[part])
+        flat = group.flat
         if not np.isfinite(flat).all():
             continue
+        here = cycle.at(group.structure)
         at = None if start is None else start[part]
-        found = solve_cycle(cycle, flat, dwell[part], at, np.full(1, np.nan))
-        single = Numbers(*_first(numbers_in(cycle.structure, flat)))
+        found = solve_cycle(here, flat, dwell[part], at, np.full(1, np.nan))
+        single = Numbers(*_first(numbers_in(group.structure, flat)))
         with np.errstate(all="ignore"):
-            now = pass_through(cycle, single, found.dwell[0], found.starts[0, 0], np)
-            maps = local_maps(cycle, single, now)
+            now = pass_through(here, single, found.dwell[0], found.starts[0, 0], np)
+            maps = local_maps(here, single, now)
         if not all(np.isfinite(matrix).all() for matrix in maps):
             continue
         size_of = sizes(now, found.dwell[0])

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.admissible import Admissibility
-from nonsmooth.runtime.arithmetic import Mpmath
+from nonsmooth.runtime.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.composition.admissible import assess_cycle
 from nonsmooth.runtime.composition.batch import ComposedOrbits, compose_many
 from nonsmooth.runtime.composition.newton import (
@@ -24,6 +24,7 @@ from nonsmooth.runtime.composition.newton import (
     message_of,
     sizes,
     solve_cycle,
+    with_forcing,
 )
 from nonsmooth.runtime.composition.passage import (
     Cycle,
@@ -140,8 +141,10 @@ class ComposedOrbit:
             If there is no orbit.
         """
         self._check_found()
-        dwell = self.dwell_times
-        matrix, _ = equations(self.passage, dwell, sizes(self.passage, dwell))
+        dwell, lib = self.dwell_times, self.arithmetic if self.precise else FLOATS
+        size_of = sizes(self.passage, dwell)
+        found = equations(self.passage, dwell, size_of)
+        matrix, _ = with_forcing(self.cycle, self._numbers, self.passage, size_of, *found, lib)
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)
         return bool(values[-1] <= LEAST * values[0])
 
@@ -207,13 +210,14 @@ class ComposedOrbit:
         Raises
         ------
         InputError
-            If there is no orbit, or a flow decays or grows.
+            If there is no orbit, or a phase lasts too long for a guarantee.
         """
         self._check_found()
-        numbers = numbers_in(piecewise(self.kernels, self.parameters))
+        system = piecewise(self.kernels, self.parameters)
+        cycle = self.cycle.at(system.structure)
         dwell, start = self.dwell_times.astype(float), self.states[0].astype(float)
-        now = pass_through(self.cycle, numbers, dwell, start, np)
-        return assess_cycle(self.cycle, numbers, now, dwell)
+        now = pass_through(cycle, numbers_in(system), dwell, start, np)
+        return assess_cycle(cycle, system, now, dwell)
 
     def trajectory(self, periods: int = 1) -> Trajectory:
         """The motion along the orbit, simulated from its start: to draw, observe and save.

@@ -12,7 +12,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.composition.passage import Cycle, Passage, numbers_in, pass_through
+from nonsmooth.runtime.arithmetic import FLOATS
+from nonsmooth.runtime.composition.passage import (
+    Cycle,
+    Numbers,
+    Passage,
+    numbers_in,
+    pass_through,
+)
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.newton import (
     CONVERGED,
@@ -33,11 +40,14 @@ __all__ = [
     "sizes",
     "solve_cycle",
     "solve_in_python",
+    "with_forcing",
 ]
 
 # the compiled solver's numbers
 LEAST = 1e-10  # relative singular value below which equations are dependent
 MOST_RESIDUAL = 1e-9  # in units of the terms that cancel
+_ANGLES = 48  # of a forcing, tried for a start
+_MOST_TURNS = 24  # of the first forcing, until all meet again
 SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
 
 _MESSAGES = {
@@ -104,8 +114,11 @@ def solve_cycle(
         layout = layout_of(cycle.structure)
     except InputError:  # larger than the engine takes
         engine = None
-    if engine is None:
+    if engine is None or len(cycle.structure.forcing) > 1:
         return solve_in_python(cycle, flat, dwell, start, period)
+    if start is None and cycle.structure.forcing:
+        with np.errstate(all="ignore"):
+            start = _fitting_start(cycle, flat, dwell)
     count, size = len(flat), len(cycle.structure.states)
     found = Found(
         np.array(dwell, dtype=float, order="C"),
@@ -164,6 +177,7 @@ def solve_in_python(
             taken[running] += 1
             size_of = sizes(now, dwell[running])
             matrix, right = equations(now, dwell[running], size_of, period[running])
+            matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, FLOATS)
             step, least[running] = _least_squares(matrix, right)
             step = step * size_of
             change = now.rates[..., size].T + np.einsum("pnk,nk->np", now.rates[..., :size], step)
@@ -180,7 +194,7 @@ def solve_in_python(
             running = running[~(done | lost)]
         last = pass_through(cycle, numbers_in(cycle.structure, flat), dwell, state, np)
         size_of = sizes(last, dwell)
-        residual, missed = _residuals(cycle, flat, last, size_of)
+        residual, missed = _residuals(cycle, flat, last, size_of, dwell.T)
         total = dwell.sum(axis=-1)
         status[~np.isfinite(residual)] = INVALID
         status[(status == CONVERGED) & ~(missed <= MOST_RESIDUAL)] = STALLED
@@ -223,8 +237,62 @@ def equations(now: Passage, dwell: Any, size_of: Any, period: Any = None) -> tup
     )
 
 
+def with_forcing(
+    cycle: Cycle, numbers: Numbers, now: Passage, size_of: Any, matrix: Any, right: Any, lib: Any
+) -> tuple[Any, Any]:
+    """Linear equations, and those of the forcing: its amplitudes, and its phases at one time.
+
+    A forcing c, s has the amplitude 1, and several have begun together at some time at c = 1.
+    """
+    rows, rests = [], []
+    start = now.starts[0]
+    first: Any = None
+    angle_of = np.frompyfunc(lib.angle, 2, 1) if start.dtype == object else lib.angle
+    for cosine, sine in cycle.structure.forcing:
+        c, s = start[..., cosine], start[..., sine]
+        row = np.zeros_like(start)
+        row[..., cosine], row[..., sine] = c, s
+        rows.append(row * size_of)
+        rests.append((1 - c * c - s * s) / 2)
+        if len(cycle.structure.forcing) == 1:
+            break
+        speed = numbers.fields[..., 0, sine, cosine]
+        turn = np.zeros_like(start)
+        turn[..., cosine], turn[..., sine] = -s, c
+        angle = angle_of(s, c)
+        if first is None:
+            first = speed, angle, turn
+            continue
+        ratio = speed / first[0]
+        rows.append((turn - np.asarray(ratio)[..., None] * first[2]) * size_of)
+        rests.append(-_phase_difference(angle, first[1], ratio, angle_of))
+    if not rows:
+        return matrix, right
+    return (
+        np.concatenate([matrix, np.stack(rows, axis=-2)], axis=-2),
+        np.concatenate([right, np.stack(rests, axis=-1)], axis=-1),
+    )
+
+
+def _phase_difference(angle: Any, first: Any, ratio: Any, angle_of: Any) -> Any:
+    """How far an angle is from the ratio times the first one, over turns of both."""
+    turn = 2 * angle_of(0 * first, 0 * first - 1)  # 2 pi
+    best: Any = None
+    for turns in range(_MOST_TURNS):
+        difference = angle - ratio * (first + turns * turn)
+        nearest = difference - turn * np.round((difference / turn).astype(float))
+        if best is None:
+            best = nearest
+        else:
+            best = np.where(np.abs(nearest) < np.abs(best) * (1 - 1e-9), nearest, best)
+    return best
+
+
 def _fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
-    """The start that fits given dwell times best: closure and switching are linear in it."""
+    """The start that fits given dwell times best: closure and switching are linear in it.
+
+    A forcing has some angle at the start: of several that are tried the one that fits best.
+    """
     size = len(cycle.structure.states)
     numbers = numbers_in(cycle.structure, flat)
     # differences of affine functions are their coefficients
@@ -237,6 +305,12 @@ def _fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndar
         for p in passages
     ]
     matrix = np.stack([m - missed[0] for m in missed[1:]], axis=-1)
+    forcing = cycle.structure.forcing
+    if forcing:
+        rates = np.stack([np.moveaxis(p.speeds, 0, -1) for p in passages], axis=-1)
+        rates[..., 1:] -= rates[..., :1]
+        turns = np.abs(numbers.fields[:, 0][:, [s for _, s in forcing], [c for c, _ in forcing]])
+        return _fitting_forced(matrix, -missed[0], rates, forcing, turns)
     # in no units: equations in those of their largest term, unknowns of their coefficients
     unit = np.concatenate([np.zeros((len(cycle), size)), np.eye(size)])
     rows = (np.abs(matrix - unit) + unit).max(axis=-1, keepdims=True)
@@ -246,6 +320,35 @@ def _fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndar
     right = -missed[0] / np.where(rows > 0, rows, 1)[..., 0]
     start, _ = _least_squares(matrix / columns[..., None, :], right)
     return start / columns
+
+
+def _fitting_forced(
+    matrix: np.ndarray, right: np.ndarray, rates: np.ndarray, forcing: Any, turns: np.ndarray
+) -> np.ndarray:
+    """Best start over the times since all forcings were at c = 1, s = 0.
+
+    Of two that fit equally well, such as mirror images, the one that reaches its boundaries
+    from inside: there their `rates`, affine in the start, are positive.
+    """
+    count, _, size = matrix.shape
+    known = [state for pair in forcing for state in pair]
+    free = [k for k in range(size) if k not in known]
+    best, least = np.full((count, size), np.nan), np.full(count, np.inf)
+    for part in np.arange(_ANGLES) / _ANGLES:
+        start = np.zeros((count, size))
+        for place, (cosine, sine) in enumerate(forcing):
+            angle = 2 * np.pi * part * turns[:, place] / turns.min(axis=1)
+            start[:, cosine], start[:, sine] = np.cos(angle), np.sin(angle)
+        rest = right - np.einsum("nij,nj->ni", matrix, start)
+        scale = np.abs(matrix[..., free]).max(axis=(-2, -1), keepdims=True)
+        found, _ = _least_squares(matrix[..., free] / scale, rest / scale[..., 0])
+        start[:, free] = found
+        missed = np.einsum("nij,nj->ni", matrix, start) - right
+        reached = np.einsum("npj,nj->np", rates[..., 1:], start) + rates[..., 0]
+        error = np.abs(missed).max(axis=-1) * np.where((reached > 0).all(axis=-1), 1, 1e3)
+        better = error < least
+        best[better], least[better] = start[better], error[better]
+    return best
 
 
 def _least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -267,11 +370,12 @@ def _least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _residuals(
-    cycle: Cycle, flat: np.ndarray, now: Passage, size_of: np.ndarray
+    cycle: Cycle, flat: np.ndarray, now: Passage, size_of: np.ndarray, waits: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Largest absolute value of closure and switching, and in units of what cancels."""
     rows = np.moveaxis(numbers_in(cycle.structure, flat).rows[:, list(cycle.rows)], 1, 0)
-    terms = np.abs(rows[..., :-1] * now.ends).sum(axis=-1) + np.abs(rows[..., -1])
+    reach = np.maximum(np.abs(now.ends), np.abs(now.fields * waits[..., None]))
+    terms = (np.abs(rows[..., :-1]) * reach).sum(axis=-1) + np.abs(rows[..., -1])
     gaps = np.abs(now.gaps)
     closure = np.abs(now.starts[-1] - now.starts[0])
     absolute = np.maximum(gaps.max(axis=0), closure.max(axis=-1))

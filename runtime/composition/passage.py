@@ -10,7 +10,7 @@ axes, one point each.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeVar
@@ -18,7 +18,9 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure, TransitionShape
+from nonsmooth.runtime.simulation.exponential import exponential
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.structure import Structure, TransitionShape
 
 __all__ = [
     "Cycle",
@@ -62,9 +64,14 @@ class Cycle:
 
     @cached_property
     def packed(self) -> np.ndarray:
-        """What the compiled engine reads: configurations, rows, resets."""
+        """What the compiled engine reads: configurations, rows, resets; pairs of forcing states."""
         resets = [t.reset for t in self.transitions]
-        return np.array([*self.configurations, *self.rows, *resets], dtype=np.int32)
+        pairs = [state for pair in self.structure.forcing for state in pair]
+        return np.array([*self.configurations, *self.rows, *resets, *pairs], dtype=np.int32)
+
+    def at(self, structure: Structure) -> Cycle:
+        """The same cycle with the modes of a parameter point."""
+        return replace(self, structure=structure)
 
     def rotated(self, first: int) -> Cycle:
         """The same cycle from another of its phases."""
@@ -72,12 +79,12 @@ class Cycle:
         def turned(part: tuple[_T, ...]) -> tuple[_T, ...]:
             return part[first:] + part[:first]
 
-        return Cycle(
-            self.structure,
-            turned(self.itinerary),
-            turned(self.configurations),
-            turned(self.boundaries),
-            turned(self.transitions),
+        return replace(
+            self,
+            itinerary=turned(self.itinerary),
+            configurations=turned(self.configurations),
+            boundaries=turned(self.boundaries),
+            transitions=turned(self.transitions),
         )
 
     def __len__(self) -> int:
@@ -157,13 +164,13 @@ class Numbers(NamedTuple):
 
 
 def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = None) -> Numbers:
-    """Numbers of one point, or those that `numbers_at` gives flat, for its structure."""
+    """Numbers of one point, or those that `numbers_at` gives flat, for their structure."""
     if isinstance(system, PiecewiseLinear):
         return Numbers(system.fields, system.rows, system.resets, system.exponents, system.flows)
     if flat is None:
         raise InputError("a structure alone has no numbers")
     size, lead = len(system.states), flat.shape[:-1]
-    counts = [len(modes) for modes in system.modes]
+    counts = [len(modes) for modes in system.shapes]
     shapes = [
         (len(counts), size, size + 1),
         (system.rows, size + 1),
@@ -182,7 +189,12 @@ def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = No
 
 
 def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: Any, lib: Any) -> Any:
-    """Flow of a configuration (..., N, N + 1) at times (...): matrix, then constant."""
+    """Flow of a configuration (..., N, N + 1) at times (...): matrix, then constant.
+
+    Where a structure has no modes it is the exponential of the field, at one mpmath time.
+    """
+    if structure.modes is None:
+        return exponential(numbers.fields[configuration], np.asarray(time).item(), lib)
     functions: list[Any] = []
     exponents = numbers.exponents[configuration]
     for place, mode in enumerate(structure.modes[configuration]):

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.arithmetic import Mpmath
-from nonsmooth.runtime.composition.newton import equations, sizes
+from nonsmooth.runtime.composition.newton import equations, sizes, with_forcing
 from nonsmooth.runtime.composition.passage import Cycle, numbers_in, pass_through
 from nonsmooth.runtime.errors import NoConvergence
 from nonsmooth.runtime.kernels import SystemKernels
@@ -64,11 +64,13 @@ def refine_cycle(
     steps = [*_precisions(wanted), 2 * wanted]
     for count, precision in enumerate(steps, 1):
         with lib.working(precision + _MARGIN):
-            numbers = numbers_in(piecewise_in(kernels, parameters, lib))
+            system = piecewise_in(kernels, parameters, lib)
+            numbers, cycle = numbers_in(system), cycle.at(system.structure)
             now = pass_through(cycle, numbers, times, state, lib.mp)
             size_of = sizes(now, times)
             total = None if period is None else lib.number(period)
             matrix, right = equations(now, times, size_of, total)
+            matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, lib)
             try:
                 # more equations than unknowns are solved in the sense of least squares
                 found = lib.mp.lu_solve(

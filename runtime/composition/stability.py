@@ -22,9 +22,11 @@ __all__ = [
     "ComposedStability",
     "assess",
     "local_maps",
+    "mechanical_states",
     "saltations",
     "section_dimension",
     "smallest_section",
+    "stroboscopic_maps",
 ]
 
 _RANK = 1e-9  # relative length below which a direction is none
@@ -88,6 +90,49 @@ def saltations(cycle: Cycle, numbers: Numbers, now: Passage) -> Any:
     return np.array(found)
 
 
+def mechanical_states(cycle: Cycle) -> list[int] | None:
+    """States that are no forcing's, where there is a forcing.
+
+    A forced motion is periodic in time: its Poincare map is the stroboscopic one, at a fixed
+    phase of the forcing.
+    """
+    forcing = cycle.structure.forcing
+    if not forcing:
+        return None
+    own = {state for pair in forcing for state in pair}
+    return [k for k in range(len(cycle.structure.states)) if k not in own]
+
+
+def _timed_maps(cycle: Cycle, numbers: Numbers, now: Passage, states: list[int]) -> list[Any]:
+    """Derivatives of each phase's start by that of the phase before it, at fixed times."""
+    size = now.starts.shape[-1]
+    jumps = saltations(cycle, numbers, now)
+    found = [jump @ flow[:, :size] for jump, flow in zip(jumps, now.flows, strict=True)]
+    return [matrix[np.ix_(states, states)] for matrix in found]
+
+
+def stroboscopic_maps(
+    cycle: Cycle, fields: np.ndarray, starts: np.ndarray, maps: np.ndarray, states: list[int]
+) -> np.ndarray:
+    """Stroboscopic maps (n, k, k) of forced motions from those on the section (n, N, N).
+
+    The change of the period is what turns the forcing.
+
+    Parameters
+    ----------
+    fields : array (n, N, N + 1)
+        Of the first configuration.
+    starts : array (n, N)
+    """
+    (cosine, sine), *_ = cycle.structure.forcing
+    velocity = np.einsum("nij,nj->ni", fields[..., :-1], starts) + fields[..., -1]
+    turn = velocity[:, [cosine, sine]]
+    turned = np.einsum("ni,nij->nj", turn, maps[:, [cosine, sine]])
+    rate = -turned / (turn * turn).sum(axis=-1, keepdims=True)
+    whole = maps + velocity[:, :, None] * rate[:, None, :]
+    return np.asarray(whole[:, states][:, :, states])
+
+
 def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
     """Basis (N, k) of what is left of all directions at the start of each phase.
 
@@ -122,18 +167,15 @@ def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
 def section_dimension(cycle: Cycle, numbers: Numbers, size_of: Any, lib: Any) -> int:
     """Dimension of the section where the first phase starts.
 
-    It is the reset's image of where the last phase's boundary is reached, with the velocities
-    of held positions as they are.
+    It is the reset's image of where the last phase's boundary is reached, and its constraints
+    hold.
     """
-    structure, size = cycle.structure, len(size_of)
-    held = {x + size // 2 for x in structure.held[cycle.configurations[-1]]}
-    free = [k for k in range(size) if k not in held]
-    normal = numbers.rows[cycle.rows[-1], :size] * size_of
-    reached = np.eye(size, dtype=normal.dtype)[:, free]
-    part = normal[free]
-    length = part @ part
-    if length > 0:
-        reached = reached - np.outer(reached @ part, part / length)
+    size = len(size_of)
+    kept = [*cycle.structure.constraints[cycle.configurations[-1]], cycle.rows[-1]]
+    normals = (numbers.rows[kept, :size] * size_of).T
+    across = _orthonormal(normals, lib)
+    reached = np.eye(size, dtype=normals.dtype)
+    reached = _orthonormal(reached - across @ across.T, lib)
     reset = numbers.resets[cycle.transitions[-1].reset, :, :size]
     return int(_orthonormal(_scaled(reset, size_of) @ reached, lib).shape[1])
 
@@ -177,10 +219,17 @@ def assess(
     error : number
         Error of the multipliers.
     """
-    size_of, maps = sizes(now, dwell), local_maps(cycle, numbers, now)
+    size_of = sizes(now, dwell)
+    driven = mechanical_states(cycle)
+    if driven is None:
+        maps = local_maps(cycle, numbers, now)
+        dimension = section_dimension(cycle, numbers, size_of, lib)
+    else:
+        maps, size_of = _timed_maps(cycle, numbers, now, driven), size_of[driven]
+        dimension = len(driven)
     bases = _remaining(maps, size_of, lib)
     rank = bases[0].shape[1]
-    dimension = max(rank, section_dimension(cycle, numbers, size_of, lib))
+    dimension = max(rank, dimension)
     matrix = np.eye(rank, dtype=maps[0].dtype)
     for local, before, after in zip(maps, bases, [*bases[1:], bases[0]], strict=True):
         matrix = after.T @ _scaled(local, size_of) @ before @ matrix

@@ -167,7 +167,7 @@ INLINED void pass(int n, const cycle *c, const point *at, const double *dwell, d
             velocity[j] = sum;
             speed += row[j] * sum;
             gap += row[j] * state;
-            scale += fabs(row[j] * state);
+            scale += fabs(row[j]) * larger(fabs(state), fabs(sum * dwell[i]));
             for (int k = 0; k < columns; ++k)
                 rate[k] -= row[j] * ends[j * w + k];
             result->size[j] = larger(result->size[j], larger(fabs(state), fabs(sum * dwell[i])));
@@ -221,7 +221,19 @@ INLINED double step_of(int n, const cycle *c, const double *start, double missin
             equation[k] *= now->size[k] / total;
         room->right[n] = right / total;
     }
-    return least_squares(timed ? n + 1 : n, n, room->matrix, room->right, step);
+    int equations = timed ? n + 1 : n;
+    if (c->forcing) {
+        double *equation = room->matrix + equations * n, right = 0.5;
+        for (int k = 0; k < n; ++k)
+            equation[k] = 0.0;
+        for (int k = 0; k < 2; ++k) {
+            const int state = c->forcing[k];
+            equation[state] = start[state] * now->size[state];
+            right -= 0.5 * start[state] * start[state];
+        }
+        room->right[equations++] = right;
+    }
+    return least_squares(equations, n, room->matrix, room->right, step);
 }
 
 INLINED composed solve(int n, const layout *l, const cycle *c, const double *numbers,

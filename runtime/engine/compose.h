@@ -12,6 +12,7 @@
 typedef struct {
     int phases;
     const int32_t *configuration, *row, *reset;
+    const int32_t *forcing; /* states c and s with c^2 + s^2 = 1, or NULL */
 } cycle;
 
 /* The numbers of nonsmooth.runtime.newton. */

@@ -16,12 +16,17 @@ static const char FORMATS[BUFFERS] = {'i', 'i', 'd', 'd', 'd', 'd', 'd', 'd', 'i
 static int read_cycle(const Py_buffer *view, const layout *l, cycle *result)
 {
     const Py_ssize_t count = view->len / (Py_ssize_t)sizeof(int32_t), phases = count / 3;
-    if (phases < 1 || phases > MOST_PHASES || 3 * phases != count) {
+    const int forced = count % 3 == 2;
+    if (phases < 1 || phases > MOST_PHASES || 3 * phases + 2 * forced != count) {
         PyErr_SetString(PyExc_ValueError, "cycle: wrong type or size of array");
         return -1;
     }
-    const int32_t *all = view->buf;
-    *result = (cycle){(int)phases, all, all + phases, all + 2 * phases};
+    const int32_t *all = view->buf, *last = all + 3 * phases;
+    if (forced && (last[0] < 0 || last[0] >= l->states || last[1] < 0 || last[1] >= l->states)) {
+        PyErr_SetString(PyExc_ValueError, "cycle: not of this layout");
+        return -1;
+    }
+    *result = (cycle){(int)phases, all, all + phases, all + 2 * phases, forced ? last : NULL};
     for (Py_ssize_t i = 0; i < phases; ++i) {
         const int32_t c = result->configuration[i], row = result->row[i], reset = result->reset[i];
         if (c < 0 || c >= l->configurations || row < 0 || row >= l->rows || reset < 0 ||

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from nonsmooth.runtime.simulation.piecewise import Structure
 from nonsmooth.runtime.simulation.simulate import Trajectories
+from nonsmooth.runtime.simulation.structure import Structure
 
 __all__ = [
     "Candidate",

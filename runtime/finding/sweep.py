@@ -11,9 +11,9 @@ import numpy as np
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.finding.find import UNCLASSIFIED, Found, labels_of
 from nonsmooth.runtime.kernels import SystemKernels, load_system
-from nonsmooth.runtime.simulation.piecewise import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
+from nonsmooth.runtime.simulation.structure import structure_of
 
 __all__ = ["Basins", "Sweep", "basins", "sweep"]
 

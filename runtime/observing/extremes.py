@@ -188,7 +188,7 @@ def _upper(
 
 def _derivative(system: PiecewiseLinear, configuration: int) -> np.ndarray:
     """Matrix (functions, functions) that gives the derivatives of the functions of time."""
-    modes = system.structure.modes[configuration]
+    modes = system.structure.shapes[configuration]
     size = system.structure.functions[configuration]
     matrix = np.zeros((size, size))
     for mode, (rate, frequency) in zip(modes, system.exponents[configuration], strict=True):
@@ -206,7 +206,7 @@ def _derivative(system: PiecewiseLinear, configuration: int) -> np.ndarray:
 def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
     """Bounds (n, functions) of the functions' absolute values on panels."""
     columns = []
-    modes = system.structure.modes[found.configuration]
+    modes = system.structure.shapes[found.configuration]
     exponents = system.exponents[found.configuration]
     for mode, (rate, _) in zip(modes, exponents, strict=True):
         growth = np.exp(np.maximum(rate * found.left, rate * found.right))

@@ -16,7 +16,8 @@ import numpy as np
 from nonsmooth.runtime.errors import unknown_name
 from nonsmooth.runtime.observing.extremes import Extreme, extremes
 from nonsmooth.runtime.observing.phases import Phases, panels, phases_of, values_at
-from nonsmooth.runtime.simulation.piecewise import ContactShape, PiecewiseLinear, Structure
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.structure import ContactShape, Structure
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["ContactObservables", "Observables", "observe"]

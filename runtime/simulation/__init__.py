@@ -1,7 +1,10 @@
 """Exact simulation from event to event.
 
 ===============  ==============================================================
+`structure`      a system apart from its parameters
 `piecewise`      a system at a parameter point: rows, fields, flows, resets
+`modes`          flows that have no closed form, from eigenvalues and their clusters
+`exponential`    the same to any number of digits
 `flows`          states inside a configuration, many at once
 `starting`       a start by names, and the configuration that it belongs to
 `run`            what an engine gives, and why it ended

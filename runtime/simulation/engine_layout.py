@@ -11,7 +11,8 @@ from itertools import chain
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.structure import Structure
 
 __all__ = ["layout_of", "numbers_of"]
 
@@ -31,12 +32,12 @@ def layout_of(structure: Structure) -> np.ndarray:
     for what, largest, most in (
         ("states", len(structure.states), MOST_STATES),
         ("boundaries of a configuration", _largest(structure.boundaries), MOST_BOUNDARIES),
-        ("modes of a configuration", _largest(structure.modes), MOST_MODES),
+        ("modes of a configuration", _largest(structure.shapes), MOST_MODES),
         ("functions of a configuration", max(structure.functions), MOST_FUNCTIONS),
     ):
         if largest > most:
             raise InputError(f"{structure.name} has {largest} {what}; the engine takes {most}")
-    modes = list(chain(*structure.modes))
+    modes = list(chain(*structure.shapes))
     boundaries = list(chain(*structure.boundaries))
     transitions = list(chain(*structure.transitions))
     conditions = [condition for t in transitions for condition in t.conditions]
@@ -55,7 +56,7 @@ def layout_of(structure: Structure) -> np.ndarray:
     ]
     parts = [
         header,
-        _starts(structure.modes),
+        _starts(structure.shapes),
         [mode.length for mode in modes],
         [int(mode.oscillates) for mode in modes],
         np.cumsum([0, *structure.functions]).tolist(),

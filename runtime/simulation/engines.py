@@ -16,8 +16,9 @@ from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import backend
 from nonsmooth.runtime.simulation.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.run import Grazing, Run, Status
+from nonsmooth.runtime.simulation.structure import Structure
 
 __all__ = ["Ends", "compiled_engine", "no_ends", "run_compiled", "run_motions", "store_end"]
 

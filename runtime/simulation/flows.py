@@ -12,7 +12,7 @@ __all__ = ["flow_states", "functions_of"]
 def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
     """Functions of time of a configuration: an array (n,) of times gives (n, functions)."""
     columns = []
-    modes = system.structure.modes[configuration]
+    modes = system.structure.shapes[configuration]
     for mode, (rate, frequency) in zip(modes, system.exponents[configuration], strict=True):
         growth = np.exp(rate * times) if rate else np.ones_like(times)
         parts = [growth * np.cos(frequency * times)] if mode.oscillates else [growth]

@@ -1,8 +1,8 @@
 """A system at a parameter point: affine rows, fields, flows and resets, in any arithmetic.
 
-`structure_of` reads what does not depend on parameters; `piecewise` adds the numbers of one
-point, `numbers_at` those of many points in double precision, `piecewise_in` those of one point
-in another arithmetic. Coordinates are physical: positions, then velocities.
+`piecewise` gives the numbers of one point, `numbers_at` those of many points in double
+precision, `piecewise_in` those of one point in another arithmetic. Coordinates are the
+system's own: positions, then velocities, for motions of second order.
 """
 
 from __future__ import annotations
@@ -10,138 +10,36 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache, cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.parameters import in_domains, value_of
+from nonsmooth.runtime.simulation.modes import NumericModes, numeric_modes
+from nonsmooth.runtime.simulation.structure import Modes, Structure, mode_shapes, structure_of
 from nonsmooth.runtime.values import Value, as_value
 
 __all__ = [
-    "BoundaryShape",
-    "ContactShape",
-    "ModeShape",
     "PiecewiseLinear",
-    "Structure",
-    "TransitionShape",
+    "PointGroup",
     "numbers_at",
     "parameter_points",
     "piecewise",
     "piecewise_at",
     "piecewise_in",
-    "structure_of",
     "system_parameters",
 ]
-
-
-@dataclass(frozen=True)
-class ModeShape:
-    """Functions of time with one exponent: t^k e^(st) cos(wt), and sines where it oscillates.
-
-    `places` are the functions' places among those of the configuration: for each power k the
-    cosine's, then the sine's if there is one.
-    """
-
-    length: int
-    oscillates: bool
-    places: tuple[int, ...]
-
-
-@dataclass(frozen=True)
-class BoundaryShape:
-    """A boundary of a configuration: its name, its row, and whether reaching it is enough."""
-
-    name: str
-    row: int
-    reached: bool
-
-
-@dataclass(frozen=True)
-class TransitionShape:
-    """What follows when exactly these boundaries are reached at one instant.
-
-    Attributes
-    ----------
-    boundaries : frozenset of int
-        Indices among the boundaries of the source.
-    conditions : tuple of (row, configuration, bool)
-        The first nonzero derivative of the row along the configuration's flow is positive,
-        or not.
-    reset, target : int
-    """
-
-    boundaries: frozenset[int]
-    conditions: tuple[tuple[int, int, bool], ...]
-    reset: int
-    target: int
-
-
-@dataclass(frozen=True)
-class ContactShape:
-    """Where the surroundings act: rows of force by configuration, of velocity, of the surface."""
-
-    name: str
-    forces: Mapping[int, int]
-    velocity: int
-    surface: int
-
-
-@dataclass(frozen=True, eq=False)
-class Structure:
-    """What a system is apart from its parameters; configurations and states by index.
-
-    Attributes
-    ----------
-    name : str
-    states, configurations : tuple of str
-    modes : for each configuration its modes
-    held : for each configuration the positions that keep their velocity
-    constraints : for each configuration the rows that vanish in it
-    boundaries, transitions : for each configuration
-    contacts : tuple of ContactShape
-    rows, resets : int
-        How many there are.
-    """
-
-    name: str
-    states: tuple[str, ...]
-    configurations: tuple[str, ...]
-    modes: tuple[tuple[ModeShape, ...], ...]
-    held: tuple[tuple[int, ...], ...]
-    constraints: tuple[tuple[int, ...], ...]
-    boundaries: tuple[tuple[BoundaryShape, ...], ...]
-    transitions: tuple[tuple[TransitionShape, ...], ...]
-    contacts: tuple[ContactShape, ...]
-    rows: int
-    resets: int
-
-    def configuration(self, name: str) -> int:
-        """Index of a configuration; InputError if there is none of that name."""
-        if name not in self.configurations:
-            raise unknown_name("configuration", str(name), self.configurations)
-        return self.configurations.index(name)
-
-    def boundary(self, configuration: int, name: str) -> int:
-        """Index of a boundary of a configuration; InputError if it has none of that name."""
-        names = [b.name for b in self.boundaries[configuration]]
-        if name not in names:
-            where = self.configurations[configuration]
-            raise unknown_name(f"boundary of {where}", name, names)
-        return names.index(name)
-
-    @cached_property
-    def functions(self) -> tuple[int, ...]:
-        """Number of functions of time of each configuration."""
-        return tuple(sum(len(mode.places) for mode in modes) for modes in self.modes)
 
 
 @dataclass(frozen=True, eq=False)
 class PiecewiseLinear:
     """A system at one parameter point, in one arithmetic: entries are its numbers.
+
+    In other arithmetics than double precision a system whose flows have no closed form has
+    neither modes, exponents nor flows: its flow is the exponential of the field.
 
     Attributes
     ----------
@@ -165,80 +63,6 @@ class PiecewiseLinear:
     resets: np.ndarray
     exponents: tuple[np.ndarray, ...]
     flows: tuple[np.ndarray, ...]
-
-
-def structure_of(system: str | SystemKernels) -> Structure:
-    """Structure of a generated system.
-
-    Raises
-    ------
-    InputError
-        For an unknown name, or a system whose flows have no closed form of modes.
-    """
-    kernels = load_system(system) if isinstance(system, str) else system
-    return _structure(kernels)
-
-
-@cache
-def _structure(kernels: SystemKernels) -> Structure:
-    table = kernels.table
-    configurations = tuple(table["configurations"])
-    states = tuple(table["states"])
-    if table["modes"] is None:
-        raise InputError(f"{kernels.name} has configurations without modes in closed form")
-    boundaries = tuple(
-        tuple(
-            BoundaryShape(b["name"], row, b["acts_when"] == "reached")
-            for b, row in zip(found, table["boundary_rows"][name], strict=True)
-        )
-        for name, found in table["configurations"].items()
-    )
-    transitions: list[list[TransitionShape]] = [[] for _ in configurations]
-    for entry in table["transitions"]:
-        source = configurations.index(entry["source"])
-        names = [b.name for b in boundaries[source]]
-        transitions[source].append(
-            TransitionShape(
-                frozenset(names.index(name) for name in entry["boundaries"]),
-                tuple(
-                    (row, configurations.index(along), holds)
-                    for row, along, holds in entry["conditions"]
-                ),
-                entry["reset"],
-                configurations.index(entry["target"]),
-            )
-        )
-    return Structure(
-        table["name"],
-        states,
-        configurations,
-        tuple(_modes(table["modes"][name]) for name in configurations),
-        tuple(tuple(states.index(x) for x in table["held"][name]) for name in configurations),
-        tuple(tuple(table["constraint_rows"][name]) for name in configurations),
-        boundaries,
-        tuple(map(tuple, transitions)),
-        tuple(
-            ContactShape(
-                name,
-                {configurations.index(c): row for c, row in found["forces"].items()},
-                found["velocity"],
-                found["surface"],
-            )
-            for name, found in table["contacts"].items()
-        ),
-        kernels.module.KERNELS["rows"][1][0][0],
-        kernels.module.KERNELS["resets"][1][0][0] // len(states),
-    )
-
-
-def _modes(entries: Sequence[Mapping[str, Any]]) -> tuple[ModeShape, ...]:
-    shapes, first = [], 0
-    for entry in entries:
-        count = entry["length"] * (2 if entry["oscillates"] else 1)
-        places = tuple(range(first, first + count))
-        shapes.append(ModeShape(entry["length"], entry["oscillates"], places))
-        first += count
-    return tuple(shapes)
 
 
 def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
@@ -288,15 +112,22 @@ def piecewise(system: str | SystemKernels, parameters: Mapping[str, object]) -> 
 def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
     """A system at a checked parameter point (p,), in double precision."""
     values = {p.name: as_value(x) for p, x in zip(kernels.parameters, point.tolist(), strict=True)}
-    fields, rows, resets, exponents, flows = _evaluated(kernels, point[None])
-    return _record(
-        structure_of(kernels),
+    fields, rows, resets = (part[0] for part in _evaluated(kernels, point[None]))
+    structure = structure_of(kernels)
+    if structure.modes is not None:
+        exponents, flows = (part[0] for part in _closed_modes(kernels, point[None]))
+        return _record(structure, values, fields, rows, resets, exponents, flows)
+    found = _numeric(structure, fields)
+    structure = structure.with_modes(tuple(modes.shapes for modes in found))
+    size = len(structure.states)
+    return PiecewiseLinear(
+        structure,
         values,
-        fields[0],
-        rows[0],
-        resets[0],
-        list(exponents[0]),
-        list(flows[0]),
+        fields.reshape(-1, size, size + 1),
+        rows,
+        resets.reshape(-1, size, size + 1),
+        tuple(modes.exponents for modes in found),
+        tuple(modes.flows for modes in found),
     )
 
 
@@ -337,10 +168,63 @@ def parameter_points(
     return points, joined[0].shape
 
 
-def numbers_at(kernels: SystemKernels, points: np.ndarray) -> np.ndarray:
-    """Fields, rows, resets, exponents and flows at points (n, p), flat: (n, size)."""
+class PointGroup(NamedTuple):
+    """Numbers of parameter points whose configurations have the same modes.
+
+    Attributes
+    ----------
+    structure : Structure
+        With these modes.
+    places : array (k,) of int
+        Which of the points they are.
+    flat : array (k, size)
+        Fields, rows, resets, exponents and flows, one after the other.
+    """
+
+    structure: Structure
+    places: np.ndarray
+    flat: np.ndarray
+
+
+def numbers_at(kernels: SystemKernels, points: np.ndarray) -> list[PointGroup]:
+    """Numbers at points (n, p), grouped by their modes: one group for flows in closed form."""
+    structure, count = structure_of(kernels), len(points)
     parts = _evaluated(kernels, points)
-    return np.concatenate([p.reshape(len(points), p.shape[1] * p.shape[2]) for p in parts], axis=1)
+    if structure.modes is not None:
+        parts = (*parts, *_closed_modes(kernels, points))
+        return [PointGroup(structure, np.arange(count), _flat(parts))]
+    groups: dict[Modes, list[tuple[int, np.ndarray]]] = {}
+    for place in range(count):
+        try:
+            found = _numeric(structure, parts[0][place])
+        except InputError:  # no numbers, or eigenvalues that cannot be told from each other
+            modes = (mode_shapes([(1, False)]),) * len(structure.configurations)
+            size = len(structure.states) * (len(structure.states) + 1)
+            numbers = np.full((2 + size) * len(modes), np.nan)
+        else:
+            modes = tuple(each.shapes for each in found)
+            arrays = [*(m.exponents for m in found), *(m.flows for m in found)]
+            numbers = np.concatenate([array.ravel() for array in arrays])
+        groups.setdefault(modes, []).append((place, numbers))
+    known = _flat(parts)
+    result: list[PointGroup] = []
+    for modes, members in groups.items():
+        places = np.array([place for place, _ in members])
+        flat = np.concatenate([known[places], np.stack([n for _, n in members])], axis=1)
+        result.append(PointGroup(structure.with_modes(modes), places, flat))
+    return result
+
+
+def _flat(parts: Iterable[np.ndarray]) -> np.ndarray:
+    return np.concatenate([p.reshape(len(p), p.shape[1] * p.shape[2]) for p in parts], axis=1)
+
+
+def _numeric(structure: Structure, fields: np.ndarray) -> list[NumericModes]:
+    """Modes of each configuration from stacked fields (configurations N, N + 1)."""
+    size = len(structure.states)
+    if not np.isfinite(fields).all():
+        raise InputError(f"the vector fields of {structure.name} are not finite")
+    return [numeric_modes(field) for field in fields.reshape(-1, size, size + 1)]
 
 
 def piecewise_in(
@@ -360,17 +244,20 @@ def piecewise_in(
     values = system_parameters(kernels, parameters)
     numbers = {name: lib.number(value) for name, value in values.items()}
     point = list(numbers.values())
+    fields, rows, resets = (
+        _objects(kernels.source(kernel)(point, lib=lib)) for kernel in ("fields", "rows", "resets")
+    )
+    if structure.modes is None:
+        size = len(structure.states)
+        fields, resets = (part.reshape(-1, size, size + 1) for part in (fields, resets))
+        return PiecewiseLinear(structure, values, fields, rows, resets, (), ())
     spectrum, _ = kernels.source("spectrum")(
         [numbers[name] for name in kernels.table["spectrum_parameters"]], lib=lib
     )
-    parts = [
-        _objects(kernels.source(kernel)(point, lib=lib)) for kernel in ("fields", "rows", "resets")
-    ]
     exponents, flows = (
         _objects(part) for part in kernels.source("modes")(point, spectrum, lib=lib)
     )
-    fields, rows, resets = parts
-    return _record(structure, values, fields, rows, resets, list(exponents), list(flows))
+    return _record(structure, values, fields, rows, resets, exponents, flows)
 
 
 def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
@@ -384,13 +271,17 @@ def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
 
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Fields, rows, resets, exponents, flows at points (n, p), each (n, rows, columns)."""
+    """Fields, rows and resets at points (n, p), each (n, rows, columns)."""
+    return tuple(kernels.evaluate(kernel, points) for kernel in ("fields", "rows", "resets"))
+
+
+def _closed_modes(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Exponents (n, modes, 2) and flows (n, rows, N + 1) in closed form."""
     names = [p.name for p in kernels.parameters]
     places = [names.index(name) for name in kernels.table["spectrum_parameters"]]
     spectrum, _ = kernels.evaluate("spectrum", points[:, places])
     exponents, flows = kernels.evaluate("modes", points, spectrum)
-    parts = [kernels.evaluate(kernel, points) for kernel in ("fields", "rows", "resets")]
-    return (*parts, exponents, flows)
+    return exponents, flows
 
 
 def _objects(rows: Sequence[Sequence[Any]]) -> np.ndarray:
@@ -406,12 +297,12 @@ def _record(
     fields: np.ndarray,
     rows: np.ndarray,
     resets: np.ndarray,
-    exponents: list[Any],
-    flows: list[Any],
+    exponents: np.ndarray,
+    flows: np.ndarray,
 ) -> PiecewiseLinear:
     """Cut stacked arrays into configurations."""
     size = len(structure.states)
-    counts = [len(modes) for modes in structure.modes]
+    counts = [len(modes) for modes in structure.shapes]
     ends = np.cumsum([0, *counts])
     stops = np.cumsum([0, *structure.functions]) * size
     return PiecewiseLinear(
@@ -420,6 +311,6 @@ def _record(
         fields.reshape(-1, size, size + 1),
         rows,
         resets.reshape(-1, size, size + 1),
-        tuple(np.array(exponents[a:b]) for a, b in pairwise(ends)),
-        tuple(np.array(flows[a:b]).reshape(-1, size, size + 1) for a, b in pairwise(stops)),
+        tuple(exponents[a:b].copy() for a, b in pairwise(ends)),
+        tuple(flows[a:b].copy().reshape(-1, size, size + 1) for a, b in pairwise(stops)),
     )

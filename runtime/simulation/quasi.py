@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 __all__ = ["TINY", "UNIT", "Coefficients", "Jet", "QuasiPolynomial", "wave"]
@@ -95,6 +95,16 @@ class QuasiPolynomial:
                 for s, x in zip(self.sizes, self.exponents, strict=True)
             ),
         )
+
+    def raised(self, by: float) -> QuasiPolynomial:
+        """The function g + a constant."""
+        if 0 not in self.exponents:
+            polynomials = ((by + 0j,), *self.polynomials)
+            return QuasiPolynomial((0j, *self.exponents), polynomials, ((0.0,), *self.sizes))
+        place = self.exponents.index(0)
+        head, *rest = self.polynomials[place]
+        before, after = self.polynomials[:place], self.polynomials[place + 1 :]
+        return replace(self, polynomials=(*before, (head + by, *rest), *after))
 
     @cached_property
     def fastest(self) -> float:

@@ -12,8 +12,9 @@ from scipy.linalg import null_space, orth
 
 from nonsmooth.runtime.errors import InputError, NoConvergence
 from nonsmooth.runtime.kernels import SystemKernels
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, TransitionShape, piecewise
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.simulate import follow
+from nonsmooth.runtime.simulation.structure import TransitionShape
 
 __all__ = ["PoincareMap", "Return", "poincare_map"]
 

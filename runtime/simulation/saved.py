@@ -27,8 +27,9 @@ from nonsmooth.runtime.files import check_target, read_file, write_file
 from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.saved import given_value
 from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure, piecewise
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import Grazing, Run, Status
+from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["ENDINGS", "FORMAT", "VERSION", "load_trajectory", "save_trajectory"]

@@ -24,15 +24,15 @@ from nonsmooth.runtime.simulation.engines import (
 )
 from nonsmooth.runtime.simulation.piecewise import (
     PiecewiseLinear,
-    Structure,
+    PointGroup,
     numbers_at,
     parameter_points,
     piecewise,
     piecewise_at,
-    structure_of,
 )
 from nonsmooth.runtime.simulation.run import Run
 from nonsmooth.runtime.simulation.starting import configuration_of, configurations_of, start_state
+from nonsmooth.runtime.simulation.structure import Structure, structure_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
@@ -210,17 +210,21 @@ def simulate_many(
     def part(begin: int) -> Ends:
         here = slice(begin, begin + chunk)
         used, places = np.unique(which[here], return_inverse=True)
-        numbers = numbers_at(kernels, points[used])
-        fields, rows = _fields_and_rows(structure, numbers)
-        sound = np.isfinite(numbers).all(axis=1)[places]
-        if len(used) > 1:
-            fields, rows = fields[places], rows[places]
-        found = configurations_of(structure, fields, rows, flat[here], configurations)
-        found[~sound] = -1
-        return _follow_many(
-            engine, kernels, structure, points[used], numbers, places, flat[here], found,
-            until_each[here], most, kept,
-        )  # fmt: skip
+        states, limits = flat[here], until_each[here]
+        ends = no_ends(len(states), size, kept)
+        for group in numbers_at(kernels, points[used]):
+            row_of = np.full(len(used), -1)
+            row_of[group.places] = np.arange(len(group.places))
+            members = np.flatnonzero(row_of[places] >= 0)
+            rows_of = row_of[places[members]]
+            found = _configurations(group, rows_of, states[members], configurations)
+            sound = found >= 0
+            members = members[sound]
+            _follow_many(
+                engine, kernels, group, points[used[group.places]], rows_of[sound], members,
+                states, found[sound], limits, most, ends,
+            )  # fmt: skip
+        return ends
 
     begins = range(0, len(flat), chunk)
     with ThreadPoolExecutor(workers) as pool:
@@ -244,38 +248,53 @@ def simulate_many(
     )
 
 
+def _configurations(
+    group: PointGroup, rows_of: np.ndarray, states: np.ndarray, wanted: str | None
+) -> np.ndarray:
+    """Configuration of each start, by the numbers in its row; -1 where there is none."""
+    structure, numbers = group.structure, group.flat
+    size, count = len(structure.states), len(structure.configurations)
+    cut = count * size * (size + 1)
+    fields = numbers[:, :cut].reshape(-1, count, size, size + 1)
+    rows = numbers[:, cut : cut + structure.rows * (size + 1)]
+    rows = rows.reshape(-1, structure.rows, size + 1)
+    if len(numbers) > 1:
+        fields, rows = fields[rows_of], rows[rows_of]
+    found = configurations_of(structure, fields, rows, states, wanted)
+    found[~np.isfinite(numbers).all(axis=1)[rows_of]] = -1
+    return found
+
+
 def _follow_many(
     engine: ModuleType | None,
     kernels: SystemKernels,
-    structure: Structure,
+    group: PointGroup,
     points: np.ndarray,
-    numbers: np.ndarray,
-    places: np.ndarray,
+    rows_of: np.ndarray,
+    members: np.ndarray,
     states: np.ndarray,
     configurations: np.ndarray,
     until: np.ndarray,
     most: int | None,
-    kept: int,
-) -> Ends:
-    """Ends of motions of one chunk; a configuration of -1 is left out."""
-    ends = no_ends(len(states), states.shape[1], kept)
-    sound = np.flatnonzero(configurations >= 0)
+    ends: Ends,
+) -> None:
+    """Follow the motions `members` of a chunk, each by the numbers in its row of a group."""
     if engine is not None:
         found = run_motions(
-            engine, structure, numbers, places[sound], states[sound], configurations[sound],
-            until[sound], most, kept,
+            engine, group.structure, group.flat, rows_of, states[members], configurations,
+            until[members], most, ends.kept_times.shape[1],
         )  # fmt: skip
         for whole, piece in zip(ends, found, strict=True):
-            whole[sound] = piece
-        return ends
+            whole[members] = piece
+        return
     systems: dict[int, PiecewiseLinear] = {}
-    for i in sound.tolist():
-        place = int(places[i])
-        if place not in systems:
-            systems[place] = piecewise_at(kernels, points[place])
-        run = follow(systems[place], states[i], int(configurations[i]), float(until[i]), most)
-        store_end(ends, i, systems[place], run)
-    return ends
+    for i, row, configuration in zip(
+        members.tolist(), rows_of.tolist(), configurations, strict=True
+    ):
+        if row not in systems:
+            systems[row] = piecewise_at(kernels, points[row])
+        run = follow(systems[row], states[i], int(configuration), float(until[i]), most)
+        store_end(ends, i, systems[row], run)
 
 
 def _ordered(ends: Ends) -> Ends:
@@ -296,14 +315,6 @@ def _ordered(ends: Ends) -> Ends:
         kept_sets=turned(ends.kept_sets),
         kept_states=turned(ends.kept_states),
     )
-
-
-def _fields_and_rows(structure: Structure, numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    size, count = len(structure.states), len(structure.configurations)
-    cut = count * size * (size + 1)
-    fields = numbers[:, :cut].reshape(-1, count, size, size + 1)
-    rows = numbers[:, cut : cut + structure.rows * (size + 1)]
-    return fields, rows.reshape(-1, structure.rows, size + 1)
 
 
 def _real(label: str, given: Any) -> np.ndarray:

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.values import as_value
 
 __all__ = ["configuration_of", "configurations_of", "start_state"]

@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.simulation.crossing import ORDERS, Series, Start, first_crossing
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, TransitionShape
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.quasi import UNIT, QuasiPolynomial
 from nonsmooth.runtime.simulation.run import LARGEST_STATE, LONGEST_WAIT, Grazing, Run, Status
+from nonsmooth.runtime.simulation.structure import TransitionShape
 from nonsmooth.runtime.simulation.tables import (
     BoundaryTable,
     Clock,

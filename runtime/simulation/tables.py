@@ -63,7 +63,7 @@ class ConfigurationTable:
         shape, flow = system.structure, system.flows[index]
         self.modes = [
             (complex(*map(float, exponent)), mode)
-            for exponent, mode in zip(system.exponents[index], shape.modes[index], strict=True)
+            for exponent, mode in zip(system.exponents[index], shape.shapes[index], strict=True)
         ]
         self.fastest = max(abs(exponent) for exponent, _ in self.modes)
         self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)

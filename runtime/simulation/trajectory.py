@@ -13,8 +13,9 @@ import numpy as np
 
 from nonsmooth.runtime.errors import InputError, missing_extra
 from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, Structure
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.run import Grazing, Run, Status
+from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.values import Value
 
 __all__ = ["Trajectory"]

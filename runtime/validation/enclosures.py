@@ -16,12 +16,8 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.arithmetic import Balls
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, load_system
-from nonsmooth.runtime.simulation.piecewise import (
-    Structure,
-    piecewise_in,
-    structure_of,
-    system_parameters,
-)
+from nonsmooth.runtime.simulation.piecewise import piecewise_in, system_parameters
+from nonsmooth.runtime.simulation.structure import Structure, structure_of
 from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
@@ -238,7 +234,7 @@ class EnclosedSystem:
         """Functions t^k e^(st) cos(wt) and their sines, in the order of the places."""
         found: list[Any] = []
         for shape, (rate, frequency) in zip(
-            self.structure.modes[configuration], self.modes[configuration], strict=True
+            self.structure.shapes[configuration], self.modes[configuration], strict=True
         ):
             parts: list[Any] = [1 + 0 * time]
             if shape.oscillates:
@@ -256,7 +252,7 @@ class EnclosedSystem:
         """Coefficients of the derivative of a sum of the functions."""
         found = list(coefficients)
         for shape, (rate, frequency) in zip(
-            self.structure.modes[configuration], self.modes[configuration], strict=True
+            self.structure.shapes[configuration], self.modes[configuration], strict=True
         ):
             step = 2 if shape.oscillates else 1
             for k in range(shape.length):

@@ -149,7 +149,7 @@ class _Search:
         """
         system, (total, coefficients) = self.system, self.value
         total = total + 0 * self.time
-        shapes = system.structure.modes[self.configuration]
+        shapes = system.structure.shapes[self.configuration]
         for shape, (rate, frequency) in zip(shapes, system.modes[self.configuration], strict=True):
             pair = [coefficients[place] for place in shape.places]
             width = 2 if shape.oscillates else 1

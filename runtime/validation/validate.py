@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels
-from nonsmooth.runtime.simulation.piecewise import Structure
+from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.validation.enclosures import (
     EnclosedSystem,
     Facts,
