@@ -3,6 +3,7 @@
 import hashlib
 import json
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -156,12 +157,19 @@ def test_labels_are_where_the_starts_lead():
 def test_a_doubled_orbit_is_the_same_from_either_turn():
     turn = (("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward"))
 
-    def doubled(*dwell):
-        return Candidate(turn * 2, np.array(dwell), np.zeros(4), 0.0)
+    states = np.random.default_rng(2).normal(size=(4, 4))
+    orbit = SimpleNamespace(
+        itinerary=turn * 2, dwell_times=np.array([1, 2, 1.5, 2.5]), states=states
+    )
 
-    assert _same(doubled(1, 2, 1.5, 2.5), doubled(1.5, 2.5, 1, 2))
-    assert not _same(doubled(1, 2, 1.5, 2.5), doubled(2, 1.5, 2.5, 1))
-    assert not _same(doubled(1, 2, 1.5, 2.5), Candidate(turn, np.array([1, 2]), np.zeros(4), 0))
+    def doubled(*dwell, state=states[2]):
+        return Candidate(turn * 2, np.array(dwell), state, 0.0)
+
+    assert _same(orbit, doubled(1.5, 2.5, 1, 2))
+    assert _same(orbit, doubled(1, 2, 1.5, 2.5, state=states[0]))
+    assert not _same(orbit, doubled(1.5, 2.5, 1, 2, state=-states[2]))
+    assert not _same(orbit, doubled(2, 1.5, 2.5, 1))
+    assert not _same(orbit, Candidate(turn, np.array([1, 2]), states[0], 0))
 
 
 # --- seeds, boxes, engines

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from importlib import import_module
 
 import mpmath as mp
 import numpy as np
@@ -10,6 +11,8 @@ from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from nonsmooth.runtime.simulation import stepping
+from nonsmooth.runtime.simulation.engines import run_compiled
+from nonsmooth.runtime.simulation.modes import numeric_modes
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import LONGEST_WAIT, Status
 from nonsmooth.runtime.simulation.stepping import run
@@ -375,6 +378,33 @@ def test_what_never_comes_is_quiet_or_until():
     assert (motion.status, motion.end) == (Status.QUIET, 0.0)
     motion = run(below, (1.0, 0.0), 0, until=1e9)
     assert (motion.status, motion.end) == (Status.UNTIL, 1e9)
+
+
+@pytest.mark.parametrize("compiled", [pytest.param(True, marks=pytest.mark.compiled), False])
+def test_a_slow_coordinate_is_waited_for_beside_a_fast_one(compiled):
+    """Both turn undisturbed; the slow one, at 1/100 of the speed, grows to its boundary."""
+    slow, speed = 1e-2, 100.0
+    field = np.zeros((4, 5))
+    field[0, 2] = field[1, 3] = 1
+    field[2, 0], field[3, 1], field[3, 3] = -(speed**2), -(slow**2), 1e-3
+    found = numeric_modes(field)
+    structure = Structure(
+        "two speeds", ("x", "y", "v", "w"), ("free",), (found.shapes,), ((),), ((),),
+        ((BoundaryShape("far", 0, True),),), ((),), (), 1, 1,
+    )  # fmt: skip
+    row, identity = np.array([[0.0, 1, 0, 0, -1.1]]), np.eye(4, 5)[None]
+    system = PiecewiseLinear(
+        structure, {}, field[None], row, identity, (found.exponents,), (found.flows,)
+    )
+    state = np.array([1.0, 1.0, 0, 0])
+    if compiled:
+        motion = run_compiled(import_module("nonsmooth.runtime._engine"), system, state, 0)
+    else:
+        motion = run(system, state, 0)
+    assert motion.status is Status.UNDECLARED
+    assert motion.end > 1e5 / speed
+    arrived = expm(matrix(field) * motion.end) @ [*state, 1.0]
+    assert arrived[1] == pytest.approx(1.1, abs=1e-9)
 
 
 def test_a_long_wait_is_quiet_unless_a_time_is_asked_for(monkeypatch):

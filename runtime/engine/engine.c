@@ -11,7 +11,7 @@ static const double LONGEST_WAIT = 1e5 * (1.0 - 4.0 * DBL_EPSILON);
 static const double LARGEST_STATE = 1e150; /* its squares are finite */
 static const double RESOLUTION = 0x1p-104; /* of the clock: a shorter flight is none */
 static const double ZERO = 16.0 * DBL_EPSILON;
-enum { MOST_IMMEDIATE = 100 };
+enum { MOST_IMMEDIATE = 100, MOST_WINDOWS = 32 };
 
 /* A sum of times with its rounding errors. */
 typedef struct {
@@ -240,8 +240,10 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
     const layout *l = t->layout;
     phase p;
     crossing event;
-    double magnitude[MOST_STATES], before[MOST_STATES];
+    double magnitude[MOST_STATES], before[MOST_STATES], last[MOST_STATES];
     long_time now = {0.0, 0.0};
+    double waited = 0.0, last_time = 0.0; /* since the last transition, and its time */
+    int windows = 0;
     outcome result = {STATUS_TRANSITIONS, 0, 0, 0.0};
     int here = *configuration_index, immediate = 0;
     uint32_t located;
@@ -279,8 +281,18 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             keep_touches(r, &p, &event, now.high, here, &result);
             if (!event.found) {
                 if (isinf(until)) {
-                    result.status = STATUS_QUIET;
-                    break;
+                    if (windows == 0) {
+                        memcpy(last, state, (size_t)n * sizeof *state);
+                        last_time = now.high;
+                    }
+                    waited += window;
+                    if (!p.watched || waited * c->slowest >= LONGEST_WAIT * (1.0 - 1e-9) ||
+                        ++windows == MOST_WINDOWS || !(window < HUGE_VAL)) {
+                        memcpy(state, last, (size_t)n * sizeof *state);
+                        now = (long_time){last_time, 0.0};
+                        result.status = STATUS_QUIET;
+                        break;
+                    }
                 }
                 /* the phase goes on from here, or ends with the simulation */
                 const double step = window < left ? window : left;
@@ -321,6 +333,8 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                   magnitude);
         here = l->transition_target[chosen];
         p.start = event.time_error;
+        waited = 0.0;
+        windows = 0;
         keep(r, ++result.transitions, n, now.high, here, before, state, event.set);
     }
     result.end = now.high;

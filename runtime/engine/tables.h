@@ -40,7 +40,7 @@ typedef struct {
     int uniform;    /* derivatives are bounded by their amplitudes at every later time */
     int harmonic;   /* nothing but 1, t, cosines and sines */
     int polynomial; /* largest power of t where there is no other function, else -1 */
-    double fastest; /* largest |exponent| */
+    double fastest, slowest; /* largest |exponent|, smallest that is not zero */
     double cell;    /* length h of a search cell */
     const mode *mode;
     const double *flow;     /* [function][state][states + 1]: B_f, beta_f */

@@ -24,11 +24,13 @@ from nonsmooth.runtime.finding.recurrence import (
     near_returns,
     recurrent_lengths,
     scale_of,
+    sizes_of,
 )
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import Status
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
+from nonsmooth.runtime.simulation.starting import on_circles
 from nonsmooth.runtime.values import Value
 
 __all__ = [
@@ -180,7 +182,7 @@ def find_orbits(
         )
 
     progress(f"following {count} starts")
-    starts, motions = _legal_starts(follow, limits, count, seed, length)
+    starts, motions = _legal_starts(follow, point, limits, count, seed, length)
     attractors: list[ComposedOrbit] = []
     progress("solving the motions that recur")
     for candidate in _recurrent(motions):
@@ -237,6 +239,8 @@ def start_box(
     known = largest[largest > 0]
     largest[largest == 0] = known.mean() if known.size else 1.0
     limits = np.stack([-2 * largest, 2 * largest], axis=1)
+    forced = [state for pair in structure.forcing for state in pair]
+    limits[forced] = -1.0, 1.0  # of starts on a circle
     for name, bounds in (given or {}).items():
         if name not in structure.states:
             raise unknown_name("state", str(name), structure.states)
@@ -252,6 +256,7 @@ def start_box(
 
 def _legal_starts(
     follow: Callable[[np.ndarray, int, int], Trajectories],
+    point: PiecewiseLinear,
     limits: np.ndarray,
     count: int,
     seed: int,
@@ -262,6 +267,8 @@ def _legal_starts(
     legal = np.empty((0, len(limits)))
     for _ in range(20):
         drawn = rng.uniform(limits[:, 0], limits[:, 1], (count, len(limits)))
+        if point.structure.forcing:
+            drawn = on_circles(point, drawn, rng.uniform(0, 2 * np.pi, count))
         legal = np.concatenate([legal, drawn[follow(drawn, 1, 0).status >= 0]])
         if len(legal) >= count:
             break
@@ -327,8 +334,9 @@ def _converging(
         kept: list[np.ndarray] = []
         for i in np.flatnonzero(good).tolist():
             dwell = found.dwell_times[i]
-            if not any(np.allclose(dwell, known, rtol=_SAME, atol=_SAME) for known in kept):
-                kept.append(dwell)
+            cycle = np.concatenate([dwell, found.states[i, 0]])
+            if not any(np.allclose(cycle, known, rtol=_SAME, atol=_SAME) for known in kept):
+                kept.append(cycle)
                 yield Candidate(itinerary, dwell, found.states[i, 0], 0.0)
 
 
@@ -352,7 +360,10 @@ def _solved(
         if rest or orbit.itinerary != orbit.itinerary[:length] * turns:
             continue
         cycles = orbit.dwell_times.reshape(turns, length)
-        if np.allclose(cycles, cycles[0], rtol=1e-6, atol=1e-9):
+        states = orbit.states.reshape(turns, length, -1) / sizes_of(orbit.states)
+        if np.allclose(cycles, cycles[0], rtol=1e-6, atol=1e-9) and np.allclose(
+            states, states[0], rtol=0, atol=1e-6
+        ):
             part = replace(
                 candidate,
                 itinerary=orbit.itinerary[:length],
@@ -365,11 +376,13 @@ def _solved(
 
 def _same(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
     """Whether two cycles are the same; a doubled one begins at either of its turns."""
+    start = other.state if isinstance(other, Candidate) else other.states[0]
     return any(
         orbit.itinerary == other.itinerary[turn:] + other.itinerary[:turn]
         and np.allclose(
             orbit.dwell_times, np.roll(other.dwell_times, -turn), rtol=_SAME, atol=_SAME
         )
+        and (np.abs(orbit.states[-turn] - start) <= 10 * _SAME * sizes_of(orbit.states)).all()
         for turn in range(len(other.itinerary))
     )
 
@@ -393,7 +406,7 @@ def labels_of(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndar
     for index, orbit in enumerate(orbits):
         if orbit.stability.verdict != "stable":
             continue
-        scale = np.maximum(np.abs(orbit.states).max(axis=0), 1e-300)
+        scale = sizes_of(orbit.states)
         for phase, (name, _) in enumerate(orbit.itinerary):
             where = structure.configuration(name)
             before = orbit.cycle.configurations[phase - 1]

@@ -24,9 +24,12 @@ __all__ = [
     "phase_name",
     "recurrent_lengths",
     "scale_of",
+    "sizes_of",
 ]
 
 _EXAMPLES = 20  # of near returns by one cycle
+
+_LEAST = 1e-8  # size of a state in units of the largest
 
 Itinerary = tuple[tuple[str, str], ...]
 
@@ -129,8 +132,10 @@ def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[
     scale = scale_of(motions)
     # a phase as a number: its configuration, and the boundaries by which it is left
     phases = motions.last_configurations[:, :-1].astype(np.int64) << 32 | motions.last_sets[:, 1:]
+    integers = np.iinfo(np.int64)
+    factors = np.random.default_rng(0).integers(integers.min, integers.max, kept)
     found = []
-    for length in range(2, min(longest, kept - 1) + 1):
+    for length in range(1, min(longest, kept - 1) + 1):
         ahead, back = slice(length, None), slice(None, kept - length)
         same = motions.last_configurations[:, ahead] == motions.last_configurations[:, back]
         same &= motions.last_sets[:, ahead] == motions.last_sets[:, back]
@@ -141,7 +146,8 @@ def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[
         same &= miss <= tolerance
         places = np.argwhere(same)
         cycles = sliding_window_view(phases, length, axis=1)[*places.T]
-        _, groups = np.unique(cycles, axis=0, return_inverse=True)
+        # equal cycles by a sum of products modulo 2^64: sorting whole rows takes most of the time
+        _, groups = np.unique((cycles * factors[:length]).sum(axis=1), return_inverse=True)
         order = np.lexsort((miss[*places.T], groups.ravel()))
         ranks = np.arange(order.size) - np.searchsorted(
             groups.ravel()[order], groups.ravel()[order]
@@ -164,7 +170,11 @@ def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[
 def scale_of(motions: Trajectories) -> np.ndarray:
     """Largest size (N,) of each state over the entries that were kept."""
     states = motions.last_states
-    sizes = np.abs(states).reshape(-1, states.shape[-1])
-    sizes = sizes[np.isfinite(sizes).all(axis=1)]
-    largest = sizes.max(axis=0) if len(sizes) else np.ones(states.shape[-1])
-    return np.maximum(largest, 1e-300)
+    entries = states.reshape(-1, states.shape[-1])
+    return sizes_of(entries[np.isfinite(entries).all(axis=1)])
+
+
+def sizes_of(states: np.ndarray) -> np.ndarray:
+    """Largest size (N,) of each state of (n, N), and no less than rounding makes of a zero."""
+    largest = np.abs(states).max(axis=0, initial=0.0)
+    return np.asarray(np.maximum(largest, _LEAST * (largest.max() or 1.0)))

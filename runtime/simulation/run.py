@@ -12,10 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["LARGEST_STATE", "LONGEST_WAIT", "Grazing", "Run", "Status"]
+__all__ = ["LARGEST_STATE", "LONGEST_WAIT", "MOST_WINDOWS", "Grazing", "Run", "Status"]
 
 LARGEST_STATE = 1e150  # its squares are finite
-LONGEST_WAIT = 1e5  # radians of the fastest oscillation without a transition
+LONGEST_WAIT = 1e5  # radians of the fastest exponent that are searched at once
+MOST_WINDOWS = 32  # of that length without a transition, or as many radians of the slowest
 
 
 class Status(IntEnum):
@@ -23,7 +24,7 @@ class Status(IntEnum):
 
     TRANSITIONS = 0  # as many as were asked for
     UNTIL = 1  # the time that was asked for
-    QUIET = 2  # no boundary can be reached any more, or none was for LONGEST_WAIT
+    QUIET = 2  # no boundary can be reached any more, or none was for very long
     UNDECLARED = 3  # the system declares no transition for the boundaries that were reached
     IMMEDIATE = 4  # one transition after the other without any time between them
     OVERFLOW = 5  # a state that is not finite, or not below LARGEST_STATE

@@ -11,13 +11,15 @@ from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.values import as_value
 
-__all__ = ["configuration_of", "configurations_of", "start_state"]
+__all__ = ["configuration_of", "configurations_of", "on_circles", "start_state"]
 
 _ERROR = 16 * np.finfo(float).eps
 
 
 def start_state(structure: Structure, given: Mapping[str, object] | Sequence[object]) -> np.ndarray:
     """State (N,) from values by name, or in the system's order: positions, then velocities.
+
+    By name, a forcing c, s that is left out starts at c = 1, s = 0.
 
     Raises
     ------
@@ -29,6 +31,7 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
         for name in given:
             if name not in names:
                 raise unknown_name("state", str(name), names)
+        given = _forcing_start(structure) | dict(given)
         missing = [name for name in names if name not in given]
         if missing:
             raise InputError(f"the start needs a value for: {', '.join(missing)}")
@@ -43,6 +46,24 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
                 f"the start has {len(values)} values; {structure.name} has {', '.join(names)}"
             )
     return np.array([_number(n, v) for n, v in zip(names, values, strict=True)])
+
+
+def _forcing_start(structure: Structure) -> dict[str, object]:
+    begin: dict[str, object] = {}
+    for cosine, sine in structure.forcing:
+        begin |= {structure.states[cosine]: 1, structure.states[sine]: 0}
+    return begin
+
+
+def on_circles(system: PiecewiseLinear, states: np.ndarray, angles: np.ndarray) -> np.ndarray:
+    """States (n, N) at given angles (n,) of the first forcing, the others as time has it."""
+    found, first = states.copy(), None
+    for cosine, sine in system.structure.forcing:
+        speed = float(system.fields[0, sine, cosine])
+        first = first or speed
+        turned = angles * (speed / first)
+        found[:, cosine], found[:, sine] = np.cos(turned), np.sin(turned)
+    return found
 
 
 def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | None = None) -> int:

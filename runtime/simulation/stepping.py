@@ -14,7 +14,14 @@ import numpy as np
 from nonsmooth.runtime.simulation.crossing import ORDERS, Series, Start, first_crossing
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.quasi import UNIT, QuasiPolynomial
-from nonsmooth.runtime.simulation.run import LARGEST_STATE, LONGEST_WAIT, Grazing, Run, Status
+from nonsmooth.runtime.simulation.run import (
+    LARGEST_STATE,
+    LONGEST_WAIT,
+    MOST_WINDOWS,
+    Grazing,
+    Run,
+    Status,
+)
 from nonsmooth.runtime.simulation.structure import TransitionShape
 from nonsmooth.runtime.simulation.tables import (
     BoundaryTable,
@@ -237,6 +244,7 @@ def run(
     entries = [(0.0, configuration, extended, extended, 0)]
     grazings: list[Grazing] = []
     error, immediate, left_out = 0.0, 0, frozenset[int]()
+    waited, windows = 0.0, 0  # since the last transition
 
     def ended(status: Status, end: float) -> Run:
         times, configurations, before, states, sets = zip(*entries, strict=True)
@@ -273,8 +281,11 @@ def run(
             if event.time is None:
                 if window == remaining and until < math.inf:
                     return ended(Status.UNTIL, until)
-                if until == math.inf:
-                    return ended(Status.QUIET, clock.time)
+                waited, windows = waited + dwell, windows + 1
+                over = waited * table.slowest >= LONGEST_WAIT * (1 - 1e-9)
+                never = event.never or window == math.inf
+                if until == math.inf and (never or over or windows == MOST_WINDOWS):
+                    return ended(Status.QUIET, entries[-1][0])
                 if event.never:
                     return ended(Status.UNTIL, until)
                 # the same phase from here on, within reach of the guarantee again
@@ -299,5 +310,6 @@ def run(
         extended = stepper.reset(transition, before)
         configuration, left_out = transition.target, frozenset()
         immediate = 0 if dwell > 0 else immediate + 1
+        waited, windows = 0.0, 0
         mask = sum(1 << b for b in event.boundaries)
         entries.append((clock.time, configuration, before, extended, mask))

@@ -65,7 +65,8 @@ class ConfigurationTable:
             (complex(*map(float, exponent)), mode)
             for exponent, mode in zip(system.exponents[index], shape.shapes[index], strict=True)
         ]
-        self.fastest = max(abs(exponent) for exponent, _ in self.modes)
+        speeds = [abs(exponent) for exponent, _ in self.modes]
+        self.fastest, self.slowest = max(speeds), min(filter(None, speeds), default=0.0)
         self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
         self.boundaries = [
             BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
