@@ -386,7 +386,7 @@ def test_a_slow_coordinate_is_waited_for_beside_a_fast_one(compiled):
     slow, speed = 1e-2, 100.0
     field = np.zeros((4, 5))
     field[0, 2] = field[1, 3] = 1
-    field[2, 0], field[3, 1], field[3, 3] = -(speed**2), -(slow**2), 1e-3
+    field[2, 0], field[3, 1], field[3, 3] = -(speed**2), -(slow**2), 1.6e-4
     found = numeric_modes(field)
     structure = Structure(
         "two speeds", ("x", "y", "v", "w"), ("free",), (found.shapes,), ((),), ((),),
