@@ -185,6 +185,7 @@ class Declaration:
                 for name, found in modes.items()
             },
             "forcing": [(str(c), str(s)) for c, s in system.forcing],
+            "coordinates": [(str(x), str(v)) for x, v in self._coordinates()],
             "held": {c.name: self._held(c.dynamics) for c in system.configurations},
             "constraint_rows": {
                 c.name: [self._row(function) for function in self._constraints(c)]
@@ -216,6 +217,19 @@ class Declaration:
                 for contact in system.contacts
             },
         }
+
+    def _coordinates(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
+        """Positions and their velocities: x' = v, in some configurations perhaps x' = 0."""
+        states = self.system.states
+        forced = {state for pair in self.system.forcing for state in pair}
+        fields = [c.dynamics.field(states) for c in self.system.configurations]
+        found = []
+        for place, state in enumerate(states):
+            rates = {(matrix * sp.Matrix(states) + offset)[place] for matrix, offset in fields}
+            moving = rates - {sp.Integer(0)}
+            if len(moving) == 1 and moving <= set(states) - forced and state not in forced:
+                found.append((state, *moving))
+        return found
 
     def _reset(self, transition: Transition) -> sp.Matrix:
         states = self.system.states

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 881793280cce45d9
+# SymPy 1.14.0, derivation f7e6d27f0c79aa64
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "881793280cce45d9"
+DERIVATION = "f7e6d27f0c79aa64"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -109,6 +109,7 @@ SYSTEM = {'name': 'dry-friction',
                                    {'length': 1, 'oscillates': True},
                                    {'length': 1, 'oscillates': True}]},
  'forcing': [],
+ 'coordinates': [('x1', 'v1'), ('x2', 'v2')],
  'held': {'slip-slip': [],
           'slip-stick': ['x2'],
           'slip-overshoot': [],

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 23616f0a9a320e81
+# SymPy 1.14.0, derivation 846360e451353e66
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "23616f0a9a320e81"
+DERIVATION = "846360e451353e66"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -63,6 +63,7 @@ SYSTEM = {'name': 'elastic-stop',
                     {'length': 1, 'oscillates': True},
                     {'length': 1, 'oscillates': True}]},
  'forcing': [],
+ 'coordinates': [('x1', 'v1'), ('x2', 'v2')],
  'held': {'contact': [], 'free': []},
  'constraint_rows': {'contact': [], 'free': []},
  'boundary_rows': {'contact': [0], 'free': [1]},

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation b5de131890c2366f
+# SymPy 1.14.0, derivation 53700e7e660b37c2
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "b5de131890c2366f"
+DERIVATION = "53700e7e660b37c2"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -50,6 +50,7 @@ SYSTEM = {'name': 'rigid-stop',
                     {'length': 1, 'oscillates': True}],
            'contact': [{'length': 2, 'oscillates': False}, {'length': 1, 'oscillates': True}]},
  'forcing': [],
+ 'coordinates': [('x1', 'v1'), ('x2', 'v2')],
  'held': {'free': [], 'contact': ['x1']},
  'constraint_rows': {'free': [], 'contact': [2, 0]},
  'boundary_rows': {'free': [0], 'contact': [1]},

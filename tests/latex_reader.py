@@ -108,7 +108,7 @@ class Reader:
                 value /= self.group()
             elif text == r"\sqrt":
                 value = math.sqrt(self.group())
-            elif text in (r"\cos", r"\sin"):
+            elif text in (r"\cos", r"\sin", r"\cosh", r"\sinh"):
                 value = getattr(math, text[1:])(self.argument())
             else:
                 raise AssertionError(text)

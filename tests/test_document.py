@@ -5,13 +5,14 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
 import sympy as sp
+from declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
 from latex_reader import ORBITS, written_of
 
 from nonsmooth.derive.document.arrange import by_function
@@ -105,11 +106,29 @@ def ball() -> Document:
 
 
 OTHERS = ("ball", "two_masses", "three_masses")
+ZETA, OMEGA = sp.symbols("zeta omega", positive=True)
+DECLARED: dict[str, Callable[[], Document]] = {
+    "forced": lambda: describe_system(forced_stop()),
+    "one impact": lambda: describe_orbit(impacts(1)),
+    "two impacts": lambda: describe_orbit(impacts(2)),
+    "chain": lambda: describe_system(chain()),
+    "rattle": lambda: describe_orbit(rattle(7)),
+    "undamped rattle": lambda: describe_orbit(rattle(1, 0)),
+    "one mass": lambda: describe_system(one_mass(ZETA * OMEGA, OMEGA**2)),
+    "switching": lambda: describe_orbit(switching()),
+}
 
 
-@pytest.fixture(params=[*ORBITS, *SYSTEMS, *OTHERS])
+@cache
+def declared(name: str) -> Document:
+    return DECLARED[name]()
+
+
+@pytest.fixture(params=[*ORBITS, *SYSTEMS, *OTHERS, *DECLARED])
 def document(request: pytest.FixtureRequest) -> Document:
     name = str(request.param)
+    if name in DECLARED:
+        return declared(name)
     if name in OTHERS:
         found = request.getfixturevalue(name)
         assert isinstance(found, Document)

@@ -15,8 +15,10 @@ from mpmath import MPContext
 
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.simulation.structure import BoundaryShape
-from nonsmooth.runtime.validation.enclosures import Facts, enclosed_system
+from nonsmooth.runtime.validation.enclosures import enclosed_system
+from nonsmooth.runtime.validation.facts import Facts
 from nonsmooth.runtime.validation.first_crossing import first_crossing
+from nonsmooth.runtime.validation.flow import AffineFlow
 from nonsmooth.runtime.validation.validate import Proof, validate
 from nonsmooth.runtime.values import flint_precision
 
@@ -241,17 +243,17 @@ def test_stops_agree_with_60_digits(system: str, more: dict[str, str]) -> None:
 
 def test_more_bits_where_the_first_do_not_do() -> None:
     """Each transition costs digits; the sequence is the same at any precision."""
-    data, start = CHAIN | {"r": "0.8"}, ["0.5", "0.2", "1", "-0.25"]
-    few = validate("rigid-stop", data, start, "free", 40, 64)
-    many = validate("rigid-stop", data, start, "free", 40, 512)
+    given = "dry-friction", FIRST, START, "slip-slip", 100
+    few = validate(*given, 64)
+    many = validate(*given, 512)
     assert 64 < few.bits < 512 == many.bits
     assert (few.configurations, few.sets) == (many.configurations, many.sets)
     for wide, narrow in zip(few.times, many.times, strict=True):
         assert wide.contains(narrow.ball)
         assert narrow.ball.rad() <= wide.ball.rad()
-    stopped = validate("rigid-stop", data, start, "free", 40, 64, most_bits=64)
+    stopped = validate(*given, 64, most_bits=64)
     assert not stopped.decided
-    assert 0 < stopped.transitions < 40
+    assert 0 < stopped.transitions < 100
     assert stopped.sets == many.sets[: stopped.transitions]
 
 
@@ -396,12 +398,11 @@ def test_boundaries_that_are_multiples_are_reached_together() -> None:
     twice = BoundaryShape("twice", len(at.exact.rows), False)
     rows = (*at.exact.rows, tuple(2 * x for x in at.exact.rows[0]))
     free, contact = at.structure.boundaries
-    doubled = [[None if x is None else 2 * x for x in row] for row in at.weights[0][0]]
     more = replace(
         at,
         structure=replace(at.structure, boundaries=((*free, twice), contact)),
         exact=replace(at.exact, rows=rows),
-        weights=([*at.weights[0], doubled], at.weights[1]),
+        flows=tuple(AffineFlow(field, rows, 128) for field in at.exact.fields),
     )
     with flint_precision(128):
         state = [arb("0.5"), arb("0.2"), arb(1), arb(0)]

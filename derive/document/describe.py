@@ -1,12 +1,13 @@
 """Documents of systems and orbits, made of the derivation's own objects.
 
-`describe_system` and `describe_orbit` give a `Document`; the modules beside this one write it
-as LaTeX, Markdown or HTML. Every formula of an orbit is printed from an expression that the
-kernels compute, and keeps that expression beside its LaTeX.
+`describe_system`, `describe_orbit` and `describe_itinerary` give a `Document`; the modules beside
+this one write it as LaTeX, Markdown or HTML. Every formula of a derived orbit is printed from an
+expression that the kernels compute, and keeps that expression beside its LaTeX.
 """
 
 from __future__ import annotations
 
+from nonsmooth.derive.chain import section_of, start_of
 from nonsmooth.derive.document.blocks import (
     Block,
     Document,
@@ -17,25 +18,34 @@ from nonsmooth.derive.document.blocks import (
     Table,
 )
 from nonsmooth.derive.document.centres import name_centres
+from nonsmooth.derive.document.closed_forms import closed_flows, without_numeric
+from nonsmooth.derive.document.cycle import Cycle
+from nonsmooth.derive.document.describe_admissible import admissibility_section
+from nonsmooth.derive.document.describe_contacts import constraint_paragraphs, contact_section
+from nonsmooth.derive.document.describe_cycle import elimination_section, phase_section
+from nonsmooth.derive.document.describe_cycle import equation_section as cycle_equations
 from nonsmooth.derive.document.describe_energy import energy_section
 from nonsmooth.derive.document.describe_itinerary import itinerary_section
 from nonsmooth.derive.document.describe_orbit import chain_section, equation_section
+from nonsmooth.derive.document.describe_passings import passing_section, stability_section
 from nonsmooth.derive.document.describe_poincare import derivative_section
 from nonsmooth.derive.document.describe_reduction import reduction_section
 from nonsmooth.derive.document.describe_solution import solution_section
 from nonsmooth.derive.document.describe_symmetry import symmetry_section
 from nonsmooth.derive.document.describe_system import (
     configuration_section,
+    flow_section,
     modal_section,
     system_section,
 )
 from nonsmooth.derive.document.describe_trace import trace_section
 from nonsmooth.derive.document.describe_transitions import transition_section
+from nonsmooth.derive.document.letters import letters_of
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.document.view import View, view_of
 from nonsmooth.derive.document.wording import Naming, enumeration
 from nonsmooth.derive.equations import EquationSystem
-from nonsmooth.derive.modal import derive_flows
+from nonsmooth.derive.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.system import System
 
 __all__ = [
@@ -46,38 +56,50 @@ __all__ = [
     "Line",
     "Paragraph",
     "Table",
+    "describe_itinerary",
     "describe_orbit",
     "describe_system",
 ]
 
 
 def describe_system(system: System) -> Document:
-    """Describe a system with all its configurations, flows and transitions."""
-    spectrum, flows = derive_flows(system)
+    """Describe a system with all its configurations, flows and transitions.
+
+    Flows without a closed form in the parameters are described by what is computed instead.
+    """
+    names = [c.name for c in system.configurations]
+    spectrum, flows = closed_flows(system, names)
     constants = tuple(p.symbol for p in system.parameters) + spectrum.symbols
     notation = Notation(system.states, constants)
     centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
     naming = Naming(notation.with_names(centres.names), system)
-    names = [c.name for c in system.configurations]
-    # letters for the coordinates of one centre; of many the columns are shown
-    shown = centres if len(centres.columns) == 1 else None
-    modal, _ = modal_section(naming, spectrum, flows, names, shown)
+    complete = len(flows) == len(names)
+    configurations = configuration_section(naming, names, {})
+    if not complete:
+        configurations += constraint_paragraphs(naming, names)
     blocks: list[Block] = [
         Heading("The system"),
         *system_section(naming, None),
         Heading("Configurations"),
-        *configuration_section(naming, names, {}),
+        *configurations,
         Heading("Modal analysis"),
-        *modal,
+        *flow_section(naming, spectrum, flows, names, centres)[0],
     ]
     if system.transitions:
         blocks += [Heading("Transitions"), *transition_section(naming)]
+    if system.contacts and not complete:
+        blocks += [Heading("Contacts"), *contact_section(naming)]
     return Document(f"The system {system.name}", tuple(blocks))
 
 
-def describe_orbit(equations: EquationSystem) -> Document:
-    """Describe the whole derivation of a periodic orbit, from the declaration to the trace."""
-    itinerary = equations.itinerary
+def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
+    """Describe the whole derivation of a periodic orbit, from the declaration to the trace.
+
+    An itinerary alone, of which no equations are derived, is described by `describe_itinerary`.
+    """
+    if isinstance(orbit, Itinerary):
+        return describe_itinerary(orbit)
+    equations, itinerary = orbit, orbit.itinerary
     naming, centres = view_of(equations)
     places: dict[str, list[str]] = {}
     for number, phase in enumerate(itinerary.phases, start=1):
@@ -115,4 +137,58 @@ def describe_orbit(equations: EquationSystem) -> Document:
     sections.append(("The trace", trace_section(view)))
     blocks = [b for title, found in sections for b in (Heading(title), *found)]
     title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"
+    return Document(title, tuple(blocks))
+
+
+def describe_itinerary(itinerary: Itinerary) -> Document:
+    """Describe how the periodic orbit of an itinerary is found where no equations are derived.
+
+    The equations are a chain of flows and resets, which hold for any flow; what depends on the
+    declaration alone (boundaries, vector fields, resets, saltation matrices) is written out.
+    Equal transitions are described once.
+
+    Raises
+    ------
+    DerivationError
+        If no state satisfies what the end of the last phase enforces.
+    """
+    system = itinerary.presented_system
+    names = list(dict.fromkeys(p.configuration for p in itinerary.phases))
+    spectrum, found = closed_flows(system, names)
+    flows = without_numeric(spectrum, found)
+    parameters = [p.symbol for p in (*system.parameters, *itinerary.system.parameters)]
+    constants = (*dict.fromkeys(parameters), *spectrum.symbols)
+    states = tuple(dict.fromkeys((*system.states, *itinerary.system.states)))
+    section = start_of(itinerary, system, section_of(itinerary, system))
+    dwell_times = tuple(dwell_symbol(p.dwell_time) for p in itinerary.phases)
+    notation = Notation(
+        states,
+        constants,
+        unknowns=(*section.coordinates, *dwell_times),
+        start=dict(zip(section.coordinates, section.places, strict=True)),
+    )
+    taken = (*constants, *states, *notation.unknowns)
+    centres = name_centres(flows.values(), map(notation.symbol, taken))
+    naming = Naming(notation.with_names(centres.names), system)
+    modal, numbers = flow_section(naming, spectrum, flows, names, centres)
+    cycle = Cycle(itinerary, naming, letters_of(naming, taken), numbers)
+    sections: list[tuple[str, list[Block]]] = [
+        ("The system", system_section(naming, itinerary)),
+        (
+            "Configurations",
+            [
+                *configuration_section(naming, names, {}),
+                *constraint_paragraphs(naming, names),
+            ],
+        ),
+        ("Modal analysis", modal),
+        ("The itinerary", phase_section(cycle)),
+        ("The equations", cycle_equations(cycle)),
+        ("The reduction", elimination_section(cycle)),
+        ("The transitions", passing_section(cycle)),
+        ("Stability", stability_section(cycle)),
+        ("Admissibility", admissibility_section(cycle)),
+    ]
+    blocks = [b for title, found in sections for b in (Heading(title), *found)]
+    title = f"The itinerary {itinerary.name} of the system {itinerary.system.name}"
     return Document(title, tuple(blocks))

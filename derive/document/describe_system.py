@@ -8,25 +8,25 @@ import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.centres import Centres
+from nonsmooth.derive.document.describe_motion import MatrixLetters, matrices_of, motion_of
+from nonsmooth.derive.document.exponential import exponential_blocks
 from nonsmooth.derive.document.flows import flow_blocks
+from nonsmooth.derive.document.letters import letters_of
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.document.wording import Naming, enumeration
-from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.modal import Flow, Spectrum
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Configuration
 
 __all__ = [
     "Naming",
     "configuration_section",
     "enumeration",
+    "flow_section",
     "modal_section",
     "system_section",
 ]
-
-# of matrices, by the attribute of the motion that they are
-_Letters = dict[tuple[str, sp.Matrix], str]
 
 
 def system_section(
@@ -67,20 +67,16 @@ def system_section(
         parameters += presentation.parameters
     if itinerary and itinerary.period:
         parameters.append(itinerary.period)
-    blocks.append(
-        Table(
-            ("Parameter", "Meaning", "Domain"),
-            tuple(
-                (
-                    f"${naming.notation.symbol(p.symbol)}$",
-                    naming.notation.prose(p.description),
-                    f"${_domain(p, naming.notation)}$",
-                )
-                for p in parameters
-            ),
-            wrapped=1,
+    rows = tuple(
+        (
+            f"${naming.notation.symbol(p.symbol)}$",
+            naming.notation.prose(p.description),
+            f"${_domain(p, naming.notation)}$",
         )
+        for p in parameters
     )
+    if rows:
+        blocks.append(Table(("Parameter", "Meaning", "Domain"), rows, wrapped=1))
     constraints = [c for c in naming.system.constraints if not c.is_nonnegative]
     if constraints:
         notation = naming.notation
@@ -135,8 +131,16 @@ def configuration_section(
     system, notation = naming.system, naming.notation
     chosen = [system.configuration(name) for name in names]
     blocks: list[Block] = []
+    if not all(isinstance(c.dynamics, SecondOrder) for c in chosen):
+        column = rf"\left({', '.join(map(notation.symbol, system.states))}\right)^{{\mathsf{{T}}}}"
+        blocks.append(
+            Paragraph(
+                "Inside a configuration the motion is linear,"
+                f" with the state ${naming.state} = {column}$."
+            )
+        )
     second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
-    letters: _Letters = {}
+    letters: MatrixLetters = {}
     if second:
         x = naming.letter
         damped = any(not sp.Matrix(d.damping).is_zero_matrix for d in second)
@@ -145,16 +149,21 @@ def configuration_section(
         heavy = not held and any(d.mass != sp.eye(d.mass.rows) for d in second)
         damping = f" + C {x}'" if damped else ""
         law = rf"$M {x}''{damping} + K {x} = \ell$"
-        text = f"In every configuration the motion is linear, {law}"
+        where = "every configuration" if len(second) == len(chosen) else "those of second order"
+        text = f"In {where} the motion is linear, {law}"
         text += (
             ", and a coordinate that is held keeps its velocity: its row gives the reaction."
             if held
             else "."
         )
-        blocks.append(Paragraph(f"{text} The matrices are"))
-        formula, letters = _matrices(second, naming, damped)
-        blocks.append(formula)
-        if not heavy:
+        single = all(d.mass.rows == 1 for d in second)
+        if single:
+            blocks.append(Paragraph(f"The motion is linear in {where}."))
+        else:
+            blocks.append(Paragraph(f"{text} The matrices are"))
+            formula, letters = matrices_of(second, naming, damped)
+            blocks.append(formula)
+        if not (heavy or single):
             where = ", with the rows of the held coordinates set to zero," if held else ","
             text = f"Solved for the accelerations{where} the equations of motion are as follows."
             blocks.append(Paragraph(text))
@@ -162,7 +171,7 @@ def configuration_section(
     for configuration in chosen:
         remark = remarks.get(configuration.name, "")
         blocks.append(Paragraph(f"*{configuration.name}*{remark}:"))
-        blocks.append(_motion(configuration, naming, letters))
+        blocks += motion_of(configuration, naming, letters)
     blocks.append(
         Paragraph(
             "A configuration is left where one of its boundary functions, negative inside,"
@@ -187,57 +196,6 @@ def configuration_section(
     ]
     blocks.append(Table(("Configuration", "Boundary", "Inside", "Acts when"), tuple(rows)))
     return blocks
-
-
-def _matrices(
-    motions: Sequence[SecondOrder], naming: Naming, damped: bool
-) -> tuple[Formula, _Letters]:
-    """M, C and K, and their letters: with a number where configurations differ in them."""
-    shown: _Letters = {}
-    pieces: list[str] = []
-    attributes = [("M", "mass"), *([("C", "damping")] if damped else []), ("K", "stiffness")]
-    for letter, attribute in attributes:
-        different = list(dict.fromkeys(getattr(d, attribute) for d in motions))
-        for index, matrix in enumerate(different, start=1):
-            name = letter if len(different) == 1 else f"{letter}_{{{index}}}"
-            shown[attribute, matrix] = name
-            pieces.append(f"{name} = {naming.notation.latex(matrix)}")
-    pieces = [*(rf"{piece},\qquad" for piece in pieces[:-1]), f"{pieces[-1]}."]
-    return Formula((Line("", "", tuple(pieces)),)), shown
-
-
-def _motion(configuration: Configuration, naming: Naming, letters: _Letters) -> Formula:
-    """Write the equations of motion in matrix form, in the letters of the matrices if given."""
-    notation, dynamics, states = naming.notation, configuration.dynamics, naming.system.states
-    matrix, offset = dynamics.field(states)
-    matrix, offset = matrix.applyfunc(sp.cancel), offset.applyfunc(sp.cancel)
-    if isinstance(dynamics, FirstOrder):
-        pieces = [f"{notation.latex(matrix)} {naming.state}"]
-        if not offset.is_zero_matrix:
-            pieces.append(f"+ {notation.latex(offset)}")
-        return Formula((Line(f"{naming.state}'", "=", tuple(pieces)),))
-    x, size = naming.letter, dynamics.mass.rows
-    if letters:
-        left = f"{letters['mass', dynamics.mass]} {x}''"
-        if not dynamics.damping.is_zero_matrix:
-            left += f" + {letters['damping', dynamics.damping]} {x}'"
-        load = dynamics.load
-        right = "0" if load.is_zero_matrix else notation.latex(load.applyfunc(notation.tidy))
-        left += f" + {letters['stiffness', dynamics.stiffness]} {x}"
-        return Formula((Line(left, "=", (right,)),))
-    stiffness, damping = -matrix[size:, :size], -matrix[size:, size:]
-    left = f"{x}''"
-    if not damping.is_zero_matrix:
-        left += f" + {notation.latex(damping)} {x}'"
-    if not stiffness.is_zero_matrix:
-        left += f" + {notation.latex(stiffness)} {x}"
-    load = offset[size:, :]
-    right = "0" if load.is_zero_matrix else notation.latex(load.applyfunc(notation.tidy))
-    held = [
-        rf"{notation.symbol(states[i])}' = {notation.latex(v)}"
-        for i, v in sorted(dynamics.held_at(states).items())
-    ]
-    return Formula((Line(left, "=", (r",\quad ".join([right, *held]),)),))
 
 
 def modal_section(
@@ -271,6 +229,34 @@ def modal_section(
             ]
     more, numbers = flow_blocks(naming.notation, naming.state, used, naming.second_order, centres)
     return blocks + more, numbers
+
+
+def flow_section(
+    naming: Naming,
+    spectrum: Spectrum,
+    flows: Mapping[str, Flow],
+    names: Sequence[str],
+    centres: Centres,
+) -> tuple[list[Block], dict[str, int]]:
+    """Flows of the named configurations, and the number of each one's flow.
+
+    Those that are not among the `flows` have no closed form and are exponentials.
+    """
+    closed = [name for name in names if name in flows]
+    blocks: list[Block] = []
+    numbers: dict[str, int] = {}
+    if closed:
+        # letters for the coordinates of one centre; of many the columns are shown
+        shown = centres if len(centres.columns) == 1 else None
+        blocks, numbers = modal_section(naming, spectrum, flows, closed, shown)
+    others = [name for name in names if name not in flows]
+    if others:
+        symbols = (*naming.system.states, *naming.notation.constants)
+        known = max(numbers.values(), default=0)
+        more, further = exponential_blocks(naming, letters_of(naming, symbols), others, known)
+        blocks += more
+        numbers |= further
+    return blocks, numbers
 
 
 def _meaning(naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, sp.Expr]) -> str:

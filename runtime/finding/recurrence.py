@@ -133,7 +133,7 @@ def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[
     # a phase as a number: its configuration, and the boundaries by which it is left
     phases = motions.last_configurations[:, :-1].astype(np.int64) << 32 | motions.last_sets[:, 1:]
     integers = np.iinfo(np.int64)
-    factors = np.random.default_rng(0).integers(integers.min, integers.max, kept)
+    factors = np.random.default_rng(0).integers(integers.min, integers.max, (kept,))
     found = []
     for length in range(1, min(longest, kept - 1) + 1):
         ahead, back = slice(length, None), slice(None, kept - length)
@@ -148,10 +148,8 @@ def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[
         cycles = sliding_window_view(phases, length, axis=1)[*places.T]
         # equal cycles by a sum of products modulo 2^64: sorting whole rows takes most of the time
         _, groups = np.unique((cycles * factors[:length]).sum(axis=1), return_inverse=True)
-        order = np.lexsort((miss[*places.T], groups.ravel()))
-        ranks = np.arange(order.size) - np.searchsorted(
-            groups.ravel()[order], groups.ravel()[order]
-        )
+        order = np.lexsort((miss[*places.T], groups))
+        ranks = np.arange(order.size) - np.searchsorted(groups[order], groups[order])
         for motion, place in places[order[ranks < _EXAMPLES]].tolist():
             candidate = candidate_at(motions, motion, place + length, length, scale)
             if candidate is not None and (candidate.dwell_times > 0).all():

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["View", "draw_motion", "view_of"]
+__all__ = ["View", "coordinates_of", "draw_motion", "view_of"]
 
 _MANY = 150  # transitions, or oscillations, that cannot be told apart any more
 _BINS = 500
@@ -53,9 +53,9 @@ class View:
     composed: bool = False
 
     @property
-    def count(self) -> int:
-        """Number of all masses."""
-        return len(self.trajectory.names) // 2
+    def coordinates(self) -> tuple[tuple[int, int], ...]:
+        """Position and velocity of every mass, as states."""
+        return coordinates_of(self.trajectory)
 
     @property
     def end(self) -> float:
@@ -65,12 +65,15 @@ class View:
     @property
     def positions(self) -> list[str]:
         """Labels of the positions that are drawn."""
-        return [f"${symbol(self.trajectory.names[mass])}$" for mass in self.masses]
+        return [f"${symbol(self._position(mass))}$" for mass in self.masses]
 
     @property
     def velocities(self) -> list[str]:
         """Labels of the velocities that are drawn: derivatives of the positions."""
-        return [f"${symbol(self.trajectory.names[mass])}'$" for mass in self.masses]
+        return [f"${symbol(self._position(mass))}'$" for mass in self.masses]
+
+    def _position(self, mass: int) -> str:
+        return self.trajectory.names[self.coordinates[mass][0]]
 
     @property
     def present(self) -> list[int]:
@@ -116,6 +119,11 @@ class View:
         return edges, np.stack(columns, axis=-1) / np.diff(edges)[:, None]
 
 
+def coordinates_of(trajectory: Trajectory) -> tuple[tuple[int, int], ...]:
+    """Position and velocity of every mass; the first two states where there is no velocity."""
+    return trajectory.structure.coordinates or ((0, min(1, len(trajectory.names) - 1)),)
+
+
 def view_of(trajectory: Trajectory, masses: tuple[int, ...], points: int) -> View:
     """Points of a motion as dense as a picture needs them; InputError if it is not finite."""
     if not (math.isfinite(trajectory.end) and np.isfinite(trajectory.states).all()):
@@ -154,7 +162,7 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
     switches = np.flatnonzero(np.diff(view.times) == 0)
     for mass, label in zip(view.masses, labels, strict=True):
         style = line_style(mass)
-        values = view.states[:, mass + moving * view.count]
+        values = view.states[:, view.coordinates[mass][moving]]
         if view.dense:
             _draw_range(view, axes, values, label, style)
             continue
@@ -263,12 +271,12 @@ def _draw_portraits(view: View, places: Sequence[Axes]) -> None:
 def _draw_portrait(view: View, axes: Axes, place: int, mass: int) -> None:
     """Draw the phase portrait of one mass."""
     trajectory, style = view.trajectory, line_style(mass)
-    both = [mass, view.count + mass]
+    both = list(view.coordinates[mass])
     points, switches = view.states[:, both], np.flatnonzero(np.diff(view.times) == 0)
     before, behind = trajectory.before[1:, both], trajectory.states[1:, both]
     sizes = 1 + np.abs(points).max(axis=0)
     jumps = (np.abs(behind - before) > _JUMP * sizes).any(axis=1)
-    held = [mass in trajectory.structure.held[c] for c in trajectory.run.configurations]
+    held = [both[0] in trajectory.structure.held[c] for c in trajectory.run.configurations]
     label = f"({view.positions[place]}, {view.velocities[place]})"
     if trajectory.transitions > _MANY / 10:
         style = {**style, "linestyle": "-", "linewidth": 0.9}
@@ -335,7 +343,7 @@ def _levels(view: View, *, moving: bool) -> dict[float, str]:
     rows = {b.row for shapes in system.structure.boundaries for b in shapes}
     labels = view.velocities if moving else view.positions
     for mass, label in zip(view.masses, labels, strict=True):
-        state = mass + moving * view.count
+        state = view.coordinates[mass][moving]
         for row in sorted(rows):
             if np.flatnonzero(system.rows[row, :-1]).tolist() == [state]:
                 level = _level(system, row, state)

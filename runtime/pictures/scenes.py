@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.pictures.drawing import check_picture, chosen_masses, given_axes
 from nonsmooth.runtime.pictures.maps import basin_figure, bifurcation_figure
-from nonsmooth.runtime.pictures.motion_panels import View, draw_motion, view_of
+from nonsmooth.runtime.pictures.motion_panels import View, coordinates_of, draw_motion, view_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -102,7 +102,7 @@ def trajectory_figure(
 def _view(trajectory: Trajectory, kind: str, masses: Iterable[int] | None, points: int) -> View:
     """Check what can be checked before anything is drawn."""
     check_picture(kind, KINDS)
-    drawn = chosen_masses(masses, len(trajectory.names) // 2, trajectory.name)
+    drawn = chosen_masses(masses, len(coordinates_of(trajectory)), trajectory.name)
     return view_of(trajectory, drawn, points)
 
 

@@ -94,6 +94,8 @@ class Structure:
         How many there are.
     forcing : tuple of (int, int)
         States c and s of a harmonic forcing: c^2 + s^2 = 1.
+    coordinates : tuple of (int, int)
+        Positions and their velocities.
     """
 
     name: str
@@ -108,6 +110,7 @@ class Structure:
     rows: int
     resets: int
     forcing: tuple[tuple[int, int], ...] = ()
+    coordinates: tuple[tuple[int, int], ...] = ()
 
     def configuration(self, name: str) -> int:
         """Index of a configuration; InputError if there is none of that name."""
@@ -204,7 +207,10 @@ def _structure(kernels: SystemKernels) -> Structure:
         ),
         kernels.module.KERNELS["rows"][1][0][0],
         kernels.module.KERNELS["resets"][1][0][0] // len(states),
-        tuple((states.index(c), states.index(s)) for c, s in table["forcing"]),
+        *(
+            tuple((states.index(a), states.index(b)) for a, b in table[name])
+            for name in ("forcing", "coordinates")
+        ),
     )
 
 

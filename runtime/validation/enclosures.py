@@ -1,31 +1,28 @@
-"""What is proved about one phase: signs of affine functions, and the first crossing, in balls.
+"""A system at one parameter point, for proofs: exact rows, fields and resets, flows in balls.
 
 A state is known in two ways at once: by balls around its coordinates, and by `Facts`, affine
-functions of it that are zero exactly. A velocity set to the belt's by a reset, a boundary that
-was just reached and a coordinate at rest on a stop are facts; balls alone could never tell
-them from nearly so.
+functions of it that are zero exactly.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.arithmetic import Balls
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, load_system
-from nonsmooth.runtime.simulation.piecewise import piecewise_in, system_parameters
+from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import Structure, structure_of
-from nonsmooth.runtime.values import Value
+from nonsmooth.runtime.validation.facts import Facts, Row, evaluate, product
+from nonsmooth.runtime.validation.flow import AffineFlow
+from nonsmooth.runtime.values import Value, flint_precision
 
 if TYPE_CHECKING:
-    from flint import arb, fmpq
+    from flint import arb
 
-__all__ = ["EnclosedSystem", "Facts", "Undecided", "enclosed_system", "evaluate", "product"]
-
-Row = tuple["fmpq", ...]  # n y + c: n, then c
+__all__ = ["EnclosedSystem", "Undecided", "enclosed_system"]
 
 
 class Undecided(Exception):
@@ -43,105 +40,6 @@ class Undecided(Exception):
     def __init__(self, reason: str, at: arb | None = None, *, digits: bool = True) -> None:
         super().__init__(reason)
         self.reason, self.at, self.digits = reason, at, digits
-
-
-@dataclass(frozen=True)
-class Facts:
-    """Affine functions of a state that are exactly zero: independent rows, reduced.
-
-    Attributes
-    ----------
-    rows : tuple of Row
-        In reduced echelon form.
-    pivots : tuple of int
-        The coordinate that each row gives in terms of the others.
-    """
-
-    rows: tuple[Row, ...]
-    pivots: tuple[int, ...]
-
-    @staticmethod
-    def of(rows: Sequence[Sequence[Any]]) -> Facts:
-        """Facts from rows that need not be independent."""
-        if not rows:
-            return Facts((), ())
-        reduced = [row for row in _echelon(rows) if any(row)]
-        return Facts(
-            tuple(reduced),
-            tuple(next(j for j, entry in enumerate(row) if entry) for row in reduced),
-        )
-
-    @property
-    def consistent(self) -> bool:
-        """Whether any state meets them."""
-        return not self.rows or self.pivots[-1] < len(self.rows[-1]) - 1
-
-    def reduce(self, row: Sequence[Any]) -> Row:
-        """The same function of the state without the coordinates that are known by others."""
-        found = list(row)
-        for fact, pivot in zip(self.rows, self.pivots, strict=True):
-            if factor := found[pivot]:
-                found = [x - factor * y for x, y in zip(found, fact, strict=True)]
-        return tuple(found)
-
-    def lasting(self, field: Sequence[Row]) -> Facts:
-        """Those that stay true along a field: the largest part that it maps into itself."""
-        facts = self
-        while facts.rows:
-            rates = [facts.reduce(product(row, field)) for row in facts.rows]
-            kept = [product(c, facts.rows) for c in _left_kernel(rates)]
-            if len(kept) == len(facts.rows):
-                break
-            facts = Facts.of(kept)
-        return facts
-
-    def reset(self, reset: Sequence[Row]) -> Facts:
-        """What is true behind a reset of a state for which these are."""
-        return Facts.of(_left_kernel([self.reduce(row) for row in reset]))
-
-    def tighten(self, state: Sequence[arb]) -> list[arb]:
-        """Balls around the coordinates, smaller where a fact gives one by the others."""
-        found = list(state)
-        for row, pivot in zip(self.rows, self.pivots, strict=True):
-            given = evaluate(tuple(-x if j != pivot else 0 * x for j, x in enumerate(row)), state)
-            if given.rad() <= found[pivot].rad():
-                found[pivot] = given
-        return found
-
-
-def _echelon(rows: Sequence[Sequence[Any]]) -> list[Row]:
-    from flint import fmpq_mat
-
-    flat = [entry for row in rows for entry in row]
-    reduced, rank = fmpq_mat(len(rows), len(rows[0]), flat).rref()
-    return [tuple(row) for row in reduced.tolist()[:rank]]
-
-
-def _left_kernel(matrix: Sequence[Sequence[Any]]) -> list[Row]:
-    """Rows c with c M = 0."""
-    size, width = len(matrix), len(matrix[0])
-    joined = [[*row, *(int(i == j) for j in range(size))] for i, row in enumerate(matrix)]
-    return [row[width:] for row in _echelon(joined) if not any(row[:width])]
-
-
-def product(row: Sequence[Any], matrix: Sequence[Sequence[Any]]) -> Row:
-    """A row times a matrix: with a field, the row of the derivative."""
-    columns: Iterable[tuple[Any, ...]] = zip(*matrix, strict=True)
-    return tuple(
-        sum((x * y for x, y in zip(row, column, strict=True) if x and y), 0 * column[0])
-        for column in columns
-    )
-
-
-def evaluate(row: Sequence[Any], state: Sequence[arb]) -> arb:
-    """An affine function of a state."""
-    from flint import arb
-
-    total = arb(row[-1])
-    for x, y in zip(row, state, strict=False):
-        if x:
-            total += y * x
-    return total
 
 
 class _Rationals:
@@ -176,19 +74,15 @@ class EnclosedSystem:
     values : dict of str to Value
     bits : int
     exact : fields, rows and resets as rationals
-    modes : for each configuration its exponents, real and imaginary parts as balls
-    flows : for each configuration, function by function, rows of balls
-    weights : for each configuration and boundary, function by function, a row of balls
-        They give the coefficients of the boundary's function of time from (y(0), 1).
+    flows : tuple of AffineFlow
+        One for each configuration.
     """
 
     structure: Structure
     values: dict[str, Value]
     bits: int
     exact: _Exact
-    modes: tuple[tuple[tuple[arb, arb], ...], ...]
-    flows: tuple[list[list[list[Any]]], ...]
-    weights: tuple[list[list[list[Any]]], ...]
+    flows: tuple[AffineFlow, ...]
 
     def value(self, row: Row, facts: Facts, state: Sequence[arb]) -> Any:
         """An affine function of a state: exact if the facts give it, else a ball."""
@@ -219,70 +113,6 @@ class EnclosedSystem:
             row = product(row, field)
         return 0, 0
 
-    def advance(self, configuration: int, state: Sequence[arb], time: arb) -> list[arb]:
-        """State after a time in one configuration."""
-        functions = self.functions(configuration, time)
-        found = []
-        for i in range(len(state)):
-            total = 0 * time
-            for phi, matrix in zip(functions, self.flows[configuration], strict=True):
-                total += phi * _affine(matrix[i], state)
-            found.append(total)
-        return found
-
-    def functions(self, configuration: int, time: arb) -> list[Any]:
-        """Functions t^k e^(st) cos(wt) and their sines, in the order of the places."""
-        found: list[Any] = []
-        for shape, (rate, frequency) in zip(
-            self.structure.shapes[configuration], self.modes[configuration], strict=True
-        ):
-            parts: list[Any] = [1 + 0 * time]
-            if shape.oscillates:
-                sine, cosine = (frequency * time).sin_cos()
-                parts = [cosine, sine]
-            if not rate.is_zero():
-                growth = (rate * time).exp()
-                parts = [growth * part for part in parts]
-            for _ in range(shape.length):
-                found += parts
-                parts = [time * part for part in parts]
-        return found
-
-    def derivative(self, configuration: int, coefficients: Sequence[Any]) -> list[Any]:
-        """Coefficients of the derivative of a sum of the functions."""
-        found = list(coefficients)
-        for shape, (rate, frequency) in zip(
-            self.structure.shapes[configuration], self.modes[configuration], strict=True
-        ):
-            step = 2 if shape.oscillates else 1
-            for k in range(shape.length):
-                at = shape.places[k * step]
-                for part in range(step):
-                    total = rate * coefficients[at + part]
-                    if k + 1 < shape.length:
-                        total += (k + 1) * coefficients[at + part + step]
-                    if shape.oscillates:
-                        turned = frequency * coefficients[at + 1 - part]
-                        total = total - turned if part else total + turned
-                    found[at + part] = total
-        return found
-
-    def along(
-        self, configuration: int, boundary: int, state: Sequence[arb]
-    ) -> tuple[Any, list[Any]]:
-        """A boundary as a function of time: its constant, and coefficients of the functions."""
-        row = self.exact.rows[self.structure.boundaries[configuration][boundary].row]
-        weights = self.weights[configuration][boundary]
-        return row[-1], [_affine(weight, state) for weight in weights]
-
-
-def _affine(row: Sequence[Any], state: Sequence[arb]) -> Any:
-    total = row[-1]
-    for x, y in zip(row, state, strict=False):
-        if x is not None:
-            total = total + x * y
-    return total
-
 
 def _shown(ball: arb) -> str:
     middle, radius = float(ball.mid()), float(ball.rad())
@@ -308,52 +138,17 @@ def _exact(kernels: SystemKernels, values: tuple[Value, ...], _: tuple[Any, ...]
     return _Exact(cut(fields, 0), tuple(rows), cut(resets, 1))
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=16)  # each keeps exponentials
 def _enclosed(
     kernels: SystemKernels,
     named: tuple[tuple[str, Value], ...],
     exactly: tuple[Any, ...],
     bits: int,
 ) -> EnclosedSystem:
-    from flint import arb
-
     exact = _exact(kernels, tuple(value for _, value in named), exactly)
-    lib = Balls()
-    with lib.working(bits):
-        found = piecewise_in(kernels, dict(named), lib)
-        structure = found.structure
-        flows = tuple(
-            [[_sparse(row) for row in matrix] for matrix in flow.tolist()] for flow in found.flows
-        )
-        weights = tuple(
-            [
-                [_sparse(_combined(exact.rows[b.row], matrix)) for matrix in flow.tolist()]
-                for b in boundaries
-            ]
-            for flow, boundaries in zip(found.flows, structure.boundaries, strict=True)
-        )
-        modes = tuple(
-            tuple((arb(rate), arb(frequency)) for rate, frequency in exponents)
-            for exponents in found.exponents
-        )
-    return EnclosedSystem(structure, dict(named), bits, exact, modes, flows, weights)
-
-
-def _combined(row: Row, matrix: list[list[Any]]) -> list[Any]:
-    from flint import arb
-
-    return [
-        sum((arb(x) * line[j] for x, line in zip(row, matrix, strict=False) if x), arb(0))
-        for j in range(len(matrix[0]))
-    ]
-
-
-def _sparse(row: Sequence[Any]) -> list[Any]:
-    """Balls, with None for zeros among the gradient."""
-    from flint import arb
-
-    balls = [arb(entry) for entry in row]
-    return [None if ball.is_zero() else ball for ball in balls[:-1]] + balls[-1:]
+    with flint_precision(bits):
+        flows = tuple(AffineFlow(field, exact.rows, bits) for field in exact.fields)
+    return EnclosedSystem(structure_of(kernels), dict(named), bits, exact, flows)
 
 
 def enclosed_system(

@@ -8,23 +8,45 @@ window is halved. A window as short as the digits allow is a contact that they c
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.validation.enclosures import EnclosedSystem, Facts, Undecided, product
+from nonsmooth.runtime.validation.asymptotics import stays_negative
+from nonsmooth.runtime.validation.enclosures import EnclosedSystem, Undecided
+from nonsmooth.runtime.validation.facts import Facts, product
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["LONGEST_SEARCH", "first_crossing"]
+__all__ = ["LONGEST_SEARCH", "Crossing", "first_crossing"]
 
-LONGEST_SEARCH = 2e4  # radians of the fastest oscillation in one phase
+LONGEST_SEARCH = 20_000  # segments of time in one phase
+_LOOKS = frozenset(8 * 2**k for k in range(12))  # segments after which for ever is judged
 
-_Function = tuple[Any, list[Any]]  # constant, and coefficients of the functions of time
+
+class Crossing(NamedTuple):
+    """The end of a phase.
+
+    Attributes
+    ----------
+    time : arb
+        Since its start.
+    boundaries : tuple of int
+        Those that are reached.
+    state : list of arb
+        In front of the transition.
+    """
+
+    time: arb
+    boundaries: tuple[int, ...]
+    state: list[arb]
 
 
 class _Search:
-    """One boundary, and for how long it is proved not to be reached."""
+    """One boundary, and for how long it is proved not to be reached.
+
+    The present window is part `index` of 2^`depth` equal parts of a segment of time.
+    """
 
     def __init__(
         self,
@@ -34,39 +56,28 @@ class _Search:
         state: Sequence[arb],
         order: int,
     ) -> None:
-        from flint import arb
-
-        self.system, self.configuration, self.boundary = system, configuration, boundary
-        self.name = system.structure.boundaries[configuration][boundary].name
-        constant, value = system.along(configuration, boundary, state)
-        self.value: _Function = (constant, value)
-        self.slope: _Function = (0, system.derivative(configuration, value))
-        self.curve: _Function = (0, system.derivative(configuration, self.slope[1]))
-        fastest = max(
-            (abs(float(part.mid())) for pair in system.modes[configuration] for part in pair),
-            default=0.0,
-        )
-        self.unit = arb(1)  # about a radian, a power of 2 so that times stay exact
-        while self.unit * fastest > 1:
-            self.unit /= 2
-        while fastest and self.unit * 2 * fastest < 1:
-            self.unit *= 2
-        self.longest = self.unit * LONGEST_SEARCH
-        self.shortest = self.unit * arb(2) ** (-(system.bits // 2))
-        self.time, self.step = arb(0), self.unit
-        self.windows = 0
+        shape = system.structure.boundaries[configuration][boundary]
+        self.name, self.boundary = shape.name, boundary
+        self.row, self.flow = shape.row, system.flows[configuration]
+        self.state = state
+        self.deepest = system.bits // 2
+        self.segment = self.index = self.depth = 0
+        self.function = self.flow.expansion(self.row, 0, state)
+        self.time = self.function.start  # up to then the boundary is not reached
         if order:
             self._leave(order)
 
-    def sum(self, function: _Function, time: arb, functions: list[Any] | None = None) -> Any:
-        """A sum of the functions of time at a time, or over a ball of times."""
-        constant, coefficients = function
-        if functions is None:
-            functions = self.system.functions(self.configuration, time)
-        total = 0 * time + constant
-        for c, phi in zip(coefficients, functions, strict=True):
-            total += c * phi
-        return total
+    def _place(self, part: int) -> arb:
+        """Start, middle and end of the window among -1 to 1: parts 0, 1, 2."""
+        from flint import arb
+
+        return arb(2 * self.index + part) * arb(2) ** -self.depth - 1
+
+    def _window(self) -> tuple[arb, arb]:
+        """Middle and half of the length, exact."""
+        from flint import arb
+
+        return self._place(1), arb(2) ** -self.depth
 
     def _leave(self, order: int) -> None:
         """Go on to where a boundary is left for sure that is zero at the start.
@@ -75,100 +86,83 @@ class _Search:
         """
         from flint import arb
 
-        function = self.value
-        for _ in range(order):
-            function = (0, self.system.derivative(self.configuration, function[1]))
-        while not self.sum(function, arb(self.step / 2, self.step / 2)) < 0:
+        while not self.function.at(order, arb(*self._window())) < 0:
             self._halve("is left so slowly that digits are missing")
-        self.time = self.step
+        self._pass()
 
     def _halve(self, why: str) -> None:
-        self.step /= 2
-        if self.step < self.shortest:
+        if self.depth == self.deepest:
             raise Undecided(f"{self.name} {why}", self._contact())
+        self.index, self.depth = 2 * self.index, self.depth + 1
+
+    def _pass(self) -> None:
+        """Go on to the next window, as long as the binary digits of its place allow."""
+        self.index += 1
+        while self.depth and self.index % 2 == 0:
+            self.index, self.depth = self.index // 2, self.depth - 1
+        if self.index == 1 and not self.depth:
+            self.segment, self.index = self.segment + 1, 0
+            self.function = self.flow.expansion(self.row, self.segment, self.state)
+            self.time = self.function.start
+        else:
+            self.time = self.function.time(self._place(0))
 
     def _contact(self) -> arb:
         """About where the function is largest, by Newton's method on its slope, if close."""
-        time = self.time
+        start, end = self._place(0), self._place(2)
+        place = start
         for _ in range(60):
-            curve = self.sum(self.curve, time).mid()
+            curve = self.function.at(2, place).mid()
             if curve == 0:
                 break
-            time = (time - self.sum(self.slope, time).mid() / curve).mid()
-            if not abs(time - self.time) < self.unit:
+            place = (place - self.function.at(1, place).mid() / curve).mid()
+            if not abs(place - start) < 1:
                 break
         else:
-            if time >= self.time:
-                return self.time.union(2 * time - self.time)
-        return self.time.union(self.time + self.step)
+            if place >= start:
+                end = 2 * place - start
+        return self.function.time(start).union(self.function.time(end))
 
-    def window(self) -> arb | None:
-        """Decide one window; the time of the crossing if it is in it."""
+    def window(self) -> tuple[arb, list[arb]] | None:
+        """Decide one window; the time and the state of the crossing if it is in it."""
         from flint import arb
 
-        self.windows += 1
-        start, step = self.time, self.step
-        radius = step / 2
-        middle, end = start + radius, start + step
-        functions = self.system.functions(self.configuration, middle)
-        curve = self.sum(self.curve, arb(middle, radius))
-        rate = self.sum(self.slope, middle, functions)
+        function, (middle, radius) = self.function, self._window()
+        curve = function.at(2, arb(middle, radius))
+        rate = function.at(1, middle)
         slope = rate + curve * arb(0, radius)
         if not slope < 0:
             half = radius * radius / 4
-            whole = self.sum(self.value, middle, functions) + rate * arb(0, radius)
+            whole = function.at(0, middle) + rate * arb(0, radius)
             if not whole + curve * arb(half, half) < 0:
-                last = self.sum(self.value, end) if slope > 0 else None
+                last = function.at(0, self._place(2)) if slope > 0 else None
                 if last is not None and last > 0:
                     return self._newton(arb(middle, radius), slope)
                 if last is None or not last < 0:
                     self._halve("is reached tangentially, or comes closer than the digits tell")
                     return None
-        self.time, self.step = end, 2 * step
+        self._pass()
         return None
 
-    def _newton(self, times: arb, slope: arb) -> arb:
-        """The one crossing in a ball of times over which the slope is positive."""
+    def _newton(self, places: arb, slope: arb) -> tuple[arb, list[arb]]:
+        """The one crossing in a ball of places over which the slope is positive."""
+        function = self.function
         while True:
-            middle = times.mid()
-            value = self.sum(self.value, middle)
-            better = times.intersection(middle - value / slope)
-            if 2 * better.rad() >= times.rad():
-                return better
-            times = better
-            near = self.sum(self.slope, times.mid()) + self.sum(self.curve, times) * (
-                times - times.mid()
-            )
+            middle = places.mid()
+            value = function.at(0, middle)
+            better = places.intersection(middle - value / slope)
+            if 2 * better.rad() >= places.rad():
+                # a slope that is not known well leaves the halves, told by the sign
+                if not (value < 0 or value > 0):
+                    times, rate = function.time(better), slope / function.half
+                    return self.flow.crossing(self.row, self.state, times, rate)
+                end = places.upper() if value < 0 else places.lower()
+                better = better.intersection(middle.union(end))
+            places = better
+            near = function.at(1, places.mid())
+            near += function.at(2, places) * (places - places.mid())
             if near > 0:
                 slope = near
-
-    def never(self) -> bool:
-        """Whether the function stays negative for ever, by the sizes of its terms.
-
-        Only drift and oscillations that do not grow are judged.
-        """
-        system, (total, coefficients) = self.system, self.value
-        total = total + 0 * self.time
-        shapes = system.structure.shapes[self.configuration]
-        for shape, (rate, frequency) in zip(shapes, system.modes[self.configuration], strict=True):
-            pair = [coefficients[place] for place in shape.places]
-            width = 2 if shape.oscillates else 1
-            constant = rate.is_zero() and (not shape.oscillates or frequency.is_zero())
-            kept = 2 if constant and not shape.oscillates else 1
-            if any(not c.is_zero() for c in pair[kept * width :]):
-                return False
-            if constant and not shape.oscillates:
-                total += pair[0]
-                if shape.length > 1:
-                    if not pair[1] <= 0:
-                        return False
-                    total += pair[1] * self.time
-                continue
-            if not rate <= 0:
-                return False
-            size = sum(c * c for c in pair[:width]).sqrt()
-            total += size * (rate * self.time).exp()
-        return bool(total < 0)
 
 
 def first_crossing(
@@ -177,7 +171,7 @@ def first_crossing(
     facts: Facts,
     lasting: Facts,
     state: Sequence[arb],
-) -> tuple[arb, tuple[int, ...]] | None:
+) -> Crossing | None:
     """When a phase ends, and which boundaries are reached then; None if it never does.
 
     Time 0 is for boundaries that the start is beyond, or on and about to pass.
@@ -213,7 +207,7 @@ def first_crossing(
         elif sign < 0:
             orders[b] = order
     if crossed:
-        return arb(0), tuple(crossed)
+        return Crossing(arb(0), tuple(crossed), list(state))
     together: dict[Any, list[int]] = {}
     for b in orders:
         row = exact.rows[structure.boundaries[configuration][b].row]
@@ -223,37 +217,46 @@ def first_crossing(
         _Search(system, configuration, group[0], state, orders[group[0]])
         for group in together.values()
     ]
-    found = _earliest([search for search in searches if not search.never()])
+
+    def never(search: _Search) -> bool:
+        return stays_negative(exact.rows[search.row], field, lasting, state, search.time)
+
+    found = _earliest(searches, never)
     if found is None:
         return None
-    time, search = found
-    return time, next(tuple(g) for g in together.values() if g[0] == search.boundary)
+    time, behind, search = found
+    reached = next(tuple(g) for g in together.values() if g[0] == search.boundary)
+    return Crossing(time, reached, behind)
 
 
-def _earliest(searches: list[_Search]) -> tuple[arb, _Search] | None:
-    best: tuple[arb, _Search] | None = None
+def _earliest(
+    searches: list[_Search], never: Callable[[_Search], bool]
+) -> tuple[arb, list[arb], _Search] | None:
+    best: tuple[arb, list[arb], _Search] | None = None
     while searches:
         search = min(searches, key=lambda s: s.time)
         if best is not None and search.time > best[0]:
             break
-        if not search.time < search.longest:
+        if search.segment >= LONGEST_SEARCH:
             raise Undecided(
                 f"no boundary is reached, and {search.name} still could be",
                 search.time,
                 digits=False,
             )
-        time = search.window()
-        if time is not None:
+        before = search.segment
+        found = search.window()
+        if found is not None:
+            time, state = found
             searches.remove(search)
             if best is None or time < best[0]:
-                best = (time, search)
+                best = (time, state, search)
             elif not time > best[0]:
                 raise Undecided(
-                    f"{best[1].name} and {search.name} are reached at one instant, or closer "
+                    f"{best[2].name} and {search.name} are reached at one instant, or closer "
                     "together than the digits tell",
                     time.union(best[0]),
                 )
-        elif search.windows % 64 == 0 and search.never():
+        elif before < search.segment in _LOOKS and never(search):
             searches.remove(search)
     return best
 

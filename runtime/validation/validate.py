@@ -15,11 +15,10 @@ from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.validation.enclosures import (
     EnclosedSystem,
-    Facts,
     Undecided,
     enclosed_system,
-    evaluate,
 )
+from nonsmooth.runtime.validation.facts import Facts, evaluate
 from nonsmooth.runtime.validation.first_crossing import first_crossing
 from nonsmooth.runtime.validation.proof import Enclosure, Proof, exactly
 from nonsmooth.runtime.values import flint_precision
@@ -153,14 +152,14 @@ class _Motion:
         if found is None:
             self.quiet = True
             return
-        dwell, reached = found
+        dwell, reached, state = found
         rows = {structure.boundaries[here][b].row for b in reached}
         if dwell.is_zero():
-            time, state, facts = self.time, self.state, self.facts
+            time, facts = self.time, self.facts
         else:
             time = self.time + dwell
             facts = Facts.of([*lasting.rows, *(exact.rows[row] for row in rows)])
-            state = facts.tighten(system.advance(here, self.state, dwell))
+            state = facts.tighten(state)
         try:
             target, reset = self._next(reached, rows, facts, state)
         except Undecided as trouble:

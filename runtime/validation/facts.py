@@ -1,0 +1,117 @@
+"""What is known exactly of a state: affine functions that are zero, and rows of rationals.
+
+A velocity set to the belt's by a reset, a boundary that was just reached and a coordinate at
+rest on a stop are facts; balls alone could never tell them from nearly so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from flint import arb, fmpq
+
+__all__ = ["Facts", "Row", "evaluate", "left_kernel", "product"]
+
+Row = tuple["fmpq", ...]  # n y + c: n, then c
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Affine functions of a state that are exactly zero: independent rows, reduced.
+
+    Attributes
+    ----------
+    rows : tuple of Row
+        In reduced echelon form.
+    pivots : tuple of int
+        The coordinate that each row gives in terms of the others.
+    """
+
+    rows: tuple[Row, ...]
+    pivots: tuple[int, ...]
+
+    @staticmethod
+    def of(rows: Sequence[Sequence[Any]]) -> Facts:
+        """Facts from rows that need not be independent."""
+        if not rows:
+            return Facts((), ())
+        reduced = [row for row in _echelon(rows) if any(row)]
+        return Facts(
+            tuple(reduced),
+            tuple(next(j for j, entry in enumerate(row) if entry) for row in reduced),
+        )
+
+    @property
+    def consistent(self) -> bool:
+        """Whether any state meets them."""
+        return not self.rows or self.pivots[-1] < len(self.rows[-1]) - 1
+
+    def reduce(self, row: Sequence[Any]) -> Row:
+        """The same function of the state without the coordinates that are known by others."""
+        found = list(row)
+        for fact, pivot in zip(self.rows, self.pivots, strict=True):
+            if factor := found[pivot]:
+                found = [x - factor * y for x, y in zip(found, fact, strict=True)]
+        return tuple(found)
+
+    def lasting(self, field: Sequence[Row]) -> Facts:
+        """Those that stay true along a field: the largest part that it maps into itself."""
+        facts = self
+        while facts.rows:
+            rates = [facts.reduce(product(row, field)) for row in facts.rows]
+            kept = [product(c, facts.rows) for c in left_kernel(rates)]
+            if len(kept) == len(facts.rows):
+                break
+            facts = Facts.of(kept)
+        return facts
+
+    def reset(self, reset: Sequence[Row]) -> Facts:
+        """What is true behind a reset of a state for which these are."""
+        return Facts.of(left_kernel([self.reduce(row) for row in reset]))
+
+    def tighten(self, state: Sequence[arb]) -> list[arb]:
+        """Balls around the coordinates, smaller where a fact gives one by the others."""
+        found = list(state)
+        for row, pivot in zip(self.rows, self.pivots, strict=True):
+            given = evaluate(tuple(-x if j != pivot else 0 * x for j, x in enumerate(row)), state)
+            if given.rad() <= found[pivot].rad():
+                found[pivot] = given
+        return found
+
+
+def _echelon(rows: Sequence[Sequence[Any]]) -> list[Row]:
+    from flint import fmpq_mat
+
+    flat = [entry for row in rows for entry in row]
+    reduced, rank = fmpq_mat(len(rows), len(rows[0]), flat).rref()
+    return [tuple(row) for row in reduced.tolist()[:rank]]
+
+
+def left_kernel(matrix: Sequence[Sequence[Any]]) -> list[Row]:
+    """Rows c with c M = 0."""
+    size, width = len(matrix), len(matrix[0])
+    joined = [[*row, *(int(i == j) for j in range(size))] for i, row in enumerate(matrix)]
+    return [row[width:] for row in _echelon(joined) if not any(row[:width])]
+
+
+def product(row: Sequence[Any], matrix: Sequence[Sequence[Any]]) -> Row:
+    """A row times a matrix: with a field, the row of the derivative."""
+    columns: Iterable[tuple[Any, ...]] = zip(*matrix, strict=True)
+    return tuple(
+        sum((x * y for x, y in zip(row, column, strict=True) if x and y), 0 * column[0])
+        for column in columns
+    )
+
+
+def evaluate(row: Sequence[Any], state: Sequence[arb]) -> arb:
+    """An affine function of a state."""
+    from flint import arb
+
+    total = arb(row[-1])
+    for x, y in zip(row, state, strict=False):
+        if x:
+            total += y * x
+    return total

@@ -1,0 +1,254 @@
+"""The flow of an exact affine field in balls: matrix exponentials and Taylor expansions.
+
+A field y' = A y + b acts on (y, 1) as one matrix B. Nothing but B enters, so damping,
+forcing, drift, defective and clustered eigenvalues are all one case. Time is cut into
+segments about as long as a radian of the fastest motion. An affine function of the state is
+on each of them a polynomial and a remainder, which the minimal polynomial of B bounds: with
+
+    B^m = a_0 I + ... + a_(m-1) B^(m-1)
+
+the derivatives d_k of any affine function obey d_(k+m) = sum of a_i d_(k+i), whatever the
+units of the states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cache, cached_property, lru_cache
+from math import factorial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from flint import arb, arb_mat, arb_poly
+
+__all__ = ["AffineFlow", "Expansion"]
+
+_GROWTH = 4  # how much faster than those before them later derivatives may grow, at most
+_KEPT = 64  # segments whose exponentials are kept for the next phase
+
+
+class Expansion:
+    """An affine function of the state along one segment of time.
+
+    Time is counted by u from -1 to 1 over the segment, derivatives are those by u.
+
+    Parameters
+    ----------
+    start, half : arb
+        Of the segment: its start, and half of its length. Exact.
+    polynomial : arb_poly
+    remainder : arb
+        Bound of all derivatives beyond the polynomial's degree.
+    factor : function of the order of a derivative
+        Its remainder in units of that bound.
+    """
+
+    def __init__(
+        self,
+        start: arb,
+        half: arb,
+        polynomial: arb_poly,
+        remainder: arb,
+        factor: Callable[[int], arb],
+    ) -> None:
+        self.start, self.half = start, half
+        self._remainder, self._factor = remainder, factor
+        self._found = [(polynomial, self._error(0))]
+
+    def at(self, order: int, u: arb) -> arb:
+        """A derivative at a place in [-1, 1], or over a ball of places."""
+        while len(self._found) <= order:
+            polynomial = self._found[-1][0].derivative()
+            self._found.append((polynomial, self._error(len(self._found))))
+        polynomial, error = self._found[order]
+        return polynomial(u) + error
+
+    def _error(self, order: int) -> arb:
+        from flint import arb
+
+        return arb(0, (self._remainder * self._factor(order)).upper())
+
+    def time(self, u: arb) -> arb:
+        """Time at a place."""
+        return self.start + self.half * (1 + u)
+
+
+class AffineFlow:
+    """The flow of one configuration, at the working precision at which it is made.
+
+    Parameters
+    ----------
+    field : rows of fmpq
+        B: square, acts on (y, 1).
+    rows : rows of fmpq
+        Affine functions of the state: n y + c as n and c.
+    bits : int
+    """
+
+    def __init__(
+        self, field: Sequence[Sequence[Any]], rows: Sequence[Sequence[Any]], bits: int
+    ) -> None:
+        from flint import arb, arb_mat, fmpq_mat
+
+        self.field = fmpq_mat([list(row) for row in field])
+        self.matrix = arb_mat(self.field)
+        self.bits = bits
+        self._unit = self._half()
+        self.half = arb(self._unit)
+        self.terms = self._terms()
+        self.flow = lru_cache(2 * _KEPT)(self._flow)
+        self._far = lru_cache(_KEPT)(self._far_flow)
+        self._error_factor = cache(self._error)
+        self.rows = [arb_mat([[arb(entry) for entry in row]]) for row in rows]
+        self._taylor: dict[int, tuple[arb_mat, arb_mat]] = {}
+
+    @cached_property
+    def minimal(self) -> list[Any]:
+        """Coefficients of the minimal polynomial of B, the last of them 1."""
+        found = self.field.minpoly().coeffs()
+        return [entry / found[-1] for entry in found]
+
+    @cached_property
+    def drifts(self) -> bool:
+        """Whether the motion is a polynomial of time."""
+        return not any(self.minimal[:-1])
+
+    def advance(self, state: Sequence[arb], time: arb) -> list[arb]:
+        """State after an exact time."""
+        found: list[arb] = ((self.matrix * time).exp() * _column(state)).entries()
+        return found[:-1]
+
+    def crossing(
+        self, row: int, state: Sequence[arb], times: arb, slope: arb
+    ) -> tuple[arb, list[arb]]:
+        """When an affine function of the state is zero, and the state then.
+
+        The state is bounded together with the time: a change of the start moves both, and
+        what the boundary holds fixed does not grow wider.
+
+        Parameters
+        ----------
+        row : its number
+        state : at the start
+        times : ball in which the function is zero once
+        slope : its derivative over that ball, not zero
+        """
+        from flint import arb
+
+        middle = times.mid()
+        flow = (self.matrix * middle).exp()
+        start = _column(state)
+        centre = start.mid()
+        spread = start - centre
+        level = self.rows[row] * flow
+        about = (level * centre)[0, 0]
+        time = times.intersection(middle - (about + (level * spread)[0, 0]) / slope)
+        late = arb(0, abs(times - middle).upper())
+        end = flow * centre
+        rates = self.matrix * ((self.matrix * late).exp() * (end + flow * spread))
+        shares = rates / slope
+        reached = end - shares * about + (flow - shares * level) * spread
+        entries: list[arb] = reached.entries()
+        return time, entries[:-1]
+
+    def segment(self, number: int) -> tuple[arb, arb]:
+        """Start and half of the length: all alike, or doubled where the motion only drifts."""
+        from flint import arb
+
+        if self.drifts:
+            size = arb(2) ** number
+            return 2 * self.half * (size - 1), self.half * size
+        return 2 * self.half * number, self.half
+
+    def expansion(self, row: int, number: int, state: Sequence[arb]) -> Expansion:
+        """An affine function of the state, by its number, along a segment."""
+        from flint import arb, arb_poly
+
+        start, half = self.segment(number)
+        rows, beyond = self._derivatives(row, half)
+        middle = self.flow(number) * _column(state)
+        remainder = arb(0)
+        for entry in (beyond * middle).entries():
+            remainder = remainder.max(abs(entry).upper())
+        return Expansion(
+            start, half, arb_poly((rows * middle).entries()), remainder, self._error_factor
+        )
+
+    def _flow(self, number: int) -> arb_mat:
+        """From the start of the phase to the middle of a segment."""
+        start, half = self.segment(number)
+        if self.drifts or number < _KEPT:
+            return (self.matrix * (start + half)).exp()
+        far, near = divmod(number, _KEPT)
+        return self._far(far) * self.flow(near)
+
+    def _far_flow(self, count: int) -> arb_mat:
+        """Over so many times as many segments as are kept."""
+        return (self.matrix * (self.half * (2 * _KEPT * count))).exp()
+
+    def _error(self, order: int) -> arb:
+        """Remainder of a derivative in units of the bound of those beyond."""
+        from flint import arb
+
+        first = self.terms - order
+        whole = factorial(self.terms) // factorial(first)
+        return whole / (1 - arb(_GROWTH) / (first + 1))
+
+    def _derivatives(self, row: int, half: arb) -> tuple[arb_mat, arb_mat]:
+        """Rows that give the Taylor coefficients of a function, and bound the others."""
+        from flint import arb_mat
+
+        if row in self._taylor:
+            return self._taylor[row]
+        matrix, last = self.matrix * half, self.rows[row]
+        found = [last.entries()]
+        for k in range(1, self.terms + self._degree):
+            last = last * matrix
+            if k <= self.terms:
+                last = last / k
+            found.append(last.entries())
+        split = arb_mat(found[: self.terms]), arb_mat(found[self.terms :])
+        if not self.drifts:  # segments are all alike
+            self._taylor[row] = split
+        return split
+
+    @property
+    def _degree(self) -> int:
+        return len(self.minimal) - 1
+
+    def _scaled(self, half: Any) -> list[Any]:
+        """The minimal polynomial for derivatives by u."""
+        return [a * half ** (self._degree - i) for i, a in enumerate(self.minimal)]
+
+    def _half(self) -> Any:
+        """Half a segment: the largest power of 2 for which derivatives grow little enough."""
+        from flint import fmpq
+
+        def little(half: Any) -> bool:
+            return bool(sum(map(abs, self._scaled(half)[:-1])) <= _GROWTH)
+
+        half = fmpq(1)
+        if not self.drifts:
+            while not little(half):
+                half /= 2
+            while little(2 * half):
+                half *= 2
+        return half
+
+    def _terms(self) -> int:
+        """How many make the remainder about as small as rounding."""
+        roots = np.roots([float(a) for a in reversed(self._scaled(self._unit))])
+        radius = max(float(np.abs(roots).max()), 0.25)
+        terms, size = 1, 1.0
+        while terms < self._degree + _GROWTH + 2 or (size > 2.0**-self.bits and not self.drifts):
+            terms += 1
+            size *= radius / terms
+        return terms
+
+
+def _column(state: Sequence[arb]) -> arb_mat:
+    from flint import arb, arb_mat
+
+    return arb_mat([[x] for x in (*state, arb(1))])
