@@ -19,6 +19,7 @@ Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of t
 `appendix`       the source paper's own route to the global stick orbit
 `kernels`        what is emitted for a system and an orbit
 `document`       the derivation written down: LaTeX, Markdown, HTML, PDF
+`building`       the usual oscillators in a few lines: stops, friction, sliders, forcing
 `codegen`        the emitters: Python, C, ufuncs
 ===============  ==============================================================
 
@@ -29,6 +30,17 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from nonsmooth.derive.building import (
+        Friction,
+        Harmonic,
+        Regions,
+        RigidStop,
+        Slider,
+        SoftStop,
+        Terms,
+        chain_matrices,
+        oscillator,
+    )
     from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
     from nonsmooth.derive.equations import EquationSystem, derive_equations
     from nonsmooth.derive.errors import DeclarationError, DerivationError
@@ -53,19 +65,37 @@ __all__ = [
     "DerivationError",
     "EquationSystem",
     "FirstOrder",
+    "Friction",
+    "Harmonic",
     "Itinerary",
     "Parameter",
     "Phase",
     "Presentation",
     "Reference",
+    "Regions",
+    "RigidStop",
     "SecondOrder",
+    "Slider",
+    "SoftStop",
     "System",
+    "Terms",
     "Transition",
+    "chain_matrices",
     "derive_equations",
     "dry_friction",
+    "oscillator",
 ]
 
 _HOMES = {
+    "Friction": "building",
+    "Harmonic": "building",
+    "Regions": "building",
+    "RigidStop": "building",
+    "Slider": "building",
+    "SoftStop": "building",
+    "Terms": "building",
+    "chain_matrices": "building",
+    "oscillator": "building",
     "DeclarationError": "errors",
     "DerivationError": "errors",
     "EquationSystem": "equations",

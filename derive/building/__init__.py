@@ -1,0 +1,39 @@
+"""Oscillators from matrices and elements: stops, friction, sliders, forcing.
+
+===============  ==============================================================
+`oscillator`     the one function: matrices and elements to a System
+`elements`       RigidStop, SoftStop, Friction, Slider, Regions, Harmonic
+`matrices`       the matrices of a chain of masses
+`frame`          coordinates, states and parameters by name
+`parts`          the elements as local regimes
+`assembly`       motion, reactions and boundaries of the products of regimes
+`impacts`        Newton's law of impact for any mass matrix
+`resting`        contacts at rest: the small complementarity problem
+===============  ==============================================================
+"""
+
+from nonsmooth.derive.building.elements import (
+    Element,
+    Friction,
+    Harmonic,
+    Regions,
+    RigidStop,
+    Slider,
+    SoftStop,
+    Terms,
+)
+from nonsmooth.derive.building.matrices import chain_matrices
+from nonsmooth.derive.building.oscillator import oscillator
+
+__all__ = [
+    "Element",
+    "Friction",
+    "Harmonic",
+    "Regions",
+    "RigidStop",
+    "Slider",
+    "SoftStop",
+    "Terms",
+    "chain_matrices",
+    "oscillator",
+]

@@ -1,0 +1,314 @@
+"""What an oscillator is built from beside its matrices: stops, friction, sliders, regions.
+
+Values may be numbers or SymPy expressions of parameters. A direction is the name of a
+coordinate, or a mapping of coordinates to weights: ``{"x2": 1, "x1": -1}`` is the relative
+coordinate x2 - x1. Units are the user's own, consistent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.parameter import exact
+
+__all__ = [
+    "Direction",
+    "Element",
+    "Friction",
+    "Harmonic",
+    "Regions",
+    "RigidStop",
+    "Slider",
+    "SoftStop",
+    "Terms",
+]
+
+Direction = str | Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Harmonic:
+    """Force ``cosine cos(frequency t + phase) + sine sin(frequency t + phase)``.
+
+    It adds two states, c = cos and s = sin of the argument, with c' = -frequency s and
+    s' = frequency c; where they start gives the phase.
+
+    Parameters
+    ----------
+    frequency : number or expression
+        Angular frequency.
+    cosine, sine : n values, or mapping of coordinate to value
+        Amplitudes of the forces on the coordinates; zero where not given.
+    """
+
+    frequency: Any
+    cosine: Sequence[Any] | Mapping[str, Any] = ()
+    sine: Sequence[Any] | Mapping[str, Any] = ()
+
+    def __post_init__(self) -> None:
+        _check(self.frequency, "a harmonic's frequency", lower=0, strict=True)
+
+
+@dataclass(frozen=True)
+class RigidStop:
+    """A rigid stop with Newton's law of impact, ``w x'+ = -restitution w x'-``.
+
+    The impulse acts along w, so that any mass matrix serves. Impacts that accumulate, and
+    those of restitution 0, end in lasting contact (`contact`), which is left when the stop
+    would have to pull. Friction takes part in no impact; a stop in lasting contact does.
+    Stops reached at one instant act one after another, in the order of declaration.
+
+    Boundaries ``NAME-reaches-stop`` (of `free`) and ``NAME-leaves-stop`` (of `contact`).
+
+    Parameters
+    ----------
+    coordinate : str or mapping
+        Direction w.
+    at : number or expression
+        Value of w x at the stop.
+    restitution : number or expression
+        Coefficient of restitution in [0, 1].
+    side : {"upper", "lower"}
+        Whether w x stays below or above `at`.
+    name : str
+        ``COORDINATE-SIDE`` when omitted.
+
+    Raises
+    ------
+    DeclarationError
+        For a restitution outside [0, 1], or an unknown side.
+    """
+
+    coordinate: Direction
+    at: Any
+    restitution: Any
+    side: str = "upper"
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        _check_side(self.side)
+        _name(self, f"{direction_name(self.coordinate)}-{self.side}")
+        _check(self.restitution, f"restitution of {self.name!r}", lower=0, upper=1)
+
+
+@dataclass(frozen=True)
+class SoftStop:
+    """A stop of finite stiffness, with a damper of its own.
+
+    With the penetration g, the force of the stop is stiffness g + damping g' in contact.
+    ``released="gap"`` keeps the contact until the gap opens (g = 0): a damped stop then pulls
+    a little before. ``released="force"`` ends it when the force vanishes; the mass is then
+    `released`, without a force, until the gap opens or the force would push again.
+
+    Boundaries ``NAME-reaches-stop`` (of `free`), ``NAME-leaves-stop`` (of `contact`), and
+    ``NAME-opens`` and ``NAME-meets-again`` (of `released`).
+
+    Parameters
+    ----------
+    coordinate : str or mapping
+        Direction w.
+    at : number or expression
+        Value of w x at which the gap is closed.
+    stiffness, damping : number or expression
+    side : {"upper", "lower"}
+        Whether w x grows or falls into the stop.
+    released : {"gap", "force"}
+    name : str
+        ``COORDINATE-SIDE`` when omitted.
+
+    Raises
+    ------
+    DeclarationError
+        For a negative stiffness or damping, an unknown side, or an unknown release.
+    """
+
+    coordinate: Direction
+    at: Any
+    stiffness: Any
+    damping: Any = 0
+    side: str = "upper"
+    released: str = "gap"
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        _check_side(self.side)
+        _name(self, f"{direction_name(self.coordinate)}-{self.side}")
+        _check(self.stiffness, f"stiffness of {self.name!r}", lower=0)
+        _check(self.damping, f"damping of {self.name!r}", lower=0)
+        if self.released not in ("gap", "force"):
+            raise DeclarationError(
+                f"{self.name!r}: released is {self.released!r}, not 'gap' or 'force'"
+            )
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Dry friction on a belt, on the ground (velocity 0), or between two coordinates.
+
+    With the relative velocity r = w x' - velocity, the friction force along w is
+
+    * `slip`, r < 0: kinetic normal + falling r,
+    * `overshoot`, r > 0: -(kinetic normal - falling r),
+    * `stick`, r = 0: what holds it, up to static normal either way.
+
+    At r = 0 a contact sticks if it can. Contacts that the mass matrix couples are decided
+    together. Where `kinetic` normal falls below `falling` |r|, or the normal load below zero,
+    the law has left its field; neither is watched.
+
+    Boundaries ``NAME-reaches-belt`` (of `slip` and `overshoot`), ``NAME-breaks-forward`` and
+    ``NAME-breaks-backward`` (of `stick`; forward into `slip`).
+
+    Parameters
+    ----------
+    coordinate : str or mapping
+        Direction w.
+    kinetic, static : number or expression
+        Forces, or with `normal` the coefficients; `static` is `kinetic` when omitted.
+    velocity : number or expression
+        Velocity of the belt.
+    falling : number or expression
+        Slope by which the kinetic force falls with |r|.
+    normal : number or expression
+        Normal load, affine in the state: symbols bear the names of the states.
+    name : str
+        The coordinate when omitted.
+
+    Raises
+    ------
+    DeclarationError
+        For negative numbers, or kinetic above static.
+    """
+
+    coordinate: Direction
+    kinetic: Any
+    static: Any = None
+    velocity: Any = 0
+    falling: Any = 0
+    normal: Any = 1
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        _name(self, direction_name(self.coordinate))
+        if self.static is None:
+            object.__setattr__(self, "static", self.kinetic)
+        _check(self.kinetic, f"kinetic friction of {self.name!r}", lower=0)
+        _check(self.static, f"static friction of {self.name!r}", lower=0)
+        excess = exact(self.static) - exact(self.kinetic)
+        if excess.is_negative:
+            raise DeclarationError(
+                f"{self.name!r}: kinetic friction {self.kinetic} is above static {self.static}"
+            )
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A spring in series with a massless Coulomb slider (Jenkins element).
+
+    The position of the slider is a state of its own, ``s_NAME``. The force on the oscillator
+    along w is -stiffness (w x - s) while the slider is `stuck`, and -limit or limit while it
+    is dragged `forward` or `backward`; it turns where w x' does.
+
+    Boundaries ``NAME-slides-forward`` and ``NAME-slides-backward`` (of `stuck`), and
+    ``NAME-turns`` (of the others).
+
+    Parameters
+    ----------
+    coordinate : str or mapping
+        Direction w: a coordinate against the ground, or the difference of two.
+    stiffness, limit : number or expression
+        Positive.
+    name : str
+        The coordinate when omitted, without a hyphen.
+
+    Raises
+    ------
+    DeclarationError
+        For a stiffness or limit that is not positive.
+    """
+
+    coordinate: Direction
+    stiffness: Any
+    limit: Any
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        _name(self, direction_name(self.coordinate))
+        _check(self.stiffness, f"stiffness of {self.name!r}", lower=0, strict=True)
+        _check(self.limit, f"limit of {self.name!r}", lower=0, strict=True)
+
+
+@dataclass(frozen=True)
+class Terms:
+    """Terms ``damping x' + stiffness x = load`` that are added to the equations.
+
+    Parameters
+    ----------
+    stiffness, damping : n x n matrices
+        Zero when omitted.
+    load : n values
+        Zero when omitted.
+    """
+
+    stiffness: Any = None
+    damping: Any = None
+    load: Any = None
+
+
+@dataclass(frozen=True)
+class Regions:
+    """Terms that change across a plane of the state.
+
+    Motions have to cross the plane: the forces are to be continuous there, or to lead both to
+    one side. Where they hold the motion on the plane use `Friction`.
+
+    Boundaries ``NAME-rises`` (of `below`) and ``NAME-falls`` (of `above`).
+
+    Parameters
+    ----------
+    function : expression
+        Affine in the state; symbols bear the names of the states.
+    below, above : Terms
+        Added where `function` is negative, and where it is positive.
+    name : str
+    """
+
+    function: Any
+    below: Terms = Terms()
+    above: Terms = Terms()
+    name: str = "region"
+
+
+Element = RigidStop | SoftStop | Friction | Slider | Regions
+
+
+def direction_name(direction: Direction) -> str:
+    """Name of a coordinate, or those of a direction, joined."""
+    return direction if isinstance(direction, str) else "-".join(direction)
+
+
+def _name(element: Any, default: str) -> None:
+    object.__setattr__(element, "name", element.name or default)
+
+
+def _check_side(side: str) -> None:
+    if side not in ("upper", "lower"):
+        raise DeclarationError(f"the side of a stop is {side!r}, not 'upper' or 'lower'")
+
+
+def _check(
+    value: Any, what: str, lower: int, upper: int | None = None, strict: bool = False
+) -> None:
+    """Refuse a value that is known to lie outside; what depends on parameters may be inside."""
+    number = exact(value)
+    if number.is_number and not (number.is_real and number.is_finite):
+        raise DeclarationError(f"{what} is not a real number: {value}")
+    if upper is not None:
+        if (number - lower).is_negative or (upper - number).is_negative:
+            raise DeclarationError(f"{what} is not in [{lower}, {upper}]: {value}")
+    elif strict and (number - lower).is_nonpositive:
+        raise DeclarationError(f"{what} is not positive: {value}")
+    elif (number - lower).is_negative:
+        raise DeclarationError(f"{what} is negative: {value}")

@@ -1,0 +1,204 @@
+"""Coordinates, states and parameters of an oscillator: what names in a declaration stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.building.elements import Direction, RigidStop
+from nonsmooth.derive.building.remembering import remembered
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.parameter import Parameter, exact, is_positive
+
+__all__ = ["Frame", "inferred_parameters", "velocity_name"]
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """States and parameters by name, and the mass matrix.
+
+    Attributes
+    ----------
+    positions, velocities : n symbols
+    others : tuple of symbols
+        Cosines and sines of the forcing, positions of sliders.
+    parameters : tuple of Parameter
+    mass : n x n matrix
+    """
+
+    positions: tuple[sp.Symbol, ...]
+    velocities: tuple[sp.Symbol, ...]
+    others: tuple[sp.Symbol, ...]
+    parameters: tuple[Parameter, ...]
+    mass: sp.Matrix
+
+    @cached_property
+    def states(self) -> tuple[sp.Symbol, ...]:
+        """Positions, velocities, others."""
+        return (*self.positions, *self.velocities, *self.others)
+
+    @cached_property
+    def inverse(self) -> sp.Matrix:
+        """Inverse of the mass matrix."""
+        return sp.ImmutableMatrix(self.mass.inv().applyfunc(sp.cancel))
+
+    @cached_property
+    def _symbols(self) -> dict[str, sp.Symbol]:
+        known = {p.name: p.symbol for p in self.parameters}
+        return known | {str(s): s for s in self.states}
+
+    def expression(self, given: Any) -> Any:
+        """An exact expression, its symbols replaced by those of the same name."""
+        found = exact(given)
+        return found.xreplace(
+            {s: self._symbols[s.name] for s in found.free_symbols if s.name in self._symbols}
+        )
+
+    def column(self, given: Sequence[Any] | Mapping[str, Any] | None, what: str) -> sp.Matrix:
+        """Column of n values, given in order or by coordinate; zero where not given."""
+        names = [str(s) for s in self.positions]
+        if isinstance(given, Mapping):
+            self._check_coordinates(given, what)
+            given = [given.get(name, 0) for name in names]
+        if given is None or len(given) == 0:
+            return sp.zeros(len(names), 1)
+        if len(given) != len(names):
+            raise DeclarationError(f"{what} has {len(given)} values for {len(names)} coordinates")
+        return sp.Matrix([self.expression(value) for value in given])
+
+    def matrix(self, given: Any, what: str) -> sp.Matrix:
+        """An n x n matrix; zero when not given."""
+        size = len(self.positions)
+        return sp.zeros(size, size) if given is None else square(given, what, size, self.expression)
+
+    def row(self, direction: Direction, where: str) -> sp.Matrix:
+        """Row of weights of a direction."""
+        if isinstance(direction, str):
+            direction = {direction: 1}
+        row = self.column(direction, where).T
+        if row.is_zero_matrix:
+            raise DeclarationError(f"{where}: its direction is zero")
+        return sp.ImmutableMatrix(row)
+
+    def position(self, row: sp.Matrix) -> sp.Expr:
+        """Position along a direction."""
+        return (row * sp.Matrix(self.positions))[0]
+
+    def velocity(self, row: sp.Matrix) -> sp.Expr:
+        """Velocity along a direction."""
+        return (row * sp.Matrix(self.velocities))[0]
+
+    def affine(self, function: Any, where: str) -> sp.Expr:
+        """An affine function of the state; DeclarationError if it is none."""
+        function = self.expression(function)
+        slopes = [sp.diff(function, s) for s in self.states]
+        if any(slope.free_symbols & set(self.states) for slope in slopes):
+            raise DeclarationError(f"{where}: {function} is not affine in the state")
+        return function
+
+    @remembered
+    def tidy(self, function: sp.Expr) -> sp.Expr:
+        """An affine function of the state with simplified coefficients."""
+        slopes = [sp.diff(function, s) for s in self.states]
+        constant = function.xreplace(dict.fromkeys(self.states, sp.S.Zero))
+        return sp.cancel(constant) + sum(
+            sp.cancel(slope) * s for slope, s in zip(slopes, self.states, strict=True) if slope != 0
+        )
+
+    @remembered
+    def sign(self, expression: sp.Expr) -> int | None:
+        """Sign of an expression of parameters on their whole domain; None if not shown."""
+        expression = sp.cancel(expression)
+        if expression == 0:
+            return 0
+        if is_positive(expression, self.parameters):
+            return 1
+        return -1 if is_positive(-expression, self.parameters) else None
+
+    def _check_coordinates(self, names: Iterable[str], what: str) -> None:
+        known = [str(s) for s in self.positions]
+        for name in names:
+            if name not in known:
+                raise DeclarationError(
+                    f"{what}: unknown coordinate {name!r} (known: {', '.join(known)})"
+                )
+
+
+def square(given: Any, what: str, size: int, resolved: Any = exact) -> sp.Matrix:
+    """A matrix of the given size, its entries resolved."""
+    try:
+        matrix = sp.Matrix(given)
+    except (TypeError, ValueError):
+        raise DeclarationError(f"{what} is no matrix: {given!r}") from None
+    if matrix.shape != (size, size):
+        raise DeclarationError(
+            f"{what} is {matrix.rows} x {matrix.cols}, not {size} x {size} as there are coordinates"
+        )
+    return matrix.applyfunc(resolved)
+
+
+def velocity_name(coordinate: str) -> str:
+    """Name of a coordinate's velocity: x1 has v1, phi has v_phi."""
+    return f"v{coordinate[1:]}" if coordinate.startswith("x") else f"v_{coordinate}"
+
+
+def inferred_parameters(
+    given: Iterable[Parameter], states: Iterable[str], *sources: Any
+) -> tuple[Parameter, ...]:
+    """The given parameters, and one for every other symbol of the sources.
+
+    A symbol's assumptions give its domain: positive, nonnegative, negative or real. One
+    without them is positive, and a coefficient of restitution lies in [0, 1].
+    """
+    found = {p.name: p for p in given}
+    names = {*states, *found}
+    restitutions = {
+        s.name
+        for source in sources
+        if isinstance(source, Sequence)
+        for element in source
+        if isinstance(element, RigidStop)
+        for s in [exact(element.restitution)]
+        if s.is_Symbol
+    }
+    for symbol in _symbols(sources):
+        if symbol.name not in names:
+            names.add(symbol.name)
+            found[symbol.name] = _inferred(symbol, symbol.name in restitutions)
+    return tuple(found.values())
+
+
+def _inferred(symbol: sp.Symbol, restitution: bool) -> Parameter:
+    name = symbol.name
+    if restitution:
+        text = "coefficient of restitution, nondimensional"
+        return Parameter(name, text, upper=1, closed=True, upper_closed=True)
+    if symbol.is_negative:
+        return Parameter(name, "negative, in the user's consistent units", -sp.oo, 0)
+    if symbol.is_positive is None and symbol.is_nonnegative:
+        return Parameter(name, "not negative, in the user's consistent units", closed=True)
+    if symbol.is_positive is None and symbol.is_real:
+        return Parameter(name, "real, in the user's consistent units", -sp.oo)
+    return Parameter(name, "positive, in the user's consistent units")
+
+
+def _symbols(value: Any) -> Iterator[sp.Symbol]:
+    """Symbols of whatever may hold expressions, in order of appearance."""
+    if isinstance(value, sp.MatrixBase):
+        yield from _symbols(list(value))
+    elif isinstance(value, sp.Basic):
+        yield from sorted(value.free_symbols, key=str)
+    elif isinstance(value, Mapping):
+        yield from _symbols(list(value.values()))
+    elif isinstance(value, list | tuple):
+        for entry in value:
+            yield from _symbols(entry)
+    elif is_dataclass(value):
+        for part in fields(value):
+            yield from _symbols(getattr(value, part.name))
+    elif hasattr(value, "tolist"):
+        yield from _symbols(value.tolist())

@@ -1,0 +1,163 @@
+"""Impacts on rigid stops by Newton's law, with any mass matrix.
+
+Several stops reached together act one after another. Stops in lasting contact that the mass
+matrix couples to the impact hold, unless their impulse would pull. Contacts with friction take
+no impulse; those whose velocity jumps slip or overshoot behind it. What an impact leaves
+undecided is a boundary at which the next configuration starts, and follows at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import chain, combinations, product
+
+import sympy as sp
+
+from nonsmooth.derive.building.assembly import Assembly, Regimes
+from nonsmooth.derive.building.parts import FrictionPart, StopPart
+from nonsmooth.derive.building.resting import changed
+from nonsmooth.derive.system import Condition
+
+__all__ = ["impacts"]
+
+_APPROACH = sp.Dummy("approach", positive=True)
+_Impact = tuple[tuple[Condition, ...], Regimes, sp.Matrix]
+
+
+def impacts(
+    assembly: Assembly, regimes: Regimes, reached: Sequence[int], moved: Sequence[int]
+) -> Iterator[_Impact]:
+    """Conditions, next regimes and velocities (n x 1) of all impacts, in their order.
+
+    Parameters
+    ----------
+    assembly : Assembly
+    regimes : tuple of str
+        Before the event, those of switching parts already replaced.
+    reached : indices of stops
+        At the stop, perhaps with a velocity.
+    moved : indices of all parts that have reached a boundary
+    """
+    velocities = sp.Matrix(assembly.frame.velocities)
+    for strikes in product((True, False), repeat=len(reached)):
+        struck = [i for i, strike in zip(reached, strikes, strict=True) if strike]
+        if struck:
+            for conditions, following, after in _struck(assembly, regimes, struck, velocities):
+                yield from _settled(assembly, conditions, regimes, following, after, struck, moved)
+
+
+def _struck(
+    assembly: Assembly, regimes: Regimes, stops: Sequence[int], velocities: sp.Matrix
+) -> Iterator[_Impact]:
+    """One impact after another."""
+    if not stops:
+        yield (), regimes, velocities
+        return
+    stop, *others = stops
+    part = assembly.stop(stop)
+    approach = (part.direction * velocities)[0]
+    arrives = Condition(approach, _touching(assembly, regimes, stop))
+    closed = [
+        i for i in assembly.holders if regimes[i] == "contact" and assembly.coupling(stop, i) != 0
+    ]
+    for kept in chain.from_iterable(combinations(closed, k) for k in range(len(closed), -1, -1)):
+        found = assembly.impulse(stop, kept)
+        if found is None:
+            continue
+        change, pushes = found
+        signs = [assembly.frame.sign(push) for push in pushes]
+        if any(sign in (0, -1) for sign in signs):
+            continue
+        holds = [
+            Condition(push * approach, arrives.along)
+            for push, sign in zip(pushes, signs, strict=True)
+            if sign is None
+        ]
+        following = regimes
+        for i in closed:
+            if i not in kept:
+                following = changed(following, i, "free")
+        after = (velocities + change * approach).expand()
+        for more, final, last in _struck(assembly, following, others, after):
+            yield (arrives, *holds, *more), final, last
+        if not holds:
+            return
+
+
+def _touching(assembly: Assembly, regimes: Regimes, stop: int) -> str:
+    """A configuration in which a stop is in contact: the given regimes beside it, if possible."""
+    wanted = changed(regimes, stop, "contact")
+    if assembly.exists(wanted):
+        return assembly.name(wanted)
+    others = [
+        ("contact" if i == stop else "free",)
+        if isinstance(part, StopPart)
+        else part.regimes
+        if isinstance(part, FrictionPart)
+        else (regimes[i],)
+        for i, part in enumerate(assembly.parts)
+    ]
+    return assembly.name(next(c for c in product(*others) if assembly.exists(c)))
+
+
+def _settled(
+    assembly: Assembly,
+    conditions: tuple[Condition, ...],
+    before: Regimes,
+    following: Regimes,
+    after: sp.Matrix,
+    struck: Sequence[int],
+    moved: Sequence[int],
+) -> Iterator[_Impact]:
+    """Regimes of friction behind impacts, by the sign of each velocity that has jumped."""
+    jump = (after - sp.Matrix(assembly.frame.velocities)).expand()
+    along = conditions[0].along
+    members = [i for i in assembly.holders if isinstance(assembly.parts[i], FrictionPart)]
+    options: list[tuple[tuple[str, tuple[Condition, ...]], ...]] = []
+    for i in members:
+        part = assembly.friction(i)
+        step = sp.expand((part.direction * jump)[0])
+        if step == 0:
+            options.append((("stick" if i in moved else following[i], ()),))
+            continue
+        # a direction at rest moves on with the jump alone
+        relative = sp.expand(step if before[i] == "stick" or i in moved else part.relative + step)
+        sign = _sign_behind(assembly, relative, struck)
+        if sign == -1:
+            options.append((("slip", ()),))
+        elif sign == 1:
+            options.append((("overshoot", ()),))
+        else:
+            options.append(
+                (
+                    ("slip", (Condition(-relative, along),)),
+                    ("overshoot", (Condition(relative, along),)),
+                    ("stick", ()),
+                )
+            )
+    for chosen in product(*options):
+        regimes, more = following, conditions
+        for i, (regime, condition) in zip(members, chosen, strict=True):
+            regimes, more = changed(regimes, i, regime), more + condition
+        for i in moved:
+            if before[i] == "contact" and isinstance(assembly.parts[i], StopPart):
+                regimes = changed(regimes, i, "free")
+        if not assembly.exists(regimes):
+            continue
+        yield more, regimes, after
+
+
+def _sign_behind(assembly: Assembly, relative: sp.Expr, struck: Sequence[int]) -> int | None:
+    """Sign of a velocity that depends on nothing but the approach to one stop; None if unknown."""
+    if len(struck) > 1:
+        return None
+    part = assembly.stop(struck[0])
+    first = next(j for j, weight in enumerate(part.direction) if weight != 0)
+    symbol = assembly.frame.velocities[first]
+    others = part.approach.coeff(symbol)
+    value = sp.expand(
+        relative.subs(symbol, (_APPROACH - (part.approach - others * symbol)) / others)
+    )
+    if value.free_symbols & set(assembly.frame.states):
+        return None
+    return assembly.frame.sign(value)

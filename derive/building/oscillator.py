@@ -1,0 +1,187 @@
+"""The usual oscillators declared in a few lines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.building.assembly import Assembly
+from nonsmooth.derive.building.elements import Element, Harmonic, Slider
+from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
+from nonsmooth.derive.building.parts import FrictionPart, part_of, slider_state
+from nonsmooth.derive.building.transitions import transitions_from
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.system import System
+
+__all__ = ["oscillator"]
+
+
+def oscillator(
+    name: str,
+    coordinates: Sequence[str],
+    mass: Any,
+    stiffness: Any,
+    damping: Any = None,
+    load: Any = None,
+    forcing: Sequence[Harmonic] = (),
+    elements: Sequence[Element] = (),
+    parameters: Sequence[Parameter] = (),
+    description: str = "",
+) -> System:
+    """Declare ``mass x'' + damping x' + stiffness x = load + forcing + elements``.
+
+    Each element multiplies the configurations by its regimes: a configuration bears their
+    names in the order of the elements, ``slip-free``; without elements it is ``free``. All
+    boundaries that different elements can reach at one instant have transitions.
+
+    Parameters
+    ----------
+    name : str
+    coordinates : n names
+        Positions; the velocity of x1 is v1, that of phi is v_phi.
+    mass, stiffness, damping : n x n matrices
+        Numbers or expressions; mass symmetric and positive definite. No damping when omitted.
+    load : n values, or mapping of coordinate to value
+        Constant forces.
+    forcing : sequence of Harmonic
+        Each adds the states c1, s1, c2, s2, ... behind the velocities.
+    elements : sequence of RigidStop, SoftStop, Friction, Slider, Regions
+    parameters : sequence of Parameter
+        Domains. A symbol that is not named here gets a domain by its assumptions (positive,
+        nonnegative, negative, real); one without assumptions is positive, and a coefficient
+        of restitution lies in [0, 1]. Symbols are told apart by their names alone.
+    description : str
+
+    Returns
+    -------
+    System
+
+    Raises
+    ------
+    DeclarationError
+        For a wrong shape, an unknown coordinate, a repeated name, a function that is not
+        affine in the state, a mass that is not symmetric and positive definite, or contacts
+        that depend on each other.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive.building import RigidStop, chain_matrices, oscillator
+    >>> mass, stiffness, _ = chain_matrices([1, 2], [5, 1])
+    >>> system = oscillator("two", ["x1", "x2"], mass, stiffness,
+    ...                     elements=[RigidStop("x2", at=1, restitution=0.8, name="stop")])
+    >>> [c.name for c in system.configurations]
+    ['free', 'contact']
+    """
+    assembly = _assembled(
+        coordinates, mass, stiffness, damping, load, forcing, elements, parameters
+    )
+    products = assembly.products
+    return System(
+        name=name,
+        description=description or f"oscillator with {len(coordinates)} coordinates",
+        states=assembly.frame.states,
+        parameters=assembly.frame.parameters,
+        configurations=tuple(assembly.configuration(regimes) for regimes in products),
+        transitions=tuple(t for regimes in products for t in transitions_from(assembly, regimes)),
+        constraints=_constraints(assembly),
+        contacts=assembly.contacts(products),
+        forcing=assembly.phases,
+    )
+
+
+def _assembled(
+    coordinates: Sequence[str],
+    mass: Any,
+    stiffness: Any,
+    damping: Any,
+    load: Any,
+    forcing: Sequence[Harmonic],
+    elements: Sequence[Element],
+    parameters: Sequence[Parameter],
+) -> Assembly:
+    coordinates, size = list(coordinates), len(coordinates)
+    if size == 0:
+        raise DeclarationError("an oscillator needs a coordinate")
+    _unique(coordinates, "coordinate")
+    _unique([element.name for element in elements], "element")
+    positions = tuple(sp.Symbol(n, real=True) for n in coordinates)
+    velocities = tuple(sp.Symbol(velocity_name(n), real=True) for n in coordinates)
+    phases = tuple(
+        (sp.Symbol(f"c{k}", real=True), sp.Symbol(f"s{k}", real=True))
+        for k in range(1, len(forcing) + 1)
+    )
+    sliders = tuple(slider_state(e) for e in elements if isinstance(e, Slider))
+    others = (*(s for pair in phases for s in pair), *sliders)
+    states = [str(s) for s in (*positions, *velocities, *others)]
+    matrix = square(mass, "mass", size)
+    declared = inferred_parameters(
+        parameters, states, matrix, stiffness, damping, load, list(forcing), list(elements)
+    )
+    bare = Frame(positions, velocities, others, declared, matrix)
+    frame = Frame(positions, velocities, others, declared, _mass(bare.matrix(matrix, "mass")))
+    forces = (
+        frame.column(load, "load")
+        - frame.matrix(_given(stiffness, "stiffness"), "stiffness") * sp.Matrix(positions)
+        - frame.matrix(damping, "damping") * sp.Matrix(velocities)
+    )
+    rates: list[tuple[sp.Symbol, sp.Expr]] = []
+    for harmonic, (cosine, sine) in zip(forcing, phases, strict=True):
+        frequency = frame.expression(harmonic.frequency)
+        forces += frame.column(harmonic.cosine, "cosine amplitudes") * cosine
+        forces += frame.column(harmonic.sine, "sine amplitudes") * sine
+        rates += [(cosine, -frequency * sine), (sine, frequency * cosine)]
+    parts = tuple(part_of(element, frame) for element in elements)
+    assembly = Assembly(frame, parts, sp.ImmutableMatrix(forces), phases, tuple(rates))
+    _check_independence(assembly)
+    return assembly
+
+
+def _mass(matrix: sp.Matrix) -> sp.Matrix:
+    if matrix != matrix.T:
+        raise DeclarationError("mass is not symmetric")
+    if not matrix.free_symbols and not matrix.is_positive_definite:
+        raise DeclarationError("mass is not positive definite")
+    return sp.ImmutableMatrix(matrix)
+
+
+def _given(stiffness: Any, what: str) -> Any:
+    if stiffness is None:
+        raise DeclarationError(f"{what} is missing")
+    return stiffness
+
+
+def _check_independence(assembly: Assembly) -> None:
+    """Two contacts in one direction that move alike share their force in no definite way."""
+    for i, j in combinations(assembly.holders, 2):
+        first, second = assembly.parts[i], assembly.parts[j]
+        if isinstance(first, FrictionPart) and isinstance(second, FrictionPart):
+            rows = assembly.rows((i, j))
+            if rows.rank() < 2:
+                place = next(k for k, weight in enumerate(first.direction) if weight != 0)
+                ratio = second.direction[place] / first.direction[place]
+                if sp.cancel(second.speed - ratio * first.speed) == 0:
+                    raise DeclarationError(
+                        f"elements {first.name!r} and {second.name!r} rub in one direction at one"
+                        " velocity: join them into one"
+                    )
+
+
+def _constraints(assembly: Assembly) -> tuple[sp.Expr, ...]:
+    """Static friction is not below kinetic, where both are parameters."""
+    found = []
+    for part in assembly.parts:
+        if isinstance(part, FrictionPart):
+            kinetic = sp.expand((part.slipping - part.overshooting) / 2)
+            if part.limit.is_Symbol and kinetic.is_Symbol and part.limit != kinetic:
+                found.append(part.limit - kinetic)
+    return tuple(dict.fromkeys(found))
+
+
+def _unique(names: Sequence[str], what: str) -> None:
+    for name in names:
+        if names.count(name) > 1:
+            raise DeclarationError(f"{what} {name!r} is declared twice")
