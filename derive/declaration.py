@@ -16,7 +16,7 @@ t^k e^(st) cos(wt), and t^k e^(st) sin(wt) where it oscillates, for k = 0, ..., 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -60,20 +60,19 @@ class Mode:
 def modes_of(flow: Flow) -> tuple[Mode, ...] | None:
     """Modes of a flow; None where its functions are entire ones of unknown exponents."""
     powers: list[int] = []
-    frequencies: list[sp.Expr] = []
+    angles: list[sp.Expr] = []
     for function in flow.basis:
         if function.is_polynomial(TIME):
             powers.append(int(sp.degree(function, TIME)) if function != 1 else 0)
         elif isinstance(function, sp.cos | sp.sin):
-            frequency = sp.cancel(function.args[0] / TIME)
-            if frequency not in frequencies:
-                frequencies.append(frequency)
+            if function.args[0] not in angles:
+                angles.append(function.args[0])
         else:
             return None
     polynomial = tuple(TIME**k for k in range(max(powers) + 1)) if powers else ()
     found = [Mode(sp.Integer(0), sp.Integer(0), polynomial)] if polynomial else []
-    for frequency in frequencies:
-        angle = frequency * TIME
+    for angle in angles:
+        frequency = sp.cancel(angle / TIME)
         found.append(Mode(sp.Integer(0), frequency, (sp.cos(angle), sp.sin(angle))))
     return tuple(found)
 
@@ -82,12 +81,12 @@ def modes_of(flow: Flow) -> tuple[Mode, ...] | None:
 class Declaration:
     """A system, its spectrum and its flows, seen as rows and tables.
 
-    Without flows in closed form, None, the runtime finds the modes from the fields.
+    Without flows, where no closed form is known, the runtime finds the modes from the fields.
     """
 
     system: System
-    spectrum: Spectrum
-    flows: Mapping[str, Flow] | None
+    spectrum: Spectrum = field(default_factory=lambda: Spectrum(()))
+    flows: Mapping[str, Flow] | None = None
 
     @cached_property
     def rows(self) -> tuple[sp.Expr, ...]:
@@ -261,8 +260,9 @@ class Declaration:
         return sp.Matrix.vstack(*joined)
 
     def _coefficient(self, configuration: str, term: sp.Expr) -> sp.Matrix:
-        flow = self.flows[configuration] if self.flows else None
-        if flow is None or term not in flow.basis:
+        assert self.flows is not None
+        flow = self.flows[configuration]
+        if term not in flow.basis:
             return sp.zeros(len(self.system.states), len(self.system.states) + 1)
         place = flow.basis.index(term)
         return sp.Matrix(flow.matrices[place]).row_join(sp.Matrix(flow.offsets[place]))

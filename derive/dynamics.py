@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import exact
+from nonsmooth.derive.parameter import check_finite, exact
 
 __all__ = ["Dynamics", "FirstOrder", "SecondOrder"]
 
@@ -42,7 +42,7 @@ class SecondOrder:
         damping = (
             sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
         )
-        load = _column(self.load, size)
+        load = _column(self.load, size, "load")
         if load.shape != (size, 1):
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
         if mass.det() == 0:
@@ -54,7 +54,10 @@ class SecondOrder:
             ("load", load),
         ):
             object.__setattr__(self, attribute, sp.ImmutableMatrix(value))
-        object.__setattr__(self, "held", sp.Dict({s: exact(v) for s, v in self.held.items()}))
+        held = {symbol: exact(velocity) for symbol, velocity in self.held.items()}
+        for symbol, velocity in held.items():
+            check_finite(velocity, f"held velocity of {symbol}")
+        object.__setattr__(self, "held", sp.Dict(held))
 
     def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
         """Indices of the held coordinates and their velocities."""
@@ -114,7 +117,7 @@ class FirstOrder:
 
     def __post_init__(self) -> None:
         matrix = _square(self.matrix, "matrix")
-        offset = _column(self.offset, matrix.rows)
+        offset = _column(self.offset, matrix.rows, "offset")
         if offset.shape != (matrix.rows, 1):
             raise DeclarationError(
                 f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
@@ -135,13 +138,24 @@ Dynamics = SecondOrder | FirstOrder
 
 
 def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
-    matrix = sp.Matrix(matrix).applyfunc(exact)
+    matrix = _matrix(matrix, what)
     if matrix.rows != matrix.cols or (size is not None and matrix.rows != size):
         expected = "square" if size is None else f"{size} x {size}"
         raise DeclarationError(f"{what} is {matrix.rows} x {matrix.cols}, not {expected}")
     return matrix
 
 
-def _column(values: Any, size: int) -> sp.Matrix:
+def _column(values: Any, size: int, what: str) -> sp.Matrix:
     """Column of the values; zeros where none are given."""
-    return sp.Matrix([exact(v) for v in values]) if len(values) else sp.zeros(size, 1)
+    return _matrix(list(values), what) if len(values) else sp.zeros(size, 1)
+
+
+def _matrix(entries: Any, what: str) -> sp.Matrix:
+    """A matrix of finite, exact entries."""
+    try:
+        matrix = sp.Matrix(entries).applyfunc(exact)
+    except (ValueError, TypeError):
+        raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
+    for entry in matrix:
+        check_finite(entry, what)
+    return matrix

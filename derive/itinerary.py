@@ -12,6 +12,7 @@ import sympy as sp
 from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.parameter import Parameter, exact
+from nonsmooth.derive.soundness import check_name
 from nonsmooth.derive.system import (
     Boundary,
     Condition,
@@ -204,6 +205,7 @@ class Itinerary:
         object.__setattr__(self, "reversor", sp.Dict(reversor))
         for attribute in ("vanishing", "solved_for"):
             object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
+        check_name(self.name, "itinerary")
         if not phases:
             raise DeclarationError(f"itinerary {self.name!r} has no phases")
         self._check_names()

@@ -11,7 +11,7 @@ import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Parameter", "exact", "is_positive"]
+__all__ = ["Parameter", "check_finite", "exact", "is_positive"]
 
 
 def exact(expression: Any) -> Any:
@@ -19,6 +19,19 @@ def exact(expression: Any) -> Any:
     expression = sp.sympify(expression)
     floats = expression.atoms(sp.Float)
     return expression.xreplace({f: sp.Rational(repr(float(f))) for f in floats})
+
+
+def check_finite(expression: sp.Expr, where: str) -> None:
+    """Refuse what holds NaN, an infinity or the imaginary unit.
+
+    Raises
+    ------
+    DeclarationError
+        Names `where` and what it holds.
+    """
+    for strange in (sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I):
+        if expression.has(strange):
+            raise DeclarationError(f"{where} holds {strange}, which is no finite real number")
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,8 @@ import sympy as sp
 
 from nonsmooth.derive.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter, exact
+from nonsmooth.derive.parameter import Parameter, check_finite, exact
+from nonsmooth.derive.soundness import check_soundness
 
 __all__ = [
     "Boundary",
@@ -202,7 +203,8 @@ class System:
     ------
     DeclarationError
         For a repeated or unknown name, a matrix of the wrong size, a function that is not
-        affine in the state, or a symbol that is neither a state nor a parameter.
+        affine in the state, a symbol that is neither a state nor a parameter, a number that
+        is not finite, or what cannot move: see `nonsmooth.derive.soundness`.
     """
 
     name: str
@@ -236,6 +238,7 @@ class System:
         _unique([c.name for c in self.configurations], "configuration")
         for constraint in self.constraints:
             where = f"constraint {constraint} >= 0"
+            check_finite(constraint, where)
             self._check_symbols(constraint.free_symbols, where, states_allowed=False)
         for configuration in self.configurations:
             self._check_configuration(configuration)
@@ -250,6 +253,19 @@ class System:
                 self._check_affine(function, where)
         for cosine, sine in self.forcing:
             self._check_forcing(cosine, sine)
+        check_soundness(self)
+
+    def fingerprint(self, orbits: Sequence[Any] = ()) -> str:
+        """Hash that equal declarations share: of the system and of orbits (Itinerary) of it."""
+        from nonsmooth.derive.fingerprint import fingerprint
+
+        return fingerprint(self, tuple(orbits))
+
+    def source(self, orbits: Sequence[Any] = ()) -> str:
+        """Derive the system and orbits (Itinerary) of it: tables and kernels as Python text."""
+        from nonsmooth.derive.codegen.emit import emit_python
+
+        return emit_python(self, orbits, f"the declaration of {self.name}")
 
     def configuration(self, name: str) -> Configuration:
         """The configuration of that name; DeclarationError if there is none."""
@@ -345,6 +361,7 @@ class System:
                 )
 
     def _check_affine(self, function: sp.Expr, where: str) -> None:
+        check_finite(function, where)
         self._check_symbols(function.free_symbols, where)
         gradient, _ = self.gradient(function)
         if gradient.free_symbols & set(self.states):
@@ -357,6 +374,11 @@ class System:
             set(self.states) if states_allowed else set()
         )
         unknown = sorted(str(s) for s in set(symbols) - known)
+        if unknown and unknown[0] in map(str, known):
+            raise DeclarationError(
+                f"{where}: symbol {unknown[0]} has other assumptions than the declared"
+                f" {unknown[0]}: use the symbol of the states, or Parameter.symbol"
+            )
         if unknown:
             raise DeclarationError(
                 f"{where}: symbol {unknown[0]} is neither a state nor a parameter"

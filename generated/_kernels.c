@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 8543fe412c88b904 */
+ * SymPy 1.14.0, derivation 73dda61317382305 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -2803,11 +2803,11 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "53700e7e660b37c2") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "1446f20684974f39") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "846360e451353e66") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "2541eed3a67f2ed8") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "f7e6d27f0c79aa64") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "b2f8438272026618") < 0)
         return -1;
     return 0;
 }

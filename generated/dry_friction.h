@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f7e6d27f0c79aa64 */
+ * SymPy 1.14.0, derivation b2f8438272026618 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation f7e6d27f0c79aa64
+# SymPy 1.14.0, derivation b2f8438272026618
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "f7e6d27f0c79aa64"
+DERIVATION = "b2f8438272026618"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -1240,7 +1240,8 @@ SYSTEM = {'name': 'dry-friction',
                                   'velocity': 16,
                                   'surface': 12}}}
 
-ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
+ORBITS = {'symmetric': {'derived': True,
+               'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                           ('slip-stick', 'second-breaks-forward', 'tau1')],
                'states': ['z1', 'z2', 'v1', 'v2'],
                'parameters': [{'name': 'chi',
@@ -1346,7 +1347,8 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                                        'v10': '-0.111',
                                        'tau': '2.651',
                                        'tau1': '2.245'}}},
- 'global-stick': {'phases': [('stick-stick', 'first-breaks-forward', 'ta'),
+ 'global-stick': {'derived': True,
+                  'phases': [('stick-stick', 'first-breaks-forward', 'ta'),
                              ('slip-stick', 'second-breaks-forward', 'tau'),
                              ('slip-slip', 'first-reaches-belt', 'tau1'),
                              ('stick-slip', 'second-reaches-belt', 'tau2')],
@@ -1472,7 +1474,8 @@ ORBITS = {'symmetric': {'phases': [('slip-slip', 'second-reaches-belt', 'tau'),
                                           'tau': '2',
                                           'tau1': '1.568',
                                           'tau2': '3.28'}}},
- 'solution-ii': {'phases': [('stick-stick', 'first-breaks-forward', 'ta'),
+ 'solution-ii': {'derived': True,
+                 'phases': [('stick-stick', 'first-breaks-forward', 'ta'),
                             ('slip-stick', 'second-breaks-forward', 'tau'),
                             ('slip-slip', 'first-reaches-belt', 'tau1'),
                             ('stick-slip', 'second-reaches-belt', 'tau2')],

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 846360e451353e66
+# SymPy 1.14.0, derivation 2541eed3a67f2ed8
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "846360e451353e66"
+DERIVATION = "2541eed3a67f2ed8"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -79,7 +79,8 @@ SYSTEM = {'name': 'elastic-stop',
                   'target': 'contact'}],
  'contacts': {'stop': {'forces': {'contact': 2}, 'velocity': 3, 'surface': 4}}}
 
-ORBITS = {'one-contact': {'phases': [('contact', 'first-leaves-stop', 'tau'),
+ORBITS = {'one-contact': {'derived': True,
+                 'phases': [('contact', 'first-leaves-stop', 'tau'),
                             ('free', 'first-reaches-stop', 'tau1')],
                  'states': ['x1', 'x2', 'v1', 'v2'],
                  'parameters': [{'name': 'm1',

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 53700e7e660b37c2 */
+ * SymPy 1.14.0, derivation 1446f20684974f39 */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 53700e7e660b37c2
+# SymPy 1.14.0, derivation 1446f20684974f39
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "53700e7e660b37c2"
+DERIVATION = "1446f20684974f39"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -76,7 +76,8 @@ SYSTEM = {'name': 'rigid-stop',
                   'target': 'free'}],
  'contacts': {'stop': {'forces': {'contact': 1}, 'velocity': 2, 'surface': 4}}}
 
-ORBITS = {'one-impact': {'phases': [('free', 'first-reaches-stop', 'T')],
+ORBITS = {'one-impact': {'derived': True,
+                'phases': [('free', 'first-reaches-stop', 'T')],
                 'states': ['x1', 'x2', 'v1', 'v2'],
                 'parameters': [{'name': 'm1',
                                 'description': "first mass, in the user's consistent units",

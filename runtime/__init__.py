@@ -2,39 +2,46 @@
 
 The map of the house:
 
-=============  ================================================================
-`kernels`      the one door to the generated kernels: compiled or NumPy
-`values`       exact parameter values and decimal printing
-`arithmetic`   one set of functions for floats, mpmath and balls
-`parameters`   from what a user gives to a parameter point
-`newton`       Newton's method: reduced and batched, or full and exchanged
-`orbit`        the record of a periodic orbit, with its sensitivities
-`solve`        one orbit at one parameter point
-`batch`        many parameter points at once, in threads
-`refine`       an orbit to any number of digits
-`stability`    Poincaré map, multipliers, the trace criterion
-`admissible`   whether an orbit is a motion of the real system
-`crossing`     maxima and first crossings of trigonometric sums, guaranteed
-`intervals`    along one parameter: where an orbit is admissible, or singular
-`motion`       an orbit's states at any time
-`saved`        orbits in files
-`report`       orbits as JSON
-`notebook`     tables and formulas
-`files`        files that are written whole or not at all
-`errors`       the exceptions, under one root
-`cli`          the command line
-=============  ================================================================
+================  ==============================================================
+`kernels`         the one door to the generated kernels: compiled or NumPy
+`kernel_records`  their tables, of a system and of an orbit
+`vectorised`      kernels on NumPy arrays
+`loading`         systems that users declare: files, folders, Python
+`declared`        what a declaration offers, and the file that holds it
+`caching`         derivations that are kept from one process to the next
+`folder`          the folder that `nonsmooth generate` writes
+`compiling`       its kernels in C
+`values`          exact parameter values and decimal printing
+`arithmetic`      one set of functions for floats, mpmath and balls
+`parameters`      from what a user gives to a parameter point
+`newton`          Newton's method: reduced and batched, or full and exchanged
+`orbit`           the record of a periodic orbit, with its sensitivities
+`solve`           one orbit at one parameter point
+`batch`           many parameter points at once, in threads
+`refine`          an orbit to any number of digits
+`stability`       Poincaré map, multipliers, the trace criterion
+`admissible`      whether an orbit is a motion of the real system
+`crossing`        maxima and first crossings of trigonometric sums, guaranteed
+`intervals`       along one parameter: where an orbit is admissible, or singular
+`motion`          an orbit's states at any time
+`saved`           orbits in files
+`report`          orbits as JSON
+`notebook`        tables and formulas
+`files`           files that are written whole or not at all
+`errors`          the exceptions, under one root
+`cli`             the command line
+================  ==============================================================
 
 and the rooms, each with a map of its own:
 
-=============  ================================================================
-`simulation`   exact motions from event to event; the engine in C is `engine/`
-`observing`    peaks, averages, contact forces, Lyapunov exponents
-`composition`  periodic orbits of itineraries that have no kernels
-`finding`      the periodic orbits that live in a system, and their basins
-`validation`   the sequence of configurations of a motion, proved in balls
-`pictures`     pictures of orbits, motions, basins
-`reproduce`    the source paper again: every number and figure
-`commands`     what the command line takes and shows
-=============  ================================================================
+================  ==============================================================
+`simulation`      exact motions from event to event; the engine in C is `engine/`
+`observing`       peaks, averages, contact forces, Lyapunov exponents
+`composition`     periodic orbits of itineraries that have no kernels
+`finding`         the periodic orbits that live in a system, and their basins
+`validation`      the sequence of configurations of a motion, proved in balls
+`pictures`        pictures of orbits, motions, basins
+`reproduce`       the source paper again: every number and figure
+`commands`        what the command line takes and shows
+================  ==============================================================
 """

@@ -1,6 +1,6 @@
 """The command line: orbits, their equations, pictures and kernels.
 
-What is heavy is imported by the commands that need it; `cli_motions` has the commands that
+What is heavy is imported by the commands that need it; `motions` has the commands that
 simulate.
 """
 
@@ -13,7 +13,7 @@ from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.commands import motions as cli_motions  # noqa: F401 - its commands join the application
+from nonsmooth.runtime.commands import generating, motions  # noqa: F401 - their commands join the application
 from nonsmooth.runtime.commands.application import (
     ANSWERED,
     NOT_MET,
@@ -85,7 +85,13 @@ def list_orbits(as_json: AsJson = False) -> int:
 )
 @answering
 def equations(
-    name: Annotated[str, typer.Argument(metavar="SYSTEM[/ORBIT]", help="A system or an orbit.")],
+    name: Annotated[
+        str,
+        typer.Argument(
+            metavar="SYSTEM[/ORBIT]",
+            help="A system or an orbit, or your own: FILE.py or FILE.py:ORBIT.",
+        ),
+    ],
     form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
     out: Annotated[
         Path | None,
@@ -99,7 +105,8 @@ def equations(
     from nonsmooth.runtime.files import check_target
 
     if out is None and form is Format.PDF:
-        out = Path(f"{name.replace('/', '-')}.pdf")
+        stem = Path(name).name if ".py" in name else name.replace("/", "-")
+        out = Path(f"{stem.replace('.py', '').replace(':', '-')}.pdf")
     document = deriving.document_maker(name)
     if out is not None:
         check_target(out)

@@ -1,22 +1,37 @@
-"""The one door to generated/: tables and kernels of systems and orbits, compiled or not."""
+"""Tables and kernels of systems and orbits, compiled or not: the one door to generated/.
+
+Systems are built in, or users declare them: in a FILE.py, as a folder that
+`nonsmooth generate` wrote, or as a System in Python.
+"""
 
 from __future__ import annotations
 
 import hashlib
 import json
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from importlib import import_module
 from importlib.resources import files
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import numpy as np
-
-from nonsmooth.runtime.arithmetic import FLOATS
+from nonsmooth.runtime.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.kernel_records import (
+    Boundary,
+    OrbitKernels,
+    ParameterTable,
+    SystemKernels,
+)
+from nonsmooth.runtime.loading import (
+    Loaded,
+    load_declared,
+    load_named,
+    load_path,
+    located,
+    orbits_of,
+)
 
 __all__ = [
     "Boundary",
@@ -24,6 +39,7 @@ __all__ = [
     "ParameterTable",
     "SystemKernels",
     "backend",
+    "kernels_of",
     "load_orbit",
     "load_system",
     "orbit_names",
@@ -33,289 +49,6 @@ __all__ = [
 _PACKAGE = "nonsmooth.generated"
 _PROVENANCE = "PROVENANCE.json"
 _REMEDY = "run `nonsmooth regenerate`, or install the package again"
-
-
-@dataclass(frozen=True)
-class ParameterTable:
-    """Name, meaning and domain of a parameter; an absent end is infinite.
-
-    `closed` says whether the lower end belongs to the domain, `upper_closed` the upper one.
-    """
-
-    name: str
-    description: str
-    lower: str | None
-    upper: str | None
-    closed: bool
-    upper_closed: bool
-
-
-@dataclass(frozen=True)
-class Boundary:
-    """A boundary watched along one phase: one row of the boundary functions.
-
-    Attributes
-    ----------
-    phase : int
-    name : str
-    open_parameter : str or None
-        Parameter that the orbit's equations leave open; it enters the function as
-        ``open_coefficient * value``.
-    open_coefficient : float
-    begins : bool
-        Whether the phase begins on the boundary.
-    """
-
-    phase: int
-    name: str
-    open_parameter: str | None
-    open_coefficient: float
-    begins: bool
-
-
-@dataclass(frozen=True)
-class SystemKernels:
-    """Tables and kernels of one system."""
-
-    name: str
-    module: ModuleType
-    compiled: ModuleType | None
-
-    @property
-    def table(self) -> dict[str, Any]:
-        """The generated table of the system."""
-        table: dict[str, Any] = self.module.SYSTEM
-        return table
-
-    @cached_property
-    def parameters(self) -> tuple[ParameterTable, ...]:
-        """Physical parameters and their domains."""
-        return tuple(ParameterTable(**entry) for entry in self.table["parameters"])
-
-    @property
-    def configurations(self) -> tuple[str, ...]:
-        """Names of the configurations."""
-        return tuple(self.table["configurations"])
-
-    def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel over any arithmetic: takes its arrays as sequences, and ``lib``."""
-        function: Callable[..., Any] = getattr(self.module, kernel)
-        return function
-
-    def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel in double precision, broadcast over leading axes."""
-        return self._callable(kernel)(*arrays)
-
-    def flow(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
-        """State after a time in one configuration; physical coordinates, nondimensional.
-
-        Parameters
-        ----------
-        configuration : str
-        parameters : array (..., p)
-            In the order of `parameters`.
-        time : array (...)
-        state : array (..., N)
-
-        Raises
-        ------
-        InputError
-            For an unknown configuration.
-        """
-        if configuration not in self.configurations:
-            raise unknown_name("configuration", configuration, self.configurations)
-        parameters = np.asarray(parameters, dtype=float)
-        names = [p.name for p in self.parameters]
-        places = [names.index(name) for name in self.table["spectrum_parameters"]]
-        spectrum, _ = self.evaluate("spectrum", parameters[..., places])
-        kernel = f"flow_{configuration.replace('-', '_')}"
-        return self.evaluate(kernel, parameters, spectrum, time, state)
-
-    @cache  # noqa: B019 - systems live as long as the process
-    def _callable(self, kernel: str) -> Callable[..., Any]:
-        if self.compiled is not None:
-            function: Callable[..., Any] = getattr(
-                self.compiled, f"{self.name.replace('-', '_')}_{kernel}"
-            )
-            return function
-        inputs, outputs = self.module.KERNELS[kernel]
-        return _vectorised(self.source(kernel), inputs, outputs)
-
-
-def _vectorised(
-    function: Callable[..., Any], inputs: list[tuple[int, ...]], outputs: list[tuple[int, ...]]
-) -> Callable[..., Any]:
-    """The generalized ufunc of an any-arithmetic kernel, on NumPy."""
-
-    def call(*arrays: Any) -> Any:
-        unpacked = []
-        for array, shape in zip(arrays, inputs, strict=True):
-            array = np.asarray(array, dtype=float)
-            if array.shape[array.ndim - len(shape) :] != tuple(shape):
-                raise ValueError(f"an argument of shape {array.shape} does not end in {shape}")
-            unpacked.append(np.moveaxis(array, range(-len(shape), 0), range(len(shape))))
-        lead = np.broadcast_shapes(
-            *(a.shape[len(shape) :] for a, shape in zip(unpacked, inputs, strict=True))
-        )
-        found = function(*unpacked, lib=FLOATS)
-        results = []
-        for value, shape in zip(found if len(outputs) > 1 else (found,), outputs, strict=True):
-            flat = [value] if not shape else list(value)
-            if len(shape) == 2:
-                flat = [entry for row in flat for entry in row]
-            stacked = np.stack([np.broadcast_to(entry, lead) for entry in flat], axis=-1)
-            results.append(stacked.reshape((*lead, *shape)).astype(float, copy=False))
-        return tuple(results) if len(results) > 1 else results[0][()]
-
-    return call
-
-
-@dataclass(frozen=True)
-class OrbitKernels:
-    """Tables and kernels of one orbit of a system."""
-
-    system: SystemKernels
-    orbit: str
-
-    @property
-    def name(self) -> str:
-        """``system/orbit``."""
-        return f"{self.system.name}/{self.orbit}"
-
-    @property
-    def table(self) -> dict[str, Any]:
-        """The generated table of the orbit."""
-        table: dict[str, Any] = self.system.module.ORBITS[self.orbit]
-        return table
-
-    @cached_property
-    def parameters(self) -> tuple[ParameterTable, ...]:
-        """Parameters of the equations."""
-        return tuple(ParameterTable(**entry) for entry in self.table["parameters"])
-
-    @cached_property
-    def open_parameters(self) -> tuple[ParameterTable, ...]:
-        """Parameters that only admissibility depends on."""
-        return tuple(ParameterTable(**entry) for entry in self.table["open_parameters"])
-
-    @cached_property
-    def other_parameters(self) -> tuple[ParameterTable, ...]:
-        """Parameters of the system that this orbit does not depend on, or does not leave free."""
-        return tuple(ParameterTable(**entry) for entry in self.table["other_parameters"])
-
-    @cached_property
-    def required(self) -> dict[str, str]:
-        """Values that parameters must have for such an orbit to exist, as text."""
-        return dict(self.table["required"])
-
-    @cached_property
-    def solved_for(self) -> tuple[str, ...]:
-        """Parameters among the unknowns."""
-        others = [p.name for p in self.other_parameters]
-        return tuple(name for name in self.unknowns if name in others)
-
-    @cached_property
-    def parameter_names(self) -> tuple[str, ...]:
-        """Names of the equations' parameters, in the kernels' order."""
-        return tuple(p.name for p in self.parameters)
-
-    @cached_property
-    def unknowns(self) -> tuple[str, ...]:
-        """Names of the unknowns, in the kernels' order."""
-        return tuple(self.table["unknowns"])
-
-    @cached_property
-    def dwell_times(self) -> tuple[str, ...]:
-        """Names of the dwell times, one for each phase; not all need be unknowns."""
-        return tuple(self.table["dwell_times"])
-
-    @cached_property
-    def timed(self) -> tuple[str, ...]:
-        """Dwell times among the unknowns."""
-        return tuple(name for name in self.unknowns if name in self.dwell_times)
-
-    def durations(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Dwell time of each phase, from parameters and unknowns.
-
-        One that is no unknown is the period, what the others leave of it, or zero.
-        """
-        return {
-            name: sum(factor * values[term] for term, factor in terms.items())
-            for name, terms in zip(self.dwell_times, self.table["durations"], strict=True)
-        }
-
-    @cached_property
-    def reduced(self) -> tuple[str, ...]:
-        """Names of the reduced unknowns."""
-        return tuple(self.table["reduced"])
-
-    @cached_property
-    def boundaries(self) -> tuple[Boundary, ...]:
-        """Rows of the boundary functions."""
-        return tuple(Boundary(*row) for row in self.table["boundaries"])
-
-    @cached_property
-    def combined(self) -> dict[str, dict[str, int]]:
-        """Parameters that are sums of multiples of physical ones, e = ur - us."""
-        return dict(self.table["combined"])
-
-    @cached_property
-    def spectrum_places(self) -> list[int]:
-        """Where among the parameters those of the spectrum stand."""
-        return [self.parameter_names.index(n) for n in self.system.table["spectrum_parameters"]]
-
-    def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel of this orbit over any arithmetic."""
-        return self.system.source(f"{self.orbit.replace('-', '_')}_{kernel}")
-
-    def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel of this orbit in double precision, broadcast over leading axes."""
-        return self.system.evaluate(f"{self.orbit.replace('-', '_')}_{kernel}", *arrays)
-
-    def spectrum(self, parameters: Any, lib: Any = None) -> tuple[Any, Any]:
-        """Spectrum and its derivatives at the equations' parameters.
-
-        Without ``lib`` for arrays (..., p) of floats; with it for one point in that
-        arithmetic.
-        """
-        if lib is not None:
-            found: tuple[Any, Any] = self.system.source("spectrum")(
-                [parameters[i] for i in self.spectrum_places], lib=lib
-            )
-            return found
-        values = np.asarray(parameters, dtype=float)
-        result: tuple[Any, Any] = self.system.evaluate(
-            "spectrum", values[..., self.spectrum_places]
-        )
-        return result
-
-    def expand(self, parameters: Any, spectrum: Any, reduced: Any) -> tuple[Any, Any]:
-        """All unknowns from the reduced ones, and determinants in units of their bounds.
-
-        Floats, arrays (..., n) and (..., d); d is the number of linear systems that were
-        solved on the way.
-        """
-        arrays = (parameters, spectrum, *([reduced] if self.reduced else []))
-        found = self.evaluate("expand", *arrays)
-        if isinstance(found, tuple):
-            return found
-        return found, np.ones((*np.shape(found)[:-1], 0))
-
-    @property
-    def solver(self) -> Callable[..., Any] | None:
-        """The compiled solver of this orbit, if there is one."""
-        return self._compiled("solve")
-
-    @property
-    def admissible(self) -> Callable[..., Any] | None:
-        """The compiled admissibility test of this orbit, if there is one."""
-        return self._compiled("admissible")
-
-    def _compiled(self, name: str) -> Callable[..., Any] | None:
-        if self.system.compiled is None:
-            return None
-        prefix = f"{self.system.name}_{self.orbit}".replace("-", "_")
-        return getattr(self.system.compiled, f"{prefix}_{name}", None)
 
 
 def system_names() -> tuple[str, ...]:
@@ -341,32 +74,106 @@ def backend() -> str:
     return "numpy" if _compiled_module() is None else "c"
 
 
-def load_orbit(name: str) -> OrbitKernels:
-    """Tables and kernels of ``system/orbit``.
+def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitKernels:
+    """Tables and kernels of an orbit.
+
+    Parameters
+    ----------
+    orbit : str or Itinerary
+        ``system/orbit`` of a built-in system; ``FILE.py:orbit`` or ``FOLDER:orbit`` of a
+        user's own; or an itinerary, which is derived.
+    beside : Path, optional
+        As for `load_system`.
 
     Raises
     ------
     InputError
-        For an unknown name, or generated files that are cut, edited or foreign.
+        For an unknown name, generated files that are cut, edited or foreign, or a file that
+        fails.
     """
-    system, _, orbit = name.partition("/")
+    if not isinstance(orbit, str) and isinstance(orbit, DeclaredOrbit):
+        return _orbit(_kernels(load_declared(orbit.system, (orbit,))), orbit.name)
+    name = _text(orbit, "orbit")
+    place, colon, label = name.rpartition(":")
+    if colon and (origin := _located(place, beside)) is not None:
+        found = _declared(origin, label)
+        if found is not None:
+            return _orbit(found, label)
+        raise unknown_name("orbit", name, [f"{place}:{known}" for known in _orbits(origin)])
+    system, _, label = name.partition("/")
     if system in system_names():
-        loaded = load_system(system)
-        if orbit in loaded.module.ORBITS:
-            return _orbit(loaded.name, orbit, backend())
+        built_in = load_system(system)
+        if label in built_in.module.ORBITS:
+            return _orbit(built_in, label)
+    elif (origin := _located(name, beside)) is not None:
+        known = ", ".join(f"{name}:{label}" for label in _orbits(origin))
+        raise InputError(f"{name} is a system, not an orbit; its orbits: {known or 'none'}")
     raise unknown_name("orbit", name, orbit_names())
 
 
-def load_system(name: str) -> SystemKernels:
-    """Tables and kernels of a system; errors as for `load_orbit`."""
-    if name not in system_names():
+def load_system(system: str | DeclaredSystem, beside: Path | None = None) -> SystemKernels:
+    """Tables and kernels of a system.
+
+    Parameters
+    ----------
+    system : str or System
+        Name of a built-in system, a FILE.py that defines `system` and, if it likes, `orbits`,
+        a folder that `nonsmooth generate` wrote, or a System, which is derived.
+    beside : Path, optional
+        Folder in which a file or folder is looked for too, where it is not in its place.
+
+    Raises
+    ------
+    InputError
+        As for `load_orbit`.
+    """
+    if not isinstance(system, str) and isinstance(system, DeclaredSystem):
+        return _kernels(load_declared(system))
+    name = _text(system, "system")
+    if name in system_names():
+        return _system(name, backend())
+    origin = _located(name, beside)
+    found = None if origin is None else _declared(origin)
+    if found is None:
         raise unknown_name("system", name, system_names())
-    return _system(name, backend())
+    return found
+
+
+def kernels_of(system: str | SystemKernels | DeclaredSystem) -> SystemKernels:
+    """Tables and kernels of what stands for a system; errors as for `load_system`."""
+    return system if isinstance(system, SystemKernels) else load_system(system)
+
+
+def _text(name: Any, kind: str) -> str:
+    if not isinstance(name, str | os.PathLike):
+        raise InputError(f"a {type(name).__name__} is no {kind}, and no name of one")
+    return str(os.fspath(name))
+
+
+def _located(name: str, beside: Path | None) -> Loaded | Path | None:
+    """What a user declared under a name, or where it is; None for a name of neither."""
+    return load_named(name) or located(name, beside)
+
+
+def _declared(origin: Loaded | Path, orbit: str | None = None) -> SystemKernels | None:
+    """The system that a user declared, with an orbit; None if there is no such orbit."""
+    if isinstance(origin, Path):
+        loaded = load_path(origin, orbit, compiled=_chosen() != "numpy")
+        return None if loaded is None else _kernels(loaded)
+    return _kernels(origin) if orbit is None or orbit in origin.module.ORBITS else None
+
+
+def _orbits(origin: Loaded | Path) -> tuple[str, ...]:
+    return orbits_of(origin) if isinstance(origin, Path) else tuple(origin.module.ORBITS)
+
+
+def _kernels(loaded: Loaded) -> SystemKernels:
+    return SystemKernels(loaded.name, loaded.module, loaded.compiled)
 
 
 @cache
-def _orbit(system: str, orbit: str, chosen: str) -> OrbitKernels:
-    return OrbitKernels(_system(system, chosen), orbit)
+def _orbit(system: SystemKernels, orbit: str) -> OrbitKernels:
+    return OrbitKernels(system, orbit)
 
 
 @cache
@@ -404,10 +211,15 @@ def _provenance() -> dict[str, Any]:
     return dict(record)
 
 
-def _compiled_module() -> ModuleType | None:
+def _chosen() -> str:
     chosen = os.environ.get("NONSMOOTH_BACKEND", "")
     if chosen not in ("", "c", "numpy"):
         raise InputError(f"NONSMOOTH_BACKEND is {chosen!r}, neither 'c' nor 'numpy'")
+    return chosen
+
+
+def _compiled_module() -> ModuleType | None:
+    chosen = _chosen()
     if chosen == "numpy":
         return None
     try:

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from building_kernels import kernels_of
 from scipy.integrate import solve_ivp
 from test_building import BUILT_IN, FULL, SPRINGS
 
@@ -25,6 +24,7 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
+from nonsmooth.runtime.kernels import kernels_of
 
 MASS, STIFFNESS = FULL[:2, :2], SPRINGS[:2, :2]
 

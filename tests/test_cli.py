@@ -4,6 +4,7 @@ import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -23,6 +24,7 @@ from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime import solve, stability
 from nonsmooth.runtime.cli import app
 from nonsmooth.runtime.kernels import load_orbit, orbit_names
+from tests.user_systems import declare
 
 ORBIT = "dry-friction/global-stick"
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -133,7 +135,14 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         nonsmooth.simulate("rigid-stop", data, [0, 0, 1, 0], transitions=4).save("motion.npz")
     if "pdf" in example:
         monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
-    if "--check" in example:
+    if "my_oscillator.py" in example:
+        if "--compile" in example and shutil.which("cc") is None:
+            pytest.skip("no C compiler")
+        monkeypatch.setenv("NONSMOOTH_CACHE", "")
+        declare(tmp_path, name="my_oscillator.py")
+        if "--check" in example:
+            run("generate", "my_oscillator.py", "--out", "my_kernels")
+    elif "--check" in example:
         generation.regenerate(tmp_path)
         monkeypatch.setattr(generation, "find_generated", lambda writing=True: tmp_path)
     code, out, err = run(*shlex.split(example)[1:])

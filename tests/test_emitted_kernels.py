@@ -25,9 +25,9 @@ from nonsmooth.derive.equations import derive_equations
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.kernels import orbit_kernels
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime import kernels as door
 from nonsmooth.runtime.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.values import parse
+from nonsmooth.runtime.vectorised import vectorised
 
 ROOT = Path(__file__).resolve().parents[1]
 GENERATED = ROOT / "generated"
@@ -233,7 +233,7 @@ def close_in_ulps(plain: np.ndarray, compiled: np.ndarray) -> None:
 def test_compiled_kernels_are_the_numpy_ones(system: str, kernel: str) -> None:
     arrays = arrays_for(system, kernel, 7)
     module = MODULES[system]
-    plain = door._vectorised(getattr(module, kernel), *module.KERNELS[kernel])(*arrays)
+    plain = vectorised(getattr(module, kernel), *module.KERNELS[kernel])(*arrays)
     compiled = built(system, kernel)(*arrays)
     for a, b in zip(outputs(plain), outputs(compiled), strict=True):
         close_in_ulps(a, b)

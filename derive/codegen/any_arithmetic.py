@@ -15,6 +15,7 @@ from sympy.printing.str import StrPrinter
 
 from nonsmooth.derive.codegen.body import body_of
 from nonsmooth.derive.codegen.naming import python_function
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.program import Argument, Kernel, Output
 
 __all__ = ["print_python", "python_kernel", "shape_text"]
@@ -40,7 +41,7 @@ class _Printer(StrPrinter):
             )
             base = f"lib.sqrt({radicand})"
         if not exponent.is_Integer:
-            raise ValueError(f"no kernel for the power {expr}")
+            raise DerivationError(f"no kernel for the power {expr}")
         power = base if abs(exponent) == 1 else f"{base}**{abs(exponent)}"
         return power if exponent > 0 else f"1/{power}"
 
@@ -65,7 +66,7 @@ class _Printer(StrPrinter):
         return f"lib.entire_pair({self.stringify(expr.args, ', ')})"
 
     def _print_Function(self, expr: sp.Expr) -> str:
-        raise ValueError(f"no kernel for the function {type(expr).__name__}")
+        raise DerivationError(f"no kernel for the function {type(expr).__name__}")
 
     def _print_Eigenvalue(self, expr: sp.Expr) -> str:
         index, size, *entries = expr.args

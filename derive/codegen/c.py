@@ -30,7 +30,7 @@ class _Printer(C99CodePrinter):
         if (2 * exponent).is_Integer and not exponent.is_Integer:
             factor, exponent = f"sqrt({self._print(base)})", 2 * exponent
         if not exponent.is_Integer:
-            raise ValueError(f"no kernel for the power {expr}")
+            raise DerivationError(f"no kernel for the power {expr}")
         product = "*".join([factor] * abs(int(exponent)))
         if exponent > 0:
             return f"({product})"
@@ -103,4 +103,4 @@ def _declare(array: Argument | Output, *, constant: bool) -> str:
     size = 1
     for extent in array.shape:
         size *= extent
-    return f"{qualifier}double {array.name}[{size}]"
+    return f"{qualifier}double {array.name}[{size}]" if size else f"{qualifier}double *{array.name}"

@@ -5,14 +5,15 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from importlib.resources import files
 
 import sympy as sp
 
 from nonsmooth.derive.codegen.admissibility import admissible_prototype, admissible_source
-from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.c import c_kernel, c_prototype
+from nonsmooth.derive.codegen.derived import DerivedSystem, derive_system
 from nonsmooth.derive.codegen.gufunc import (
     Wrapped,
     extension_source,
@@ -22,23 +23,22 @@ from nonsmooth.derive.codegen.gufunc import (
 from nonsmooth.derive.codegen.naming import constant, module_file
 from nonsmooth.derive.codegen.solver import solve_prototype, solve_source
 from nonsmooth.derive.codegen.tables import system_tables
-from nonsmooth.derive.declaration import Declaration
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.document.markdown import to_markdown
-from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.equations import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.itinerary import Itinerary
-from nonsmooth.derive.kernels import flow_kernels, orbit_kernels, spectrum_kernel
-from nonsmooth.derive.modal import derive_flows
-from nonsmooth.derive.program import Kernel
 from nonsmooth.derive.system import System
 
-__all__ = ["EmittedSystem", "emit_package", "emit_system"]
+__all__ = ["EmittedSystem", "emit_package", "emit_python", "emit_system"]
 
 SUPPORT = "support.h"
 EXTENSION = "_kernels.c"
 PROVENANCE = "PROVENANCE.json"
 COMMAND = "python scripts/regenerate.py"
+
+
+_MOST_ENTRIES = 4096  # of one point, so that a block of points fits on the stack of a thread
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,8 @@ class EmittedSystem:
         Hash of all tables and kernels as emitted; equal derivations give equal files.
     files : dict of file name to text
     wrapped : tuple of Wrapped
+    underived : dict of orbit to reason
+        Orbits without kernels, to be composed at run time.
     """
 
     name: str
@@ -60,6 +62,34 @@ class EmittedSystem:
     derivation: str
     files: dict[str, str]
     wrapped: tuple[Wrapped, ...]
+    underived: dict[str, str]
+
+
+@dataclass(frozen=True)
+class _Function:
+    """A C function: prototype, definition, and its wrapper."""
+
+    prototype: str
+    definition: str
+    wrapped: Wrapped
+
+
+def emit_python(system: System, orbits: Sequence[Itinerary], source: str) -> str:
+    """Derive a system and give its Python file alone, for a first result at once.
+
+    Orbits that can be composed at run time are left to that.
+
+    Parameters
+    ----------
+    system : System
+    orbits : sequence of Itinerary
+    source : str
+        What declares them, for the stamp.
+    """
+    derived = derive_system(system, orbits, composing=True)
+    tables = system_tables(derived)
+    stamp = _Stamp(source, _hash(tables, *derived.functions), "nonsmooth generate FILE.py")
+    return _python_file(stamp, system.name, tables, derived.functions)
 
 
 def emit_system(
@@ -67,8 +97,11 @@ def emit_system(
     orbits: Sequence[Itinerary],
     source: str,
     progress: Callable[[str], None] = lambda step: None,
+    command: str = COMMAND,
 ) -> EmittedSystem:
     """Derive a system and its orbits and emit its files.
+
+    What C cannot hold, such as an orbit with too many reduced unknowns, is left to Python.
 
     Parameters
     ----------
@@ -78,48 +111,66 @@ def emit_system(
         Name of the module that declares them, for the stamps.
     progress : callable
         Told the name of each step when it begins.
+    command : str
+        What makes the files again, for the stamps.
     """
     name = system.name
-    progress(f"{name}: flows")
-    spectrum, flows = derive_flows(system)
-    kernels: list[tuple[Kernel, str | None]] = [(spectrum_kernel(spectrum), None)]
-    kernels += [(k, None) for k in flow_kernels(system, spectrum, flows)]
-    declaration = Declaration(system, spectrum, flows)
-    kernels += [(k, None) for k in declaration.kernels()]
-    derived: list[EquationSystem] = []
-    for orbit in orbits:
-        progress(f"{name}/{orbit.name}: equations")
-        derived.append(derive_equations(orbit))
-        if derived[-1].spectrum != spectrum:
-            raise DerivationError(f"{name}/{orbit.name}: its presentation changes the spectrum")
-        kernels += [(k, orbit.name) for k in orbit_kernels(derived[-1])]
-    tables = system_tables(declaration, derived, kernels)
+    derived = derive_system(system, orbits, progress)
     progress(f"{name}: Python")
-    functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
+    tables = system_tables(derived)
     progress(f"{name}: C")
-    definitions = [c_kernel(kernel, name, orbit) for kernel, orbit in kernels]
-    for orbit_equations in derived:
-        definitions += [solve_source(orbit_equations), admissible_source(orbit_equations)]
-    derivation = _hash(tables, *functions, *definitions)
-    stamp = _Stamp(source, derivation)
+    functions = _c_functions(derived)
+    definitions = [f.definition for f in functions]
+    derivation = _hash(tables, *derived.functions, *definitions)
+    stamp = _Stamp(source, derivation, command)
     emitted = {
-        module_file(name, ".py"): _python_file(stamp, name, tables, functions),
-        module_file(name, ".h"): _header_file(stamp, name, kernels, derived),
+        module_file(name, ".py"): _python_file(stamp, name, tables, derived.functions),
+        module_file(name, ".h"): _header_file(stamp, name, [f.prototype for f in functions]),
         module_file(name, ".c"): _c_file(stamp, name, definitions),
     }
     progress(f"{name}: equations in LaTeX")
-    emitted[module_file(name, ".md")] = _markdown_file(stamp, system, derived)
-    wrapped = wrapped_functions(name, kernels)
-    for orbit_equations in derived:
-        wrapped += wrapped_solvers(orbit_equations)
-    return EmittedSystem(name, source, derivation, emitted, tuple(wrapped))
+    emitted[module_file(name, ".md")] = _markdown_file(stamp, derived)
+    return EmittedSystem(
+        name,
+        source,
+        derivation,
+        emitted,
+        tuple(f.wrapped for f in functions if _wrappable(f.wrapped)),
+        {orbit.itinerary.name: orbit.reason for orbit in derived.underived},
+    )
 
 
-def emit_package(systems: Sequence[EmittedSystem]) -> dict[str, str]:
-    """All files of generated/: of the systems, and those that they share.
+def _c_functions(derived: DerivedSystem) -> list[_Function]:
+    """Everything that C can hold: kernels, then solvers and admissibility tests."""
+    name = derived.system.name
+    found = []
+    for kernel, orbit in derived.kernels:
+        with suppress(DerivationError, NotImplementedError):
+            (wrapped,) = wrapped_functions(name, [(kernel, orbit)])
+            definition = c_kernel(kernel, name, orbit)
+            found.append(_Function(c_prototype(kernel, name, orbit), definition, wrapped))
+    for equations in derived.derived:
+        solver, test = wrapped_solvers(equations)
+        with suppress(DerivationError, NotImplementedError):
+            definition = solve_source(equations)
+            found.append(_Function(solve_prototype(equations), definition, solver))
+        with suppress(DerivationError, NotImplementedError):
+            definition = admissible_source(equations)
+            found.append(_Function(admissible_prototype(equations), definition, test))
+    return found
+
+
+def _wrappable(function: Wrapped) -> bool:
+    """Whether NumPy takes it: cores with entries, not too many of them."""
+    sizes = [array.size for array in (*function.inputs, *function.outputs)]
+    return all(sizes) and sum(sizes) <= _MOST_ENTRIES
+
+
+def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> dict[str, str]:
+    """All files of a folder: of the systems, and those that they share.
 
     Shared are the extension module, the support header and PROVENANCE.json, which records
-    what made each file.
+    what made each file: `command`.
     """
     support = files("nonsmooth.derive.codegen").joinpath(SUPPORT).read_text(encoding="utf-8")
     overall = _hash(support, *(s.derivation for s in systems))
@@ -129,17 +180,18 @@ def emit_package(systems: Sequence[EmittedSystem]) -> dict[str, str]:
         emitted |= system.files
         origins |= {file: (system.source, system.derivation) for file in system.files}
     package = "nonsmooth.derive.codegen"
-    stamp = _Stamp(", ".join(s.source for s in systems), overall)
+    stamp = _Stamp(", ".join(s.source for s in systems), overall, command)
     emitted[EXTENSION] = extension_source(
         stamp.c(),
         [function for system in systems for function in system.wrapped],
         [(s.name, s.derivation) for s in systems],
     )
     origins[EXTENSION] = (stamp.source, overall)
-    emitted[SUPPORT] = _Stamp(f"{package}/{SUPPORT}", _hash(support)).c() + "\n" + support
+    shared = _Stamp(f"{package}/{SUPPORT}", _hash(support), command)
+    emitted[SUPPORT] = shared.c() + "\n" + support
     origins[SUPPORT] = (package, _hash(support))
     record = {
-        "command": COMMAND,
+        "command": command,
         "sympy": sp.__version__,
         "systems": [s.name for s in systems],
         "files": {
@@ -159,13 +211,14 @@ def emit_package(systems: Sequence[EmittedSystem]) -> dict[str, str]:
 class _Stamp:
     source: str
     derivation: str
+    command: str
 
     @property
     def lines(self) -> list[str]:
         return [
             "Generated; do not edit.",
             f"Source: {self.source}",
-            f"Again: {COMMAND}",
+            f"Again: {self.command}",
             f"SymPy {sp.__version__}, derivation {self.derivation}",
         ]
 
@@ -189,16 +242,8 @@ def _python_file(stamp: _Stamp, name: str, tables: str, functions: Sequence[str]
     )
 
 
-def _header_file(
-    stamp: _Stamp,
-    name: str,
-    kernels: Sequence[tuple[Kernel, str | None]],
-    orbits: Sequence[EquationSystem],
-) -> str:
+def _header_file(stamp: _Stamp, name: str, prototypes: Sequence[str]) -> str:
     guard = constant(name, "h")
-    prototypes = [c_prototype(kernel, name, orbit) for kernel, orbit in kernels]
-    for orbit in orbits:
-        prototypes += [solve_prototype(orbit), admissible_prototype(orbit)]
     body = "\n".join(f"{p};" for p in prototypes)
     return (
         f"{stamp.c()}\n#ifndef {guard}\n#define {guard}\n\n"
@@ -216,7 +261,17 @@ def _c_file(stamp: _Stamp, name: str, definitions: Sequence[str]) -> str:
     )
 
 
-def _markdown_file(stamp: _Stamp, system: System, orbits: Sequence[EquationSystem]) -> str:
-    documents = [describe_system(system), *(describe_orbit(orbit) for orbit in orbits)]
+def _markdown_file(stamp: _Stamp, derived: DerivedSystem) -> str:
     comment = "\n".join(["<!--", *stamp.lines, "-->"])
-    return comment + "\n\n" + "\n\n".join(to_markdown(document) for document in documents) + "\n"
+    return comment + "\n\n" + "\n\n".join(_documents(derived)) + "\n"
+
+
+def _documents(derived: DerivedSystem) -> list[str]:
+    """Documents of the system and of its orbits."""
+    found = [to_markdown(describe_system(derived.system))]
+    for orbit in derived.orbits:
+        if isinstance(orbit, EquationSystem):
+            found.append(to_markdown(describe_orbit(orbit)))
+        else:
+            found.append(to_markdown(describe_orbit(orbit.itinerary)))
+    return found

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from nonsmooth.derive.codegen.emit import PROVENANCE, EmittedSystem, emit_packag
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 
-__all__ = ["Check", "check", "emit_systems", "find_generated", "regenerate"]
+__all__ = ["Check", "check", "differences", "emit_systems", "find_generated", "regenerate"]
 
 
 @dataclass(frozen=True)
@@ -55,11 +55,19 @@ def find_generated(*, writing: bool = True) -> Path:
 def emit_systems(
     names: Sequence[str], progress: Callable[[str], None] = lambda step: None
 ) -> list[EmittedSystem]:
-    """Derive and emit the built-in systems of those names."""
+    """Derive and emit the built-in systems of those names.
+
+    Raises
+    ------
+    DerivationError
+        For an orbit that has no closed form: of these each has one.
+    """
     emitted = []
     for name in names:
         module = declaration(name)
         emitted.append(emit_system(module.system, module.orbits, module.__name__, progress))
+        for orbit, reason in emitted[-1].underived.items():
+            raise DerivationError(f"{name}/{orbit}: {reason}")
     return emitted
 
 
@@ -111,22 +119,27 @@ def check(
             f"{PROVENANCE} is of SymPy {made_with}, this is SymPy {sp.__version__}:"
             f' compare under the former (pip install "sympy=={made_with}")'
         )
-    differences = []
-    for name, text in _wanted(folder, system, progress).items():
-        path = target / name
+    return Check(differences(target, _wanted(folder, system, progress)))
+
+
+def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
+    """Differences between the files of a folder and the texts that are wanted there."""
+    found = []
+    for name, text in wanted.items():
+        path = folder / name
         if not path.is_file():
-            differences.append(f"{name}: missing")
-        elif (found := path.read_text(encoding="utf-8", errors="replace")) != text:
+            found.append(f"{name}: missing")
+        elif (existing := path.read_text(encoding="utf-8", errors="replace")) != text:
             lines = difflib.unified_diff(
-                found.splitlines(),
+                existing.splitlines(),
                 text.splitlines(),
                 f"{name} (found)",
                 f"{name} (derived)",
                 n=1,
                 lineterm="",
             )
-            differences.append("\n".join(list(lines)[:40]))
-    return Check(tuple(differences))
+            found.append("\n".join(list(lines)[:40]))
+    return tuple(found)
 
 
 def _wanted(

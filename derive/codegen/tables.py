@@ -2,37 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pprint import pformat
 from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.codegen.derived import DerivedSystem, Underived, reduced_names
 from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.declaration import Declaration
 from nonsmooth.derive.equations import EquationSystem
-from nonsmooth.derive.itinerary import Presentation
+from nonsmooth.derive.itinerary import Itinerary, Presentation
 from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.program import Kernel
 
-__all__ = ["orbit_table", "system_table", "system_tables"]
+__all__ = ["composed_table", "orbit_table", "system_table", "system_tables"]
 
 
-def system_tables(
-    declaration: Declaration,
-    orbits: Sequence[EquationSystem],
-    kernels: Sequence[tuple[Kernel, str | None]],
-) -> str:
+def system_tables(derived: DerivedSystem) -> str:
     """Python source of the tables SYSTEM, ORBITS and KERNELS (core shapes in and out)."""
     shapes = {
         python_function(k.name, orbit): (
             [a.shape for a in k.arguments],
             [o.shape for o in k.outputs],
         )
-        for k, orbit in kernels
+        for k, orbit in derived.kernels
     }
-    table = system_table(declaration)
-    orbit_tables = {orbit.itinerary.name: orbit_table(orbit) for orbit in orbits}
+    table = system_table(derived.declaration)
+    orbit_tables = {
+        orbit.itinerary.name: composed_table(orbit)
+        if isinstance(orbit, Underived)
+        else orbit_table(orbit)
+        for orbit in derived.orbits
+    }
     return "\n\n".join(
         f"{name} = {pformat(value, width=96, sort_dicts=False)}"
         for name, value in (("SYSTEM", table), ("ORBITS", orbit_tables), ("KERNELS", shapes))
@@ -62,9 +62,10 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
     """Everything that a runtime has to know of an orbit beside its kernels."""
     itinerary, reduction = orbit.itinerary, orbit.reduction
     by_name = {p.name: p for p in orbit.system.parameters}
-    presentation, reference = itinerary.presentation, itinerary.reference
+    presentation = itinerary.presentation
     return {
-        "phases": [(p.configuration, p.boundary, p.dwell_time) for p in itinerary.phases],
+        "derived": True,
+        "phases": _phases(itinerary),
         "states": [str(s) for s in orbit.system.states],
         "parameters": [_parameter(by_name[str(s)]) for s in orbit.parameters],
         "open_parameters": [_parameter(by_name[str(s)]) for s in orbit.open_parameters],
@@ -74,7 +75,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "dwell_times": [str(link.dwell) for link in orbit.chain.links],
         "durations": [_linear(link.duration) for link in orbit.chain.links],
         "equations": [meaning for meaning, _ in orbit.equations],
-        "reduced": [str(u) for u in reduction.unknowns],
+        "reduced": reduced_names(orbit),
         "eliminated": {str(e.unknown): e.rule for e in reduction.eliminations},
         "rank": reduction.rank,
         "section": [str(q) for q in orbit.chain.section.coordinates],
@@ -95,13 +96,36 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
             )
             for b in orbit.boundary_functions
         ],
-        "reference": {
-            "parameters": dict(reference.parameters),
-            "guess": dict(reference.guess),
-        }
-        if reference
-        else None,
+        "reference": _reference(itinerary),
     }
+
+
+def composed_table(orbit: Underived) -> dict[str, Any]:
+    """What a runtime needs to compose an orbit that has no kernels.
+
+    A reference in other coordinates or parameters than the system's is left out.
+    """
+    itinerary = orbit.itinerary
+    period = itinerary.period
+    return {
+        "derived": False,
+        "reason": orbit.reason,
+        "phases": _phases(itinerary),
+        "start": dict(itinerary.start),
+        "period": None if period is None else _parameter(period),
+        "reference": None if itinerary.presentation else _reference(itinerary),
+    }
+
+
+def _phases(itinerary: Itinerary) -> list[tuple[str, str, str]]:
+    return [(p.configuration, p.boundary, p.dwell_time) for p in itinerary.phases]
+
+
+def _reference(itinerary: Itinerary) -> dict[str, dict[str, str]] | None:
+    known = itinerary.reference
+    if known is None:
+        return None
+    return {"parameters": dict(known.parameters), "guess": dict(known.guess)}
 
 
 def _levels(orbit: EquationSystem) -> dict[str, str]:

@@ -55,10 +55,19 @@ class Requirement(StrEnum):
 
 OrbitName = Annotated[
     str,
-    typer.Argument(metavar="SYSTEM/ORBIT", help="An orbit that `nonsmooth list` shows."),
+    typer.Argument(
+        metavar="SYSTEM/ORBIT",
+        help="An orbit that `nonsmooth list` shows, or your own: FILE.py:ORBIT, or DIR:ORBIT"
+        " of a folder that `nonsmooth generate` wrote.",
+    ),
 ]
 SystemName = Annotated[
-    str, typer.Argument(metavar="SYSTEM", help="A system that `nonsmooth list` shows.")
+    str,
+    typer.Argument(
+        metavar="SYSTEM",
+        help="A system that `nonsmooth list` shows, or your own: a FILE.py that defines `system`,"
+        " or a folder that `nonsmooth generate` wrote.",
+    ),
 ]
 Physical = Annotated[
     list[str] | None,

@@ -25,8 +25,9 @@ from nonsmooth.runtime.composition.stability import (
     smallest_section,
     stroboscopic_maps,
 )
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.simulation.piecewise import numbers_at, parameter_points
 from nonsmooth.runtime.simulation.structure import structure_of
@@ -91,7 +92,7 @@ class ComposedOrbits:
 
 
 def compose_many(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     itinerary: Sequence[tuple[str, str]],
     parameters: Mapping[str, Any],
     guess_dwell_times: Any,
@@ -105,7 +106,7 @@ def compose_many(
 
     Parameters
     ----------
-    system : str or SystemKernels
+    system : str, System or SystemKernels
     itinerary : sequence of (configuration, boundary)
     parameters : mapping of str to array (...)
         All physical parameters; they broadcast against each other.
@@ -127,7 +128,7 @@ def compose_many(
     """
     if threads is not None and (isinstance(threads, bool) or threads < 1):
         raise InputError(f"threads = {threads} is not a positive integer")
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     structure = structure_of(kernels)
     cycle = cycle_of(structure, itinerary)
     size = len(structure.states)

@@ -37,8 +37,9 @@ from nonsmooth.runtime.composition.passage import (
 )
 from nonsmooth.runtime.composition.precise import refine_cycle
 from nonsmooth.runtime.composition.stability import ComposedStability, assess, saltations
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.orbit import DOUBLE, GUARD
 from nonsmooth.runtime.refine import MOST_DIGITS
@@ -247,7 +248,7 @@ class ComposedOrbit:
 
 
 def compose(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, object],
     itinerary: Sequence[tuple[str, str]],
     guess_dwell_times: Sequence[float],
@@ -259,7 +260,7 @@ def compose(
 
     Parameters
     ----------
-    system : str or SystemKernels
+    system : str, System or SystemKernels
     parameters : mapping of str to str, number or Value
         All physical parameters of the system.
     itinerary : sequence of (configuration, boundary)
@@ -302,7 +303,7 @@ def compose(
     """
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     point = piecewise(kernels, parameters)
     cycle = cycle_of(point.structure, itinerary)
     dwell = guesses("guess_dwell_times", guess_dwell_times, len(cycle), positive=True)

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.finding.neighbours import short_cycles
 from nonsmooth.runtime.finding.recurrence import (
@@ -26,7 +27,7 @@ from nonsmooth.runtime.finding.recurrence import (
     scale_of,
     sizes_of,
 )
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import Status
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
@@ -134,7 +135,7 @@ class Found:
 
 
 def find_orbits(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, object],
     n: int = 400,
     *,
@@ -148,7 +149,7 @@ def find_orbits(
 
     Parameters
     ----------
-    system : str or SystemKernels
+    system : str, System or SystemKernels
     parameters : mapping of str to str, number or Value
         All physical parameters.
     n : int
@@ -168,7 +169,7 @@ def find_orbits(
     InputError
         For wrong names, values or counts.
     """
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     point = piecewise(kernels, parameters)
     count = checked_count("n", n, 1)
     length = checked_count("transitions", transitions, 2)

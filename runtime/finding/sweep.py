@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.finding.find import UNCLASSIFIED, Found, labels_of
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 from nonsmooth.runtime.simulation.structure import structure_of
@@ -70,7 +71,7 @@ class Basins:
 
 
 def sweep(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, object],
     name: str,
     values: Any,
@@ -108,7 +109,7 @@ def sweep(
     InputError
         For wrong names or numbers.
     """
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     structure = structure_of(kernels)
     if state not in structure.states:
         raise unknown_name("state", state, structure.states)

@@ -15,8 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.parameters import in_domains, value_of
 from nonsmooth.runtime.simulation.modes import NumericModes, numeric_modes
 from nonsmooth.runtime.simulation.structure import Modes, Structure, mode_shapes, structure_of
@@ -89,12 +90,14 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
     return values
 
 
-def piecewise(system: str | SystemKernels, parameters: Mapping[str, object]) -> PiecewiseLinear:
+def piecewise(
+    system: str | SystemKernels | DeclaredSystem, parameters: Mapping[str, object]
+) -> PiecewiseLinear:
     """A system at one parameter point, in double precision.
 
     Parameters
     ----------
-    system : str or SystemKernels
+    system : str, System or SystemKernels
     parameters : mapping of str to str, number or Value
         All physical parameters of the system.
 
@@ -103,7 +106,7 @@ def piecewise(system: str | SystemKernels, parameters: Mapping[str, object]) -> 
     InputError
         As for `system_parameters` and `structure_of`.
     """
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     values = system_parameters(kernels, parameters)
     found = piecewise_at(kernels, np.array([float(value) for value in values.values()]))
     return replace(found, parameters=values)
@@ -228,7 +231,7 @@ def _numeric(structure: Structure, fields: np.ndarray) -> list[NumericModes]:
 
 
 def piecewise_in(
-    system: str | SystemKernels, parameters: Mapping[str, object], lib: Any
+    system: str | SystemKernels | DeclaredSystem, parameters: Mapping[str, object], lib: Any
 ) -> PiecewiseLinear:
     """A system at one parameter point in another arithmetic, Mpmath or Balls.
 
@@ -239,7 +242,7 @@ def piecewise_in(
     InputError
         As for `piecewise`.
     """
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     structure = structure_of(kernels)
     values = system_parameters(kernels, parameters)
     numbers = {name: lib.number(value) for name, value in values.items()}

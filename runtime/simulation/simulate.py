@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.simulation.engines import (
     Ends,
     compiled_engine,
@@ -42,7 +43,7 @@ _MOST_TRANSITIONS = 2**62
 
 
 def simulate(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, object],
     state: Mapping[str, object] | Sequence[object],
     configuration: str | None = None,
@@ -57,7 +58,7 @@ def simulate(
 
     Parameters
     ----------
-    system : str or SystemKernels
+    system : str, System or SystemKernels
         A system that `nonsmooth list` shows.
     parameters : mapping of str to str, number or Value
         All physical parameters.
@@ -148,7 +149,7 @@ class Trajectories:
 
 
 def simulate_many(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, Any],
     states: Any,
     configurations: str | None = None,
@@ -162,7 +163,7 @@ def simulate_many(
 
     Parameters
     ----------
-    system : str or SystemKernels
+    system : str, System or SystemKernels
     parameters : mapping of str to array
         All physical parameters; they broadcast against each other and the starts.
     states : array (..., N)
@@ -184,7 +185,7 @@ def simulate_many(
         For wrong names, shapes or counts. A start that belongs to no configuration gets a
         status of its own.
     """
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     structure = structure_of(kernels)
     points, shape = parameter_points(kernels, parameters)
     starts = _real("states", states)

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 
 __all__ = [
     "BoundaryShape",
@@ -148,9 +149,9 @@ def _with_modes(structure: Structure, modes: Modes) -> Structure:
     return replace(structure, modes=modes)
 
 
-def structure_of(system: str | SystemKernels) -> Structure:
+def structure_of(system: str | SystemKernels | DeclaredSystem) -> Structure:
     """Structure of a system; InputError for an unknown name."""
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     return _structure(kernels)
 
 
@@ -188,7 +189,7 @@ def _structure(kernels: SystemKernels) -> Structure:
             )
         )
     return Structure(
-        table["name"],
+        kernels.name,
         states,
         configurations,
         modes,

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import Structure, structure_of
 from nonsmooth.runtime.validation.facts import Facts, Row, evaluate, product
@@ -152,7 +153,7 @@ def _enclosed(
 
 
 def enclosed_system(
-    system: str | SystemKernels, parameters: Any
+    system: str | SystemKernels | DeclaredSystem, parameters: Any
 ) -> Callable[[int], EnclosedSystem]:
     """A system at one parameter point, by bits of precision.
 
@@ -161,7 +162,7 @@ def enclosed_system(
     InputError
         As `piecewise_in`, and for a parameter that is not rational.
     """
-    kernels = load_system(system) if isinstance(system, str) else system
+    kernels = kernels_of(system)
     structure_of(kernels)
     values = system_parameters(kernels, parameters)
     for name, value in values.items():

@@ -1,0 +1,196 @@
+"""What is derived of a system and its orbits before anything is written down."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.declaration import Declaration
+from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.errors import DeclarationError, DerivationError
+from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.kernels import flow_kernels, orbit_kernels, spectrum_kernel
+from nonsmooth.derive.modal import derive_flows
+from nonsmooth.derive.program import Kernel
+from nonsmooth.derive.system import System
+
+__all__ = ["MOST_PHASES", "DerivedSystem", "Underived", "derive_system", "reduced_names"]
+
+# beyond, an orbit's formulas are no longer worth their length: it is composed at run time
+MOST_PHASES = 6
+
+
+@dataclass(frozen=True)
+class Underived:
+    """An orbit of which the equations have no closed form, and why."""
+
+    itinerary: Itinerary
+    reason: str
+
+
+@dataclass(frozen=True)
+class DerivedSystem:
+    """A system, its orbits and the kernels of both.
+
+    Attributes
+    ----------
+    declaration : Declaration
+    orbits : tuple of EquationSystem or Underived
+        In the order in which they were declared.
+    kernels : tuple of (Kernel, orbit or None)
+    functions : tuple of str
+        The kernels as Python.
+    """
+
+    declaration: Declaration
+    orbits: tuple[EquationSystem | Underived, ...]
+    kernels: tuple[tuple[Kernel, str | None], ...]
+    functions: tuple[str, ...]
+
+    @property
+    def system(self) -> System:
+        """The declared system."""
+        return self.declaration.system
+
+    @property
+    def derived(self) -> tuple[EquationSystem, ...]:
+        """Orbits whose equations are derived."""
+        return tuple(orbit for orbit in self.orbits if isinstance(orbit, EquationSystem))
+
+    @property
+    def underived(self) -> tuple[Underived, ...]:
+        """Orbits that are left to be composed at run time."""
+        return tuple(orbit for orbit in self.orbits if isinstance(orbit, Underived))
+
+
+def derive_system(
+    system: System,
+    orbits: Sequence[Itinerary],
+    progress: Callable[[str], None] = lambda step: None,
+    *,
+    composing: bool = False,
+) -> DerivedSystem:
+    """Derive a system and its orbits, each as far as it has a closed form.
+
+    Parameters
+    ----------
+    system : System
+    orbits : sequence of Itinerary
+    progress : callable
+        Told the name of each step when it begins.
+    composing : bool
+        Leave every orbit that can be composed at run time to that.
+
+    Raises
+    ------
+    DeclarationError
+        For orbits of another system, or two of one name.
+    DerivationError
+        For an orbit that neither has a closed form nor can be composed without one.
+    """
+    _check_orbits(system, orbits)
+    name = system.name
+    progress(f"{name}: flows")
+    declaration = _declaration(system)
+    kernels: list[tuple[Kernel, str | None]] = []
+    if declaration.flows is not None:
+        flows = flow_kernels(system, declaration.spectrum, declaration.flows)
+        kernels += [(k, None) for k in (spectrum_kernel(declaration.spectrum), *flows)]
+    kernels += [(k, None) for k in declaration.kernels()]
+    functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
+    found: list[EquationSystem | Underived] = []
+    for orbit in orbits:
+        if composing and _composable(orbit):
+            found.append(Underived(orbit, "it is composed numerically"))
+            continue
+        progress(f"{name}/{orbit.name}: equations")
+        try:
+            equations, own, sources = _orbit(declaration, orbit)
+        except DeclarationError:
+            raise
+        except (ValueError, NotImplementedError) as problem:
+            if orbit.vanishing:
+                raise
+            found.append(Underived(orbit, " ".join(str(problem).split())))
+            continue
+        found.append(equations)
+        kernels += own
+        functions += sources
+    return DerivedSystem(declaration, tuple(found), tuple(kernels), tuple(functions))
+
+
+def _composable(orbit: Itinerary) -> bool:
+    """Whether its phases alone say which orbit it is, in the system's own coordinates."""
+    special = orbit.presentation or orbit.vanishing or orbit.solved_for or orbit.period
+    return not special
+
+
+def _declaration(system: System) -> Declaration:
+    """The system with its flows where all of them are sums of modes, else without."""
+    try:
+        spectrum, flows = derive_flows(system)
+    except DerivationError:
+        return Declaration(system)
+    found = Declaration(system, spectrum, flows)
+    return found if found.modes is not None else Declaration(system)
+
+
+def _orbit(
+    declaration: Declaration, orbit: Itinerary
+) -> tuple[EquationSystem, list[tuple[Kernel, str | None]], list[str]]:
+    if declaration.flows is None:
+        raise DerivationError("the flows of its system have no closed form of modes")
+    if len(orbit.phases) > MOST_PHASES:
+        raise DerivationError(f"it has more than {MOST_PHASES} phases")
+    equations = derive_equations(orbit)
+    if equations.spectrum != declaration.spectrum:
+        name = f"{declaration.system.name}/{orbit.name}"
+        raise DerivationError(f"{name}: its presentation changes the spectrum")
+    _check_reference(equations)
+    if not set(reduced_names(equations)) <= set(map(str, equations.unknowns)):
+        raise DerivationError("its reduced unknowns are coordinates of another section")
+    kernels: list[tuple[Kernel, str | None]] = [(k, orbit.name) for k in orbit_kernels(equations)]
+    return equations, kernels, [python_kernel(kernel, name) for kernel, name in kernels]
+
+
+def reduced_names(equations: EquationSystem) -> list[str]:
+    """Names of the reduced unknowns; a coordinate of the start bears the start's name."""
+    reduction = equations.reduction
+    own = [u for u in reduction.unknowns if u not in equations.unknowns]
+    started = reduction.start is not None and reduction.rotation == 0
+    coordinates = equations.chain.section.coordinates if started else ()
+    names = dict(zip(own, coordinates, strict=False))
+    return [str(names.get(u, u)) for u in reduction.unknowns]
+
+
+def _check_reference(equations: EquationSystem) -> None:
+    """A reference gives parameters that exist, and a guess of every unknown."""
+    itinerary = equations.itinerary
+    if itinerary.reference is None:
+        return
+    guess = itinerary.reference.guess
+    declared = (*itinerary.system.parameters, *equations.system.parameters)
+    unknowns = [str(u) for u in equations.unknowns]
+    missing = [name for name in unknowns if name not in guess]
+    strange = [n for n in itinerary.reference.parameters if n not in {p.name for p in declared}]
+    if missing:
+        raise DeclarationError(
+            f"itinerary {itinerary.name!r}: the reference guesses no {missing[0]}"
+            f" (the unknowns are: {', '.join(unknowns)})"
+        )
+    if strange:
+        raise DeclarationError(
+            f"itinerary {itinerary.name!r}: the reference has {strange[0]}, which is no parameter"
+        )
+
+
+def _check_orbits(system: System, orbits: Sequence[Itinerary]) -> None:
+    names = [orbit.name for orbit in orbits]
+    for orbit in orbits:
+        if orbit.system is not system and orbit.system != system:
+            raise DeclarationError(
+                f"orbit {orbit.name!r} is one of another system than {system.name!r}"
+            )
+        if names.count(orbit.name) > 1:
+            raise DeclarationError(f"orbit {orbit.name!r} is declared twice")
