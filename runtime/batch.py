@@ -300,7 +300,7 @@ class _Predictor:
 
 @cache
 def _predictor(kernels: OrbitKernels) -> _Predictor:
-    from nonsmooth.runtime.solve import solve
+    from nonsmooth.runtime.solve import solve_derived as solve
 
     reference = solve(kernels.name)
     sensitivities = [reference.sensitivity(name).unknowns for name in kernels.parameter_names]

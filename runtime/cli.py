@@ -183,7 +183,9 @@ def plot(
     file: Annotated[
         Path,
         typer.Argument(
-            metavar="FILE", help="An orbit of `solve --save`, or a motion of `simulate --save`."
+            metavar="FILE",
+            help="An orbit of `solve --save`, a motion of `simulate --save`, or the orbits of"
+            " `find --save`.",
         ),
     ],
     kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
@@ -197,29 +199,18 @@ def plot(
     ] = None,
     as_json: AsJson = False,
 ) -> int:
-    """Draw a saved orbit or motion: histories, phase portraits, configurations, multipliers."""
+    """Draw saved orbits or motions: histories, phase portraits, configurations, multipliers."""
     from nonsmooth.runtime.commands.display import show_written
     from nonsmooth.runtime.files import check_target
     from nonsmooth.runtime.pictures.plot import save_figure
+    from nonsmooth.runtime.pictures.saved_files import figure_of
 
     target = file.parent / f"{file.stem}.png" if out is None else out
     if target.resolve() == file.resolve():
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
-    if file.suffix.lower() in (".npz", ".csv"):
-        from nonsmooth.runtime.pictures.scenes import trajectory_figure
-        from nonsmooth.runtime.simulation.saved import load_trajectory
-
-        motion = load_trajectory(file)
-        drawn = {"system": motion.name}
-        save_figure(trajectory_figure(motion, kind.value), target)
-    else:
-        from nonsmooth.runtime.pictures.plot import orbit_figure
-        from nonsmooth.runtime.saved import load_orbit_file
-
-        orbit = load_orbit_file(file)
-        drawn = {"orbit": orbit.name}
-        save_figure(orbit_figure(orbit, kind.value, periods=periods), target)
+    drawn, figure = figure_of(file, kind.value, periods)
+    save_figure(figure, target)
     if as_json:
         print_json({**drawn, "kind": kind.value, "file": str(target)})
     else:

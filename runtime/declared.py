@@ -133,8 +133,13 @@ def _importing_from(folder: Path, module: ModuleType) -> Iterator[None]:
         # another folder may have modules of the same names, and these may be edited
         for name in set(sys.modules) - before - {module.__name__}:
             file = getattr(sys.modules[name], "__file__", None)
-            if file is not None and folder in Path(file).parents:
+            if file is not None and _beside(Path(file), folder):
                 del sys.modules[name]
+
+
+def _beside(file: Path, folder: Path) -> bool:
+    """Whether a module is one of a folder's own, not of an environment that lies in it."""
+    return folder in file.parents and "site-packages" not in file.relative_to(folder).parts
 
 
 def _failure(path: Path, problem: BaseException) -> InputError:

@@ -14,7 +14,7 @@ from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.orbit import STATUS
 from nonsmooth.runtime.parameters import resolve
-from nonsmooth.runtime.solve import solve
+from nonsmooth.runtime.solve import solve_derived as solve
 
 __all__ = ["Interval", "admissible_intervals", "singular_values"]
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from nonsmooth.runtime.values import decimal_string
 
 if TYPE_CHECKING:
+    from nonsmooth.runtime.composition.record import ComposedOrbit
     from nonsmooth.runtime.orbit import Orbit
 
 __all__ = ["orbit_html", "orbit_latex", "symbol"]
@@ -48,7 +49,7 @@ def _complex(real: str, imaginary: str) -> str:
     return f"{real} {'-' if imaginary.startswith('-') else '+'} {imaginary.lstrip('-')} i"
 
 
-def orbit_html(orbit: Orbit) -> str:
+def orbit_html(orbit: Orbit | ComposedOrbit) -> str:
     """Show an orbit as a compact table, for a notebook."""
     given = [f"{name} = {value}" for name, value in {**orbit.given, **orbit.opened}.items()]
     if not orbit.converged:
@@ -83,7 +84,7 @@ def orbit_html(orbit: Orbit) -> str:
     )
 
 
-def orbit_latex(orbit: Orbit) -> str:
+def orbit_latex(orbit: Orbit | ComposedOrbit) -> str:
     """Show the unknowns of an orbit as aligned equations, for a notebook."""
     if not orbit.converged:
         return rf"$$\text{{{orbit.name}: {orbit.message}}}$$"

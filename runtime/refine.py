@@ -10,12 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 from nonsmooth.runtime.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.errors import InputError, NoConvergence
 from nonsmooth.runtime.kernels import OrbitKernels
 from nonsmooth.runtime.orbit import GUARD, Orbit
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.composition.record import ComposedOrbit
 
 __all__ = ["MOST_DIGITS", "refine"]
 
@@ -24,22 +27,32 @@ _START_DIGITS = 15
 _MARGIN = 10  # decimals that the linear algebra of a step may lose
 
 
-def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
+@overload
+def refine(orbit: Orbit, digits: int, *, arithmetic: str = ...) -> Orbit: ...
+
+
+@overload
+def refine(orbit: ComposedOrbit, digits: int, *, arithmetic: str = ...) -> ComposedOrbit: ...
+
+
+def refine(
+    orbit: Orbit | ComposedOrbit, digits: int, *, arithmetic: str = "flint"
+) -> Orbit | ComposedOrbit:
     """Refine an orbit to true decimal digits.
 
     Parameters
     ----------
-    orbit : Orbit
+    orbit : Orbit or ComposedOrbit
         A converged orbit; its parameters are taken exactly as they were given.
     digits : int
         The error of each unknown x will be at most 10^-digits max(1, |x|).
     arithmetic : {"flint", "mpmath"}
         Balls, whose digits are proved, or mpmath (on gmpy2 where that is installed), whose
-        digits are checked against twice the precision.
+        digits are checked against twice the precision. A composed orbit takes mpmath.
 
     Returns
     -------
-    Orbit
+    Orbit or ComposedOrbit
         With mpmath numbers; its `residual` is the largest left-hand side of the equations.
 
     Raises
@@ -49,6 +62,8 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     NoConvergence
         If Newton's method leaves the orbit, as it does where the equations are singular.
     """
+    if not isinstance(orbit, Orbit):
+        return orbit.refined(digits)
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
     if not orbit.converged:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.kernels import (
     OrbitKernels,
@@ -16,10 +16,13 @@ from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.parameters import default_parameters
 from nonsmooth.runtime.values import decimal_string
 
-__all__ = ["admissibility_json", "orbit_json", "systems_json"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.composition.record import ComposedOrbit
+
+__all__ = ["admissibility_json", "orbit_json", "short", "systems_json"]
 
 
-def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
+def orbit_json(orbit: Orbit | ComposedOrbit, digits: int | None = None) -> dict[str, Any]:
     """An orbit with stability and admissibility; numbers as decimal strings.
 
     `unknowns` are what was solved for, `parameters` what was given, with three digits more
@@ -27,10 +30,14 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
 
     Parameters
     ----------
-    orbit : Orbit
+    orbit : Orbit or ComposedOrbit
     digits : int, optional
         Fewer digits than the orbit has.
     """
+    if not isinstance(orbit, Orbit):
+        from nonsmooth.runtime.composition.report import composed_json
+
+        return composed_json(orbit, digits)
     shown = orbit.digits if digits is None else min(digits, orbit.digits)
 
     def text(number: Any) -> str:
@@ -58,7 +65,7 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
     }
 
 
-def admissibility_json(orbit: Orbit) -> dict[str, Any]:
+def admissibility_json(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
     """Verdict, and what it rests on: violations, or bounds on the open parameters."""
     admissibility = orbit.admissibility
     found: dict[str, Any] = {"admissible": admissibility.verdict}

@@ -16,7 +16,7 @@ from dataclasses import replace
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -29,7 +29,22 @@ from nonsmooth.runtime.parameters import in_domain
 from nonsmooth.runtime.refine import MOST_DIGITS
 from nonsmooth.runtime.values import LONGEST_TEXT, Value, as_value, decimal_string, parse
 
-__all__ = ["FORMAT", "VERSION", "given_value", "load_orbit_file", "save_orbit"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.composition.record import ComposedOrbit
+
+__all__ = [
+    "FORMAT",
+    "VERSION",
+    "bits_of",
+    "check_counts",
+    "check_fields",
+    "checksum_of",
+    "given_value",
+    "load_orbit_file",
+    "number_text",
+    "read_number",
+    "save_orbit",
+]
 
 FORMAT = "nonsmooth orbit"
 VERSION = 1
@@ -77,7 +92,7 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
 
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
-    bits = max(map(_bits, (*orbit.unknowns.values(), orbit.residual)))
+    bits = max(map(bits_of, (*orbit.unknowns.values(), orbit.residual)))
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -86,21 +101,21 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
         "derivation": _derivation(orbit.kernels),
         "given": {name: value.text for name, value in orbit.given.items()},
         "opened": {name: value.text for name, value in orbit.opened.items()},
-        "unknowns": {name: _text(number, bits) for name, number in orbit.unknowns.items()},
+        "unknowns": {name: number_text(number, bits) for name, number in orbit.unknowns.items()},
         "arithmetic": "mpmath" if orbit.precise else "double",
         "bits": bits,
-        "residual": _text(orbit.residual, bits),
+        "residual": number_text(orbit.residual, bits),
         "digits": orbit.digits,
         "iterations": orbit.iterations,
         "status": orbit.status,
     }
-    content["sha256"] = _checksum(content)
+    content["sha256"] = checksum_of(content)
     text = json.dumps(content, indent=2, allow_nan=False) + "\n"
     write_file(Path(path), text.encode())
 
 
-def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
-    """Read an orbit that `save_orbit` wrote.
+def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
+    """Read an orbit that `Orbit.save` or `ComposedOrbit.save` wrote.
 
     Kernels of another derivation are accepted if they have the same unknowns and parameters
     and the orbit solves their equations.
@@ -116,68 +131,81 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
         the kernels that are installed. The message names the file.
     """
     try:
-        return _orbit(_content(read_file(Path(path), _LARGEST_FILE, "saved orbit")))
+        content = _content(read_file(Path(path), _LARGEST_FILE, "saved orbit"))
+        if content["format"] == FORMAT:
+            return _orbit(content)
+        from nonsmooth.runtime.composition.saved import composed_orbit
+
+        return composed_orbit(content)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
 
 
-def _bits(number: Any) -> int:
+def bits_of(number: Any) -> int:
     """Precision of a number: of a double, or of the mpmath context that made it."""
     if isinstance(number, float):
         return _DOUBLE_BITS
     return max(int(number.man_exp[0]).bit_length(), int(number.context.prec))
 
 
-def _text(number: Any, bits: int) -> str:
+def number_text(number: Any, bits: int) -> str:
     """Decimal text that determines a number of so many bits."""
     if isinstance(number, float):
         return float.__repr__(number)
     return decimal_string(number, math.ceil(bits * math.log10(2)))
 
 
-def _checksum(content: Mapping[str, Any]) -> str:
+def checksum_of(content: Mapping[str, Any]) -> str:
+    """Hash of a file's other entries."""
     covered = {name: entry for name, entry in content.items() if name != "sha256"}
     return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
 
 
 def _content(found: bytes) -> dict[str, Any]:
-    """Entries of a file, complete and of the right types."""
+    """Entries of a file of one of the two formats."""
+    from nonsmooth.runtime.composition import saved as composed
+
     try:
         content = json.loads(found.decode("utf-8"))
     except (ValueError, RecursionError):
         raise InputError("cut, or not JSON") from None
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
+    known = {FORMAT: (VERSION, _FIELDS), composed.FORMAT: (composed.VERSION, composed.FIELDS)}
+    if not isinstance(content, dict) or content.get("format") not in (FORMAT, composed.FORMAT):
         raise InputError("not a saved orbit, such as Orbit.save or --save writes")
-    if content.get("version") != VERSION:
+    check_fields(content, *known[content["format"]])
+    return content
+
+
+def check_fields(content: Mapping[str, Any], version: int, fields: Mapping[str, type]) -> None:
+    """Refuse content of another version, with other entries, or with another checksum."""
+    if content.get("version") != version:
         raise InputError(
-            f"version {content.get('version')!r} of the format, where {VERSION} is known:"
+            f"version {content.get('version')!r} of the format, where {version} is known:"
             " use the release that wrote it"
         )
-    for name in _FIELDS.keys() ^ content.keys():
-        raise InputError(f"{name!r} is {'missing' if name in _FIELDS else 'unknown'}")
-    for name, kind in _FIELDS.items():
+    for name in fields.keys() ^ content.keys():
+        raise InputError(f"{name!r} is {'missing' if name in fields else 'unknown'}")
+    for name, kind in fields.items():
         if type(content[name]) is not kind:
             raise InputError(f"{name!r} is of the wrong type")
-    for name in ("given", "opened", "unknowns"):
-        if not all(isinstance(text, str) for text in content[name].values()):
+        if kind is dict and not all(isinstance(text, str) for text in content[name].values()):
             raise InputError(f"{name!r} holds something else than decimal strings")
-    if content["sha256"] != _checksum(content):
+    if content["sha256"] != checksum_of(content):
         raise InputError("edited or damaged: the checksum differs")
-    return content
 
 
 def _orbit(content: Mapping[str, Any]) -> Orbit:
     """The orbit that a file's entries describe, checked against the kernels."""
     kernels = load_orbit(content["orbit"])
     _check_names(kernels, content)
-    _check_counts(content)
+    check_counts(content)
     bits = None if content["arithmetic"] == "double" else content["bits"]
     orbit = Orbit(
         kernels.name,
         {name: given_value(name, text) for name, text in content["given"].items()},
-        {name: _number(name, text, bits) for name, text in content["unknowns"].items()},
+        {name: read_number(name, text, bits) for name, text in content["unknowns"].items()},
         {name: given_value(name, text) for name, text in content["opened"].items()},
-        _number("residual", content["residual"], bits),
+        read_number("residual", content["residual"], bits),
         *(content[name] for name in ("digits", "iterations", "status")),
     )
     _check_domains(orbit)
@@ -206,7 +234,8 @@ def _check_names(kernels: OrbitKernels, content: Mapping[str, Any]) -> None:
             raise unknown_name("open parameter", name, opened)
 
 
-def _check_counts(content: Mapping[str, Any]) -> None:
+def check_counts(content: Mapping[str, Any]) -> None:
+    """Refuse an arithmetic, or counts of bits, digits and iterations, that no orbit has."""
     double = content["arithmetic"] == "double"
     allowed = {
         "bits": (_DOUBLE_BITS, _DOUBLE_BITS if double else _MOST_BITS),
@@ -229,7 +258,7 @@ def given_value(name: str, text: str) -> Value:
         raise InputError(f"{name}: {problem}") from None
 
 
-def _number(name: str, text: str, bits: int | None) -> Any:
+def read_number(name: str, text: str, bits: int | None) -> Any:
     """The double, or the mpmath number of so many bits, nearest to a decimal text."""
     try:
         decimal = Decimal(text)

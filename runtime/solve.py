@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,7 +25,10 @@ from nonsmooth.runtime.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.parameters import Point, in_domain, resolve
 from nonsmooth.runtime.values import Value, as_value, parse
 
-__all__ = ["reference_guess", "search", "solve"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.composition.record import ComposedOrbit
+
+__all__ = ["reference_guess", "search", "solve", "solve_derived"]
 
 CONTINUATION_STEPS = 24
 STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
@@ -40,7 +43,7 @@ def solve(
     unknown: Iterable[str] = (),
     given: Mapping[str, object] | None = None,
     throw: bool = True,
-) -> Orbit:
+) -> Orbit | ComposedOrbit:
     """Find the periodic orbit of an itinerary.
 
     Without a guess it starts from the orbit's reference point; where that leads nowhere, or
@@ -50,7 +53,8 @@ def solve(
     Parameters
     ----------
     orbit : str
-        ``system/orbit``.
+        ``system/orbit``, or a user's ``FILE.py:ORBIT``. One whose equations have no closed
+        form is composed numerically from its phases.
     parameters : mapping of str to number, text or Value, optional
         Those of the equations, or the physical ones in their place; absent ones take the
         reference point's values. Nondimensional.
@@ -58,13 +62,14 @@ def solve(
         Start of the unknowns, all in their order or some by name.
     unknown, given : names, and mapping of names to values
         Exchange: the parameters named in `unknown` are solved for, the unknowns named in
-        `given` keep their values; as many of one as of the other.
+        `given` keep their values; as many of one as of the other. An orbit that is composed
+        takes none of them, but its ``period`` may be given.
     throw : bool
         Raise when there is no convergence; otherwise the orbit's `status` says it.
 
     Returns
     -------
-    Orbit
+    Orbit or ComposedOrbit
         In double precision; the iteration ends when a full Newton step is below
         1e-9 max(1, |x|), which leaves an error of rounding.
 
@@ -76,6 +81,25 @@ def solve(
     NoConvergence
         If no orbit was found; the message says what was tried.
     """
+    kernels = load_orbit(orbit)
+    exchange: dict[str, Any] = {"unknown": tuple(unknown), "given": given}
+    if kernels.derived:
+        return solve_derived(orbit, parameters, guess, throw=throw, **exchange)
+    from nonsmooth.runtime.composition.named import solve_declared
+
+    return solve_declared(kernels, parameters or {}, guess, throw=throw, **exchange)
+
+
+def solve_derived(
+    orbit: str,
+    parameters: Mapping[str, object] | None = None,
+    guess: Sequence[float] | Mapping[str, float] | None = None,
+    *,
+    unknown: Iterable[str] = (),
+    given: Mapping[str, object] | None = None,
+    throw: bool = True,
+) -> Orbit:
+    """Find a periodic orbit that has kernels; as `solve`."""
     kernels = load_orbit(orbit)
     swapped, fixed = tuple(unknown), dict(given or {})
     _check_exchange(kernels, swapped, fixed)

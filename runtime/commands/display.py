@@ -12,11 +12,12 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.parameters import default_parameters
 from nonsmooth.runtime.values import decimal_string
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.orbit import Orbit
+    from nonsmooth.runtime.composition.record import ComposedOrbit
     from nonsmooth.runtime.values import Value
 
 __all__ = [
@@ -37,13 +38,17 @@ _VERDICT_STYLES = {"stable": "green", "unstable": "red"}
 
 
 def show_report(
-    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value], *, trace_first: bool
+    orbit: Orbit | ComposedOrbit,
+    found: Mapping[str, Any],
+    assigned: Mapping[str, Value],
+    *,
+    trace_first: bool,
 ) -> None:
     """Show an orbit.
 
     Parameters
     ----------
-    orbit : Orbit
+    orbit : Orbit or ComposedOrbit
     found : mapping
         The orbit as JSON.
     assigned : mapping of str to Value
@@ -52,11 +57,9 @@ def show_report(
         Show the trace criterion before the orbit.
     """
     console = wide_console()
-    rank_one = orbit.stability.rank_one
+    rank_one = orbit.stability.rank == 1
     console.print(Text(f"{found['orbit']}, {found['digits']} digits", style="bold"))
-    console.print(
-        Text(" -> ".join([*(phase[0] for phase in orbit.kernels.table["phases"]), "..."]))
-    )
+    console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
     parameters = _table()
     for name, text, source in _sources(orbit, found, assigned):
         parameters.add_row(name, text, Text(source, style="dim"))
@@ -156,13 +159,27 @@ def counted(what: str, total: int) -> Iterator[Callable[[int], None]]:
         yield lambda done: progress.update(task, completed=done)
 
 
+def _configurations(orbit: Orbit | ComposedOrbit) -> list[str]:
+    """Configuration of each phase."""
+    if isinstance(orbit, Orbit):
+        return [phase[0] for phase in orbit.kernels.table["phases"]]
+    return [configuration for configuration, _ in orbit.itinerary]
+
+
 def _sources(
-    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value]
+    orbit: Orbit | ComposedOrbit, found: Mapping[str, Any], assigned: Mapping[str, Value]
 ) -> Iterator[tuple[str, str, str]]:
     """Give name and text of each given parameter, and where it is from."""
-    defaults = default_parameters(orbit.kernels)
     for name, value in assigned.items():
         yield name, str(value), ""
+    if not isinstance(orbit, Orbit):
+        for name, value in orbit.parameters.items():
+            if name not in assigned:
+                yield name, str(value), "default"
+        if orbit.given_period is not None and "period" not in assigned:
+            yield "period", str(orbit.given_period), "given"
+        return
+    defaults = default_parameters(orbit.kernels)
     for name, value in {**orbit.given, **orbit.opened}.items():
         if name in assigned:
             continue

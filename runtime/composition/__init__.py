@@ -5,8 +5,16 @@
 `newton`      Newton's method on start and dwell times: compiled, or in NumPy
 `stability`   sections, multipliers, saltation matrices
 `admissible`  whether a composed orbit is a motion of the real system
-`composed`    one orbit: `compose`, `ComposedOrbit`
+`symmetry`    orbits of which a symmetry closes a part
+`composed`    one orbit: `compose`
+`record`      `ComposedOrbit` and what can be asked of it
+`motion`      the motion along it
+`naming`      names of its unknowns
+`named`       declared orbits without kernels
+`recurring`   itineraries of simulated motions
 `batch`       many parameter points: `compose_many`
 `precise`     any number of digits
+`report`      a composed orbit as JSON
+`saved`       a composed orbit in a file
 ============  ==============================================================
 """

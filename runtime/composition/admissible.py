@@ -66,6 +66,12 @@ def assess_cycle(
                 time, excess = _maximum(function, crossing.time, duration)
                 found = Violation(place, name, shape.name, float(begins[place]) + time, excess)
                 violations.append(found)
+        for reached in sorted(cycle.transitions[place].boundaries):
+            shape = shapes[reached]  # of several that are reached together all have to be zero
+            value = float(numbers.rows[shape.row] @ np.append(now.ends[place], 1.0))
+            if value < -noise[shape.row]:
+                time = float(begins[place + 1])
+                violations.append(Violation(place, name, shape.name, time, value))
         if not _taken(cycle, numbers, now, place, noise):
             last = cycle.itinerary[place][1]
             violations.append(Violation(place, name, last, float(begins[place + 1]), 0.0))

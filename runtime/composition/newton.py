@@ -36,6 +36,7 @@ __all__ = [
     "LEAST",
     "Found",
     "equations",
+    "fitting_start",
     "message_of",
     "sizes",
     "solve_cycle",
@@ -118,7 +119,7 @@ def solve_cycle(
         return solve_in_python(cycle, flat, dwell, start, period)
     if start is None and cycle.structure.forcing:
         with np.errstate(all="ignore"):
-            start = _fitting_start(cycle, flat, dwell)
+            start = fitting_start(cycle, flat, dwell)
     count, size = len(flat), len(cycle.structure.states)
     found = Found(
         np.array(dwell, dtype=float, order="C"),
@@ -166,7 +167,7 @@ def solve_in_python(
     least = np.ones(count)
     with np.errstate(all="ignore"):
         if start is None:
-            start = _fitting_start(cycle, flat, dwell)
+            start = fitting_start(cycle, flat, dwell)
         state = np.array(start, dtype=float)
         running = np.arange(count)
         for _ in range(MOST_ITERATIONS):
@@ -288,7 +289,7 @@ def _phase_difference(angle: Any, first: Any, ratio: Any, angle_of: Any) -> Any:
     return best
 
 
-def _fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
+def fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
     """The start that fits given dwell times best: closure and switching are linear in it.
 
     A forcing has some angle at the start: of several that are tried the one that fits best.

@@ -44,9 +44,10 @@ class Cycle:
     ----------
     structure : Structure
     itinerary : tuple of (configuration, boundary)
-        By name.
+        By name; boundaries that are reached together are joined, ``"a+b"``.
     configurations, boundaries : tuple of int
-        The same as indices, a boundary's among those of its configuration.
+        The same as indices, a boundary's among those of its configuration. Of several the
+        first, whose switching condition is solved.
     transitions : tuple of TransitionShape
     """
 
@@ -95,7 +96,8 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
     """Look an itinerary up in a system.
 
     Between two phases the first transition that is declared for the boundary and leads to the
-    next configuration is taken.
+    next configuration is taken. Boundaries that are reached together are one name ``"a+b"``
+    or a sequence of names; the first one's switching condition is solved.
 
     Raises
     ------
@@ -104,22 +106,23 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
         declares no transition.
     """
     try:
-        pairs = tuple((str(c), str(b)) for c, b in itinerary)
+        pairs = tuple((str(c), b if isinstance(b, str) else "+".join(b)) for c, b in itinerary)
     except (TypeError, ValueError):
         raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
     if not pairs:
         raise InputError("the itinerary has no phase")
     configurations = tuple(structure.configuration(c) for c, _ in pairs)
-    boundaries = tuple(
-        structure.boundary(c, name) for c, (_, name) in zip(configurations, pairs, strict=True)
-    )
+    sets = [
+        [structure.boundary(c, name) for name in joined.split("+")]
+        for c, (_, joined) in zip(configurations, pairs, strict=True)
+    ]
     transitions = []
-    for i, (source, boundary) in enumerate(zip(configurations, boundaries, strict=True)):
+    for i, (source, reached) in enumerate(zip(configurations, sets, strict=True)):
         target = configurations[(i + 1) % len(pairs)]
         found = [
             t
             for t in structure.transitions[source]
-            if t.boundaries == {boundary} and t.target == target
+            if t.boundaries == set(reached) and t.target == target
         ]
         if not found:
             after = structure.configurations[target]
@@ -127,6 +130,7 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
                 f"{structure.name} has no transition from {pairs[i][0]} to {after} at {pairs[i][1]}"
             )
         transitions.append(found[0])
+    boundaries = tuple(reached[0] for reached in sets)
     return Cycle(structure, pairs, configurations, boundaries, tuple(transitions))
 
 

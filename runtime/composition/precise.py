@@ -10,6 +10,7 @@ import numpy as np
 from nonsmooth.runtime.arithmetic import Mpmath
 from nonsmooth.runtime.composition.newton import equations, sizes, with_forcing
 from nonsmooth.runtime.composition.passage import Cycle, numbers_in, pass_through
+from nonsmooth.runtime.composition.symmetry import Symmetry, closing, symmetry_of
 from nonsmooth.runtime.errors import NoConvergence
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.orbit import GUARD
@@ -39,6 +40,7 @@ def refine_cycle(
     start: np.ndarray,
     period: Value | None,
     digits: int,
+    symmetry: Symmetry | None = None,
 ) -> Precise:
     """Refine dwell times and states until their error is at most 10^-digits max(1, |x|).
 
@@ -46,14 +48,21 @@ def refine_cycle(
 
     Parameters
     ----------
+    cycle : Cycle
+        The whole one.
     dwell : array (p)
+        Of the part that the symmetry closes, where there is one.
     start : array (N)
         In double precision, of a converged orbit.
     period : Value, optional
-        Sum of the dwell times, where it was given.
+        Sum of these dwell times, where it was given.
+    symmetry : Symmetry, optional
+        It has to be one to so many digits.
 
     Raises
     ------
+    InputError
+        If the symmetry holds in double precision only.
     NoConvergence
         If Newton's method leaves the orbit, as it does where the equations are singular.
     """
@@ -65,12 +74,15 @@ def refine_cycle(
     for count, precision in enumerate(steps, 1):
         with lib.working(precision + _MARGIN):
             system = piecewise_in(kernels, parameters, lib)
-            numbers, cycle = numbers_in(system), cycle.at(system.structure)
-            now = pass_through(cycle, numbers, times, state, lib.mp)
+            if symmetry is not None and count == len(steps):
+                symmetry_of(system, symmetry.matrix, lib.mp.mpf(10) ** -wanted)
+            system, part = closing(system, cycle.at(system.structure), symmetry)
+            numbers = numbers_in(system)
+            now = pass_through(part, numbers, times, state, lib.mp)
             size_of = sizes(now, times)
             total = None if period is None else lib.number(period)
             matrix, right = equations(now, times, size_of, total)
-            matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, lib)
+            matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, lib)
             try:
                 # more equations than unknowns are solved in the sense of least squares
                 found = lib.mp.lu_solve(

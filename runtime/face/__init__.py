@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from nonsmooth.runtime.batch import Orbits, solve_many
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
+    from nonsmooth.runtime.composition.recurring import Recurrence, itinerary_of
     from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
     from nonsmooth.runtime.finding.find import Found, find_orbits
     from nonsmooth.runtime.finding.saved import load_found
@@ -41,12 +42,14 @@ __all__ = [
     "Orbits",
     "PoincareMap",
     "Proof",
+    "Recurrence",
     "Trajectories",
     "Trajectory",
     "__version__",
     "compose",
     "compose_many",
     "find_orbits",
+    "itinerary_of",
     "load",
     "load_found",
     "load_trajectory",
@@ -73,11 +76,13 @@ _HOMES = {
     "Orbits": "batch",
     "PoincareMap": "simulation.returns",
     "Proof": "validation.proof",
+    "Recurrence": "composition.recurring",
     "Trajectories": "simulation.simulate",
     "Trajectory": "simulation.trajectory",
     "compose": "composition.composed",
     "compose_many": "composition.composed",
     "find_orbits": "finding.find",
+    "itinerary_of": "composition.recurring",
     "load": "saved:load_orbit_file",
     "load_found": "finding.saved",
     "load_trajectory": "simulation.saved",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import load_system
+from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.notebook import symbol
 from nonsmooth.runtime.observing.phases import fastest
 from nonsmooth.runtime.pictures.drawing import (
@@ -44,12 +44,31 @@ _JUMP = 1e-9  # relative change of a state in an impact
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """What every picture of one motion needs: its points, each transition twice."""
+    """What every picture of one motion needs: its points, each transition twice.
+
+    Attributes
+    ----------
+    trajectory : Trajectory
+    times, states : array (n,), (n, N)
+    masses : tuple of int
+        Which are drawn.
+    kernels : SystemKernels or None
+        Of the system, where they are known.
+    name : str
+        Instead of the system's and the number of transitions.
+    closed : bool
+        Whether the motion is an orbit, without start and end.
+    composed : bool
+        Whether the picture is a part of several.
+    """
 
     trajectory: Trajectory
     times: np.ndarray
     states: np.ndarray
     masses: tuple[int, ...]
+    kernels: SystemKernels | None = None
+    name: str = ""
+    closed: bool = False
     composed: bool = False
 
     @property
@@ -88,7 +107,7 @@ class View:
         """What the picture shows; empty in one part of several."""
         count = self.trajectory.transitions
         plural = "" if count == 1 else "s"
-        text = f"{self.trajectory.name}, {count:,} transition{plural}"
+        text = self.name or f"{self.trajectory.name}, {count:,} transition{plural}"
         return "" if self.composed else text
 
     @property
@@ -124,13 +143,18 @@ def coordinates_of(trajectory: Trajectory) -> tuple[tuple[int, int], ...]:
     return trajectory.structure.coordinates or ((0, min(1, len(trajectory.names) - 1)),)
 
 
-def view_of(trajectory: Trajectory, masses: tuple[int, ...], points: int) -> View:
+def view_of(
+    trajectory: Trajectory,
+    masses: tuple[int, ...],
+    points: int,
+    kernels: SystemKernels | None = None,
+) -> View:
     """Points of a motion as dense as a picture needs them; InputError if it is not finite."""
     if not (math.isfinite(trajectory.end) and np.isfinite(trajectory.states).all()):
         raise InputError("the motion is not finite")
     needed = min(_MOST_POINTS, math.ceil(_angle(trajectory) / _STEP))
     wanted = max(points, needed) if isinstance(points, int | np.integer) and points > 0 else points
-    return View(trajectory, *trajectory.sample(wanted), masses)
+    return View(trajectory, *trajectory.sample(wanted), masses, kernels)
 
 
 def draw_motion(view: View, kind: str, places: Sequence[Axes]) -> None:
@@ -297,6 +321,8 @@ def _draw_portrait(view: View, axes: Axes, place: int, mass: int) -> None:
         lowest = int(np.searchsorted(switches, np.argmin(points[:, 1])))
         if len(parts[lowest]) > 2:
             draw_arrow(axes, parts[lowest][:, 0], parts[lowest][:, 1], style)
+    if view.closed:
+        return
     ends: dict[str, Any] = {"linestyle": "none", "color": "black", "zorder": 4}
     axes.plot(*points[:1].T, marker="x", markersize=7, label="start", **ends)
     axes.plot(*points[-1:].T, marker="s", markersize=5, label="end", **ends)
@@ -347,7 +373,7 @@ def _levels(view: View, *, moving: bool) -> dict[float, str]:
         for row in sorted(rows):
             if np.flatnonzero(system.rows[row, :-1]).tolist() == [state]:
                 level = _level(system, row, state)
-                name = _parameter(system, row, state)
+                name = _parameter(view, row, state)
                 found[level] = f"${symbol(name)}$" if name else f"{label} = ${level:.6g}$"
     return found
 
@@ -356,15 +382,20 @@ def _level(system: PiecewiseLinear, row: int, state: int) -> float:
     return float(0.0 - system.rows[row, -1] / system.rows[row, state])
 
 
-def _parameter(system: PiecewiseLinear, row: int, state: int) -> str:
+def _parameter(view: View, row: int, state: int) -> str:
     """Parameter that a level is, and stays when the parameter changes; empty if none."""
+    system = view.trajectory.system
+    try:
+        kernels = view.kernels or load_system(system.structure.name)
+    except InputError:  # a system that has no name by which it is found
+        return ""
     level = _level(system, row, state)
     numbers = {name: float(value) for name, value in system.parameters.items()}
     for name, number in numbers.items():
         if number == level != 0:
             moved = {**numbers, name: number * 1.0078125}
             point = np.array(list(moved.values()))
-            other = piecewise_at(load_system(system.structure.name), point)
+            other = piecewise_at(kernels, point)
             if _level(other, row, state) == moved[name]:
                 return name
     return ""

@@ -28,8 +28,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from nonsmooth.runtime.orbit import Orbit
+    from nonsmooth.runtime.stability import Multiplier
 
-__all__ = ["PANELS", "Scene", "draw"]
+__all__ = ["PANELS", "Scene", "draw", "draw_multipliers"]
 
 PANELS = ("time", "velocity", "strip", "phase", "multipliers")  # of "all", in this order
 
@@ -101,7 +102,8 @@ def draw(scene: Scene, kind: str, places: Sequence[Axes]) -> None:
     elif kind == "strip":
         _draw_strip(scene, places[0])
     elif kind == "multipliers":
-        _draw_multipliers(scene, places[0])
+        title = "" if scene.composed else scene.orbit.name
+        draw_multipliers(scene.orbit.stability.multipliers, places[0], title)
     else:
         _draw_history(scene, places[0], moving=kind == "velocity")
 
@@ -182,16 +184,15 @@ def _draw_strip(scene: Scene, axes: Axes) -> None:
     finish(axes, "" if scene.composed else scene.orbit.name)
 
 
-def _draw_multipliers(scene: Scene, axes: Axes) -> None:
-    """Draw the multipliers and the unit circle."""
-    stability = scene.orbit.stability
+def draw_multipliers(multipliers: Sequence[Multiplier], axes: Axes, title: str) -> None:
+    """Draw multipliers and the unit circle."""
     angle = np.linspace(0, 2 * np.pi, 361)
     axes.fill(np.cos(angle), np.sin(angle), color="0.95", zorder=0)
     axes.plot(np.cos(angle), np.sin(angle), color="0.35", linewidth=0.8)
     axes.axhline(0, color="0.75", linewidth=0.6, zorder=0.5)
     axes.axvline(0, color="0.75", linewidth=0.6, zorder=0.5)
     extent = 1.0
-    for number, multiplier in enumerate(stability.multipliers, 1):
+    for number, multiplier in enumerate(multipliers, 1):
         real, imaginary = float(multiplier.real), float(multiplier.imaginary)
         value = f"{real:.6g}" + (f"{imaginary:+.6g}\\,\\mathrm{{i}}" if imaginary else "")
         color = line_style(number - 1)["color"]
@@ -210,4 +211,4 @@ def _draw_multipliers(scene: Scene, axes: Axes) -> None:
     axes.set_aspect("equal")
     axes.set_xlabel(r"$\mathrm{Re}\,\mu$ " + UNIT)
     axes.set_ylabel(r"$\mathrm{Im}\,\mu$ " + UNIT)
-    finish(axes, "" if scene.composed else scene.orbit.name)
+    finish(axes, title)

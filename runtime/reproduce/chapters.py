@@ -31,7 +31,7 @@ from nonsmooth.runtime.reproduce.records import (
     Table,
     Text,
 )
-from nonsmooth.runtime.solve import solve
+from nonsmooth.runtime.solve import solve_derived as solve
 
 __all__ = ["ORBITS", "paper_orbits", "paper_report"]
 

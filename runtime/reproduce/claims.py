@@ -7,7 +7,7 @@ import numpy as np
 from nonsmooth.runtime.intervals import Interval, admissible_intervals, singular_values
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.reproduce.records import Finding, Table
-from nonsmooth.runtime.solve import solve
+from nonsmooth.runtime.solve import solve_derived as solve
 
 __all__ = [
     "admissible_periods",

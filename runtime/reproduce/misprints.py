@@ -11,7 +11,7 @@ from nonsmooth.runtime.kernels import OrbitKernels
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.reproduce.contact import contact_orbits
 from nonsmooth.runtime.reproduce.records import Finding, Table
-from nonsmooth.runtime.solve import solve
+from nonsmooth.runtime.solve import solve_derived as solve
 
 __all__ = ["misprints"]
 

@@ -1,0 +1,49 @@
+"""The motion along a composed orbit."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nonsmooth.runtime.composition.passage import Cycle
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.run import Run, Status
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["motion_along"]
+
+
+def motion_along(
+    system: PiecewiseLinear,
+    cycle: Cycle,
+    dwell: np.ndarray,
+    starts: np.ndarray,
+    ends: np.ndarray,
+    periods: int,
+) -> Trajectory:
+    """Phases one after the other, some periods long.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+        In double precision, as all that follows.
+    cycle : Cycle
+    dwell : array (p,)
+    starts, ends : array (p, N)
+        State at the start and at the end of each phase.
+    periods : int
+    """
+    masks = [sum(1 << boundary for boundary in t.boundaries) for t in cycle.transitions]
+    behind = np.tile(np.roll(starts, -1, axis=0), (periods, 1))
+    times = np.cumsum(np.tile(dwell, periods))
+    following = np.tile(np.roll(cycle.configurations, -1), periods)
+    run = Run(
+        np.concatenate([[0.0], times]),
+        np.concatenate([cycle.configurations[:1], following]).astype(np.int32),
+        np.concatenate([starts[:1], np.tile(ends, (periods, 1))]),
+        np.concatenate([starts[:1], behind]),
+        np.array([0, *masks * periods], dtype=np.int32),
+        (),
+        Status.TRANSITIONS,
+        float(times[-1]),
+    )
+    return Trajectory(system, run)

@@ -1,0 +1,26 @@
+"""Names of a composed orbit's unknowns."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping, Sequence
+
+__all__ = ["dwell_names", "start_names"]
+
+
+def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
+    """Names of dwell times that were not declared: tau1, tau2, ... where these are free."""
+    stem = "tau"
+    while any(f"{stem}{i}" in taken for i in range(1, count + 1)):
+        stem = f"dwell_{stem}"
+    return tuple(f"{stem}{i}" for i in range(1, count + 1))
+
+
+def start_names(
+    states: Sequence[str], taken: Container[str], declared: Mapping[str, str] | None = None
+) -> tuple[str, ...]:
+    """Names of the states at the start: those declared, or x10 for x1 where that is free."""
+    known = declared or {}
+    return tuple(
+        known.get(name, name if f"{name}0" in taken or f"{name}0" in states else f"{name}0")
+        for name in states
+    )

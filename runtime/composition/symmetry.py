@@ -1,0 +1,350 @@
+"""Symmetries of a system: signed permutations of the states that map motions to motions.
+
+An orbit that a symmetry maps to itself, shifted by a part of its period, is known by that part:
+its phases lead from a start to the start's image, and the symmetry leads back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.composition.passage import Cycle, cycle_of
+from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.structure import Structure, TransitionShape
+from nonsmooth.runtime.values import Value, as_value, parse
+
+__all__ = [
+    "Symmetry",
+    "closing",
+    "matrix_of",
+    "part_of",
+    "symmetry_of",
+    "whole_cycle",
+    "whole_orbit",
+]
+
+_SAME = 1e-12  # of the largest entry: numbers that are equal but for rounding
+_LARGEST_ORDER = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Symmetry:
+    """A symmetry of a system, whose numbers it has been compared with.
+
+    Attributes
+    ----------
+    matrix : array (N, N) of int
+        A signed permutation: the image of the state y is ``matrix @ y``.
+    order : int
+        The least power that is the identity.
+    configurations : tuple of int
+        Image of each configuration.
+    boundaries : for each configuration a tuple of int
+        Image of each boundary, among those of the image.
+    """
+
+    matrix: np.ndarray
+    order: int
+    configurations: tuple[int, ...]
+    boundaries: tuple[tuple[int, ...], ...]
+
+
+def matrix_of(structure: Structure, given: Mapping[str, str] | Any) -> np.ndarray:
+    """Matrix (N, N) of a signed permutation, from images by name or from a matrix.
+
+    Parameters
+    ----------
+    given : mapping of state to text, or array (N, N)
+        ``{"x": "-x", "v": "-v"}``; states that are not named stay. A matrix P maps y to P y.
+
+    Raises
+    ------
+    InputError
+        For unknown names, or what is no signed permutation.
+    """
+    names = structure.states
+    if isinstance(given, Mapping):
+        found = np.eye(len(names), dtype=int)
+        for name, image in given.items():
+            if name not in names:
+                raise unknown_name("state", str(name), names)
+            text = str(image).replace(" ", "")
+            source = text.lstrip("+-")
+            if source not in names or len(text) - len(source) > 1:
+                raise InputError(f"symmetry: {name} -> {image!r} is no state, or minus one")
+            row = np.zeros(len(names), dtype=int)
+            row[names.index(source)] = -1 if text.startswith("-") else 1
+            found[names.index(name)] = row
+    else:
+        try:
+            array = np.asarray(given, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError("symmetry: neither images by name nor a matrix of numbers") from None
+        if array.shape != (len(names), len(names)) or not np.isin(array, (-1, 0, 1)).all():
+            raise InputError(
+                f"symmetry: no {len(names)} x {len(names)} matrix of -1, 0 and 1, a signed"
+                f" permutation of {', '.join(names)}"
+            )
+        found = array.astype(int)
+    if not (abs(found).sum(axis=0) == 1).all() or not (abs(found).sum(axis=1) == 1).all():
+        raise InputError("symmetry: no permutation: two states have the same image")
+    return found
+
+
+def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Symmetry:
+    """A symmetry of a system at its parameters, with the images of what the system declares.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    given : mapping or array
+        As for `matrix_of`.
+    error : number
+        Relative difference of numbers that count as equal.
+
+    Raises
+    ------
+    InputError
+        For what is no signed permutation, the identity, or a map that fields, boundaries,
+        constraints or transitions do not follow: the message names what has no image.
+    """
+    structure = system.structure
+    matrix = matrix_of(structure, given)
+    order, power = 1, matrix
+    while (power != np.eye(len(matrix), dtype=int)).any():
+        order, power = order + 1, power @ matrix
+        if order > _LARGEST_ORDER:
+            raise InputError(f"symmetry: more than {_LARGEST_ORDER} images of one state")
+    if order == 1:
+        raise InputError("symmetry: it is the identity: leave it out")
+    pairs = {frozenset(pair) for pair in structure.forcing}
+    for pair in structure.forcing:
+        image = frozenset(int(np.flatnonzero(matrix[:, state])[0]) for state in pair)
+        if image not in pairs:
+            told = " and ".join(structure.states[state] for state in pair)
+            raise InputError(f"symmetry: it takes the forcing {told} apart")
+    images = _Images(system, matrix, error)
+    found = next(images.bijections({}), None)
+    if found is None:
+        raise InputError(f"symmetry: no symmetry of {structure.name} here: {images.reason()}")
+    every = range(len(structure.configurations))
+    boundaries = tuple(images.boundaries[c, found[c]] for c in every)
+    return Symmetry(matrix, order, tuple(found[c] for c in every), boundaries)
+
+
+def _expanded(
+    structure: Structure, symmetry: Symmetry, part: Sequence[tuple[str, str]]
+) -> tuple[tuple[str, str], ...]:
+    """Itinerary of the whole orbit whose first part is given.
+
+    The symmetry maps the end of a part to its start: each part is the preimage of the one
+    before it.
+    """
+    backward = {image: c for c, image in enumerate(symmetry.configurations)}
+    whole = []
+    phases = [_phase(structure, *pair) for pair in part]
+    for _ in range(symmetry.order):
+        for configuration, places in phases:
+            names = [structure.boundaries[configuration][b].name for b in places]
+            whole.append((structure.configurations[configuration], "+".join(names)))
+        phases = [
+            (backward[c], [symmetry.boundaries[backward[c]].index(b) for b in places])
+            for c, places in phases
+        ]
+    return tuple(whole)
+
+
+def closing(
+    system: PiecewiseLinear, cycle: Cycle, symmetry: Symmetry | None
+) -> tuple[PiecewiseLinear, Cycle]:
+    """The part of a cycle that the symmetry closes, in a system with one reset more.
+
+    The last reset of the part is followed by the symmetry.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    cycle : Cycle
+        The whole one, of that system.
+    symmetry : Symmetry or None
+        None leaves both as they are.
+    """
+    if symmetry is None:
+        return system, cycle
+    structure, count = system.structure, len(cycle) // symmetry.order
+    last = cycle.transitions[count - 1]
+    reset = symmetry.matrix @ system.resets[last.reset]
+    structure = _with_one_reset_more(structure)
+    closed = replace(
+        system, structure=structure, resets=np.concatenate([system.resets, reset[None]])
+    )
+    turned = replace(last, reset=structure.resets - 1, target=cycle.configurations[0])
+    part = replace(
+        cycle,
+        structure=structure,
+        itinerary=cycle.itinerary[:count],
+        configurations=cycle.configurations[:count],
+        boundaries=cycle.boundaries[:count],
+        transitions=(*cycle.transitions[: count - 1], turned),
+    )
+    return closed, part
+
+
+@lru_cache(maxsize=1024)  # what is kept for a structure serves again
+def _with_one_reset_more(structure: Structure) -> Structure:
+    return replace(structure, resets=structure.resets + 1)
+
+
+def whole_cycle(structure: Structure, symmetry: Symmetry, part: Any) -> Cycle:
+    """The whole cycle of a part that the symmetry closes; InputError as `cycle_of`."""
+    try:
+        pairs = tuple((c, b) for c, b in part)
+    except (TypeError, ValueError):
+        raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
+    return cycle_of(structure, _expanded(structure, symmetry, pairs))
+
+
+def whole_orbit(
+    symmetry: Symmetry | None, dwell: np.ndarray, states: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Dwell times and states of the whole orbit from those (p,), (p, N) of its first part."""
+    if symmetry is None:
+        return dwell, states
+    parts = [states]
+    for _ in range(symmetry.order - 1):
+        parts.append(parts[-1] @ symmetry.matrix)  # its inverse from the left
+    return np.tile(dwell, symmetry.order), np.concatenate(parts)
+
+
+def part_of(period: Value, order: int) -> Value:
+    """One of so many equal parts of a given period, exactly."""
+    if period.exact is not None:
+        return as_value(period.exact / order)
+    return parse(f"({period.text})/{order}")
+
+
+def _phase(structure: Structure, name: str, boundary: Any) -> tuple[int, list[int]]:
+    configuration = structure.configuration(str(name))
+    names = boundary.split("+") if isinstance(boundary, str) else boundary
+    return configuration, [structure.boundary(configuration, str(b)) for b in names]
+
+
+class _Images:
+    """Which configuration can be the image of which, and how their boundaries correspond."""
+
+    def __init__(self, system: PiecewiseLinear, matrix: np.ndarray, error: float) -> None:
+        self.system, self.structure = system, system.structure
+        self.matrix, self.error = matrix, error
+        self.boundaries: dict[tuple[int, int], tuple[int, ...]] = {}
+        every = range(len(self.structure.configurations))
+        for c in every:
+            for image in every:
+                found = self._correspondence(c, image)
+                if found is not None:
+                    self.boundaries[c, image] = found
+
+    def bijections(self, chosen: dict[int, int]) -> Iterator[dict[int, int]]:
+        """Maps of all configurations that the transitions follow too."""
+        c = len(chosen)
+        if c == len(self.structure.configurations):
+            if all(self._transitions_follow(source, chosen) for source in chosen):
+                yield chosen
+            return
+        for image in range(len(self.structure.configurations)):
+            if (c, image) in self.boundaries and image not in chosen.values():
+                yield from self.bijections({**chosen, c: image})
+
+    def reason(self) -> str:
+        """What has no image."""
+        for c, name in enumerate(self.structure.configurations):
+            if not any(source == c for source, _ in self.boundaries):
+                return f"no configuration is the image of {name}, with its field and boundaries"
+        return "the transitions do not follow"
+
+    def _correspondence(self, c: int, image: int) -> tuple[int, ...] | None:
+        """Images of the boundaries of a configuration if another may be its image."""
+        structure, system, matrix = self.structure, self.system, self.matrix
+        own, other = structure.boundaries[c], structure.boundaries[image]
+        field = matrix @ system.fields[c]
+        field = np.concatenate([field[:, :-1] @ matrix.T, field[:, -1:]], axis=1)
+        if len(own) != len(other) or not self._equal(field, system.fields[image]):
+            return None
+        constraints = list(structure.constraints[image])
+        if len(constraints) != len(structure.constraints[c]):
+            return None
+        for row in structure.constraints[c]:
+            fitting = [r for r in constraints if self._row_maps(row, r, signed=False)]
+            if not fitting:
+                return None
+            constraints.remove(fitting[0])
+        found: list[int] = []
+        for boundary in own:
+            fitting = [
+                place
+                for place, candidate in enumerate(other)
+                if place not in found
+                and candidate.reached == boundary.reached
+                and self._row_maps(boundary.row, candidate.row)
+            ]
+            if not fitting:
+                return None
+            found.append(fitting[0])
+        return tuple(found)
+
+    def _row_maps(self, row: int, other: int, *, signed: bool = True) -> bool:
+        """Whether one affine function is a multiple of another one's image, a positive one."""
+        mapped, wanted = self._image_of_row(row), self.system.rows[other]
+        sizes = [max(abs(x) for x in function) for function in (mapped, wanted)]
+        if sizes[0] == 0 or sizes[1] == 0:
+            return bool(sizes[0] == sizes[1])
+        mapped, wanted = mapped / sizes[0], wanted / sizes[1]
+        same = self._equal(mapped, wanted)
+        return same or (not signed and self._equal(-mapped, wanted))
+
+    def _image_of_row(self, row: int) -> np.ndarray:
+        function = self.system.rows[row]
+        return np.concatenate([self.matrix @ function[:-1], function[-1:]])
+
+    def _equal(self, first: np.ndarray, second: np.ndarray) -> bool:
+        largest = max(abs(x) for x in first.ravel())
+        return bool(all(abs(x) <= self.error * largest for x in (first - second).ravel()))
+
+    def _transitions_follow(self, source: int, chosen: Mapping[int, int]) -> bool:
+        """Whether each transition has one at its place among those of the image."""
+        image = chosen[source]
+        places = self.boundaries[source, image]
+        others = list(self.structure.transitions[image])
+        if len(others) != len(self.structure.transitions[source]):
+            return False
+        for transition in self.structure.transitions[source]:
+            boundaries = frozenset(places[b] for b in transition.boundaries)
+            fitting = [t for t in others if t.boundaries == boundaries]
+            if not fitting or not self._transition_maps(transition, fitting[0], chosen):
+                return False
+            others.remove(fitting[0])
+        return True
+
+    def _transition_maps(
+        self, transition: TransitionShape, other: TransitionShape, chosen: Mapping[int, int]
+    ) -> bool:
+        if chosen[transition.target] != other.target:
+            return False
+        reset = self.matrix @ self.system.resets[transition.reset]
+        reset = np.concatenate([reset[:, :-1] @ self.matrix.T, reset[:, -1:]], axis=1)
+        if not self._equal(reset, self.system.resets[other.reset]):
+            return False
+        if len(transition.conditions) != len(other.conditions):
+            return False
+        return all(
+            any(
+                along_ == chosen[along] and holds_ == holds and self._row_maps(row, row_)
+                for row_, along_, holds_ in other.conditions
+            )
+            for row, along, holds in transition.conditions
+        )

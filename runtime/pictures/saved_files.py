@@ -1,0 +1,73 @@
+"""Pictures of what is in a file: an orbit, a motion, or orbits that were found."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nonsmooth.runtime.finding import saved as found_orbits
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["figure_of"]
+
+_BEGINNING = 400  # characters of a file in which its format is named
+
+
+def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figure]:
+    """Read a file and draw what is in it.
+
+    Parameters
+    ----------
+    path : Path
+        JSON of an orbit or of found orbits; .npz or .csv of a motion.
+    kind : str
+        As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase".
+    periods : int
+        How many periods of an orbit to draw against time.
+
+    Returns
+    -------
+    dict of str
+        What was drawn: the name of the orbit or of the system.
+    Figure
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or is cut, edited or foreign, or for a kind that it has not.
+    """
+    if path.suffix.lower() in (".npz", ".csv"):
+        from nonsmooth.runtime.pictures.scenes import trajectory_figure
+        from nonsmooth.runtime.simulation.saved import load_trajectory
+
+        motion = load_trajectory(path)
+        return {"system": motion.name}, trajectory_figure(motion, kind)
+    if _holds_found(path):
+        from nonsmooth.runtime.pictures.found import found_figure
+
+        found = found_orbits.load_found(path)
+        return {"system": found.system}, found_figure(found, kind, periods=periods)
+    from nonsmooth.runtime.orbit import Orbit
+    from nonsmooth.runtime.saved import load_orbit_file
+
+    orbit = load_orbit_file(path)
+    if isinstance(orbit, Orbit):
+        from nonsmooth.runtime.pictures.plot import orbit_figure
+
+        return {"orbit": orbit.name}, orbit_figure(orbit, kind, periods=periods)
+    from nonsmooth.runtime.pictures.composed import composed_figure
+
+    return {"orbit": orbit.name}, composed_figure(orbit, kind, periods=periods)
+
+
+def _holds_found(path: Path) -> bool:
+    """Whether a file begins as one of found orbits does; what cannot be read does not."""
+    try:
+        with path.open(encoding="utf-8") as file:
+            beginning = file.read(_BEGINNING)
+    except (OSError, ValueError):
+        return False
+    return json.dumps(found_orbits.FORMAT) in beginning
