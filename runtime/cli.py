@@ -60,14 +60,25 @@ def main(command: str | None = None) -> None:
 
 @app.command(
     "list",
-    epilog="Examples:\n\nnonsmooth list\n\nnonsmooth list --json",
+    epilog="Examples:\n\nnonsmooth list\n\nnonsmooth list my_oscillator.py\n\n"
+    "nonsmooth list dry-friction --json",
 )
 @answering
-def list_orbits(as_json: AsJson = False) -> int:
+def list_orbits(
+    systems: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[SYSTEM]...",
+            help="Only these: built-in ones, FILE.py, or a folder of `generate`.",
+            show_default=False,
+        ),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
     """List systems and orbits, their parameters and unknowns."""
     from nonsmooth.runtime.report import systems_json
 
-    found = systems_json()
+    found = systems_json(systems or ())
     if as_json:
         print_json(found)
     else:

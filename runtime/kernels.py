@@ -43,6 +43,7 @@ __all__ = [
     "load_orbit",
     "load_system",
     "orbit_names",
+    "orbits_in",
     "system_names",
 ]
 
@@ -63,6 +64,16 @@ def orbit_names() -> tuple[str, ...]:
         for system in system_names()
         for orbit in load_system(system).module.ORBITS
     )
+
+
+def orbits_in(system: str) -> tuple[str, ...]:
+    """Names of the orbits of a system, of whatever kind; InputError if there is no such system."""
+    if system in system_names():
+        return tuple(f"{system}/{orbit}" for orbit in load_system(system).module.ORBITS)
+    origin = _located(system, None)
+    if origin is None:
+        raise unknown_name("system", system, system_names())
+    return tuple(f"{system}:{orbit}" for orbit in _orbits(origin))
 
 
 def backend() -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.kernels import (
@@ -9,7 +10,7 @@ from nonsmooth.runtime.kernels import (
     ParameterTable,
     load_orbit,
     load_system,
-    orbit_names,
+    orbits_in,
     system_names,
 )
 from nonsmooth.runtime.orbit import Orbit
@@ -93,10 +94,11 @@ def admissibility_json(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
     return found
 
 
-def systems_json() -> dict[str, Any]:
-    """All systems and their orbits: what a user can give and what is solved for."""
-    orbits = [load_orbit(name) for name in orbit_names()]
-    systems = [load_system(name) for name in system_names()]
+def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
+    """Systems, all built-in ones without names, and their orbits: what is given and solved for."""
+    named = names or system_names()
+    orbits = {name: [load_orbit(orbit) for orbit in orbits_in(name)] for name in named}
+    systems = [load_system(name) for name in named]
     return {
         "systems": [
             {
@@ -104,9 +106,11 @@ def systems_json() -> dict[str, Any]:
                 "description": system.table["description"],
                 "configurations": list(system.configurations),
                 "parameters": [_parameter_json(p) for p in system.parameters],
-                "orbits": [_declared_json(o) for o in orbits if o.system.name == system.name],
+                "orbits": [
+                    _declared_json(o) if o.derived else _composed_json(o) for o in orbits[name]
+                ],
             }
-            for system in systems
+            for name, system in zip(named, systems, strict=True)
         ]
     }
 
@@ -126,6 +130,26 @@ def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
         ],
         "parameters": [_parameter_json(p) | {"default": defaults.get(p.name)} for p in tables],
         "unknowns": list(kernels.unknowns),
+    }
+
+
+def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
+    """An orbit without equations of its own: all parameters are given, the start is unknown."""
+    from nonsmooth.runtime.composition.named import unknowns_of
+
+    table, system = kernels.table, kernels.system
+    reference = table["reference"] or {"parameters": {}}
+    return {
+        "name": kernels.name,
+        "phases": [
+            {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
+            for configuration, boundary, dwell_time in table["phases"]
+        ],
+        "parameters": [
+            _parameter_json(p) | {"default": reference["parameters"].get(p.name)}
+            for p in system.parameters
+        ],
+        "unknowns": list(unknowns_of(kernels)),
     }
 
 

@@ -133,10 +133,10 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
     try:
         content = _content(read_file(Path(path), _LARGEST_FILE, "saved orbit"))
         if content["format"] == FORMAT:
-            return _orbit(content)
+            return _orbit(content, Path(path).parent)
         from nonsmooth.runtime.composition.saved import composed_orbit
 
-        return composed_orbit(content)
+        return composed_orbit(content, Path(path).parent)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
 
@@ -194,9 +194,9 @@ def check_fields(content: Mapping[str, Any], version: int, fields: Mapping[str, 
         raise InputError("edited or damaged: the checksum differs")
 
 
-def _orbit(content: Mapping[str, Any]) -> Orbit:
+def _orbit(content: Mapping[str, Any], folder: Path) -> Orbit:
     """The orbit that a file's entries describe, checked against the kernels."""
-    kernels = load_orbit(content["orbit"])
+    kernels = load_orbit(content["orbit"], folder)
     _check_names(kernels, content)
     check_counts(content)
     bits = None if content["arithmetic"] == "double" else content["bits"]

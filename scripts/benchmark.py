@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
+from benchmark_declared import declared
 from benchmark_simulation import composed, many, sequences, simulation
 from measuring import Row, timed
 from rich.console import Console
@@ -304,7 +305,10 @@ def run(command: list[str]) -> None:
 
 SECTIONS = {
     f.__name__: f
-    for f in (batch, kernel, single, refine, derive, process, simulation, many, sequences, composed)
+    for f in (
+        *(batch, kernel, single, refine, derive, process),
+        *(simulation, many, sequences, composed, declared),
+    )
 }
 
 

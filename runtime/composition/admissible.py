@@ -54,7 +54,7 @@ def assess_cycle(
                 f"{name} lasts {duration:.6g}, more than {LONGEST_WAIT:g} over its largest"
                 " exponent: no guarantee reaches that far"
             )
-        noise = _noise(cycle, numbers, now, place)
+        noise = _noise(numbers, now, place, duration)
         state = [*map(float, now.starts[place]), 1.0]
         shapes = cycle.structure.boundaries[configuration]
         for boundary, shape in zip(table.boundaries, shapes, strict=True):
@@ -95,12 +95,13 @@ def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[floa
     return float(times[best]), float(values[best])
 
 
-def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int) -> np.ndarray:
+def _noise(numbers: Numbers, now: Passage, place: int, duration: float) -> np.ndarray:
     """Rounding of every row along a phase, whose terms are differences of the data.
 
     By as much as the phase misses the boundary that ends it, all may be off: up to a limit.
     """
     states = np.maximum(abs(now.starts[place]), abs(now.ends[place]))
+    states = np.maximum(states, abs(now.fields[place]) * duration)
     size = abs(numbers.rows[:, :-1]) @ states + abs(numbers.rows[:, -1])
     missed = abs(float(now.gaps[place])) + float(np.max(abs(now.starts[-1] - now.starts[0])))
     return np.asarray(64 * _EPSILON * size + np.minimum(2 * missed, MOST_MISSED * size))

@@ -109,8 +109,8 @@ def save_composed(orbit: ComposedOrbit, path: str | os.PathLike[str]) -> None:
     write_file(Path(path), text.encode())
 
 
-def composed_orbit(content: Mapping[str, Any]) -> ComposedOrbit:
-    """The orbit that a file's entries, of the right types, describe.
+def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
+    """The orbit that the entries of a file in a folder, of the right types, describe.
 
     Raises
     ------
@@ -119,7 +119,7 @@ def composed_orbit(content: Mapping[str, Any]) -> ComposedOrbit:
     """
     from nonsmooth.runtime.saved import check_counts, given_value, read_number
 
-    kernels = load_system(content["system"])
+    kernels = load_system(content["system"], folder)
     check_counts(content)
     bits = None if content["arithmetic"] == "double" else content["bits"]
     given = {name: given_value(name, text) for name, text in content["parameters"].items()}

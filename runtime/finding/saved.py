@@ -71,7 +71,8 @@ def load_found(path: str | os.PathLike[str]) -> Found:
         of the system that is installed. The message names the file.
     """
     try:
-        return _found(_content(read_file(Path(path), _LARGEST_FILE, "file of found orbits")))
+        content = _content(read_file(Path(path), _LARGEST_FILE, "file of found orbits"))
+        return _found(content, Path(path).parent)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     except (AttributeError, KeyError, TypeError, ValueError):
@@ -126,8 +127,8 @@ def _content(data: bytes) -> dict[str, Any]:
     return content
 
 
-def _found(content: dict[str, Any]) -> Found:
-    kernels = load_system(content["system"])
+def _found(content: dict[str, Any], folder: Path) -> Found:
+    kernels = load_system(content["system"], folder)
     parameters = system_parameters(kernels, content["parameters"])
     orbits = []
     for entry in content["orbits"]:

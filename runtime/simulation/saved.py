@@ -136,7 +136,7 @@ def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
         header, table = read(read_file(source, _LARGEST_FILE, "saved motion"))
         if header["sha256"] != _checksum(header, table):
             raise InputError("edited or damaged: the checksum differs")
-        return _trajectory(header, table)
+        return _trajectory(header, table, source.parent)
     except InputError as problem:
         message = str(problem)
         named = message.startswith(str(source))
@@ -288,9 +288,9 @@ def _checked(entries: Any) -> dict[str, Any]:
     return entries
 
 
-def _trajectory(header: Mapping[str, Any], table: _Table) -> Trajectory:
+def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Trajectory:
     """The motion that a file describes, checked against the tables of its system."""
-    kernels = load_system(header["system"])
+    kernels = load_system(header["system"], folder)
     given = {name: given_value(name, text) for name, text in header["parameters"].items()}
     system = piecewise(kernels, given)
     structure = system.structure
@@ -312,10 +312,11 @@ def _trajectory(header: Mapping[str, Any], table: _Table) -> Trajectory:
     )
     if not (run.times[0] == 0 and (np.diff(run.times) >= 0).all() and run.end >= run.times[-1]):
         raise InputError("its times do not increase from 0 to its end")
-    if header["derivation"] != _derivation(header["system"]) and not _moves(system, run):
+    derivation = kernels.module.DERIVATION
+    if header["derivation"] != derivation and not _moves(system, run):
         raise InputError(
             f"not a motion of {structure.name} as it is installed"
-            f" (its derivation {header['derivation']}, here {_derivation(header['system'])})"
+            f" (its derivation {header['derivation']}, here {derivation})"
         )
     return Trajectory(system, run)
 
