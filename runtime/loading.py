@@ -105,6 +105,8 @@ def located(name: str, beside: Path | None = None) -> Path | None:
     InputError
         For a FILE.py that does not exist.
     """
+    if not name:
+        return None
     moved = [] if beside is None else [beside / Path(name).name]
     for path in (Path(name), *moved):
         if path.is_dir() or (path.suffix == ".py" and path.is_file()):

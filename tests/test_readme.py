@@ -17,7 +17,7 @@ def blocks(language):
 
 @pytest.mark.compiled  # finding orbits takes minutes in Python
 def test_the_python_example_runs(capsys):
-    (example,) = blocks("python")
+    example, _ = blocks("python")
     exec(compile(example, "README.md", "exec"), {})
     printed = capsys.readouterr().out
     assert "stable" in printed
@@ -40,6 +40,9 @@ COMMANDS = [command for block in blocks("sh") for command in commands(block)]
 @pytest.mark.compiled
 @pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
 def test_every_command_line_is_answered(tmp_path, monkeypatch):
+    _, declaration = blocks("python")
+    (tmp_path / "my_oscillator.py").write_text(declaration, encoding="utf-8")
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     monkeypatch.chdir(tmp_path)  # in the README's order: a later one reads what an earlier saved
     for command in COMMANDS:
         # LaTeX need not be installed
