@@ -7,6 +7,8 @@ Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of t
 `dynamics`       the linear motion inside a configuration
 `system`         Boundary, Configuration, Transition, Contact, System: what is declared
 `itinerary`      Itinerary: the phases of an orbit, and how it is presented
+`soundness`      what a declaration must not be: endings, dead transitions, wrong landings
+`fingerprint`    a hash that equal declarations share
 `systems`        the systems of the source paper, declared
 `entire`         entire functions that never divide by an eigenvalue
 `modal`          flow of a configuration in closed form, and the spectrum

@@ -6,11 +6,6 @@ The map of the house:
 `kernels`         the one door to the generated kernels: compiled or NumPy
 `kernel_records`  their tables, of a system and of an orbit
 `vectorised`      kernels on NumPy arrays
-`loading`         systems that users declare: files, folders, Python
-`declared`        what a declaration offers, and the file that holds it
-`caching`         derivations that are kept from one process to the next
-`folder`          the folder that `nonsmooth generate` writes
-`compiling`       its kernels in C
 `values`          exact parameter values and decimal printing
 `arithmetic`      one set of functions for floats, mpmath and balls
 `parameters`      from what a user gives to a parameter point
@@ -35,6 +30,7 @@ The map of the house:
 and the rooms, each with a map of its own:
 
 ================  ==============================================================
+`loading`         systems that users declare: files, folders, Python
 `simulation`      exact motions from event to event; the engine in C is `engine/`
 `observing`       peaks, averages, contact forces, Lyapunov exponents
 `composition`     periodic orbits of itineraries that have no kernels

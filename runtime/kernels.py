@@ -16,7 +16,6 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from nonsmooth.runtime.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernel_records import (
     Boundary,
@@ -24,7 +23,8 @@ from nonsmooth.runtime.kernel_records import (
     ParameterTable,
     SystemKernels,
 )
-from nonsmooth.runtime.loading import (
+from nonsmooth.runtime.loading.declared import DeclaredOrbit, DeclaredSystem
+from nonsmooth.runtime.loading.load import (
     Loaded,
     load_declared,
     load_named,

@@ -19,10 +19,11 @@ from nonsmooth.derive.codegen import emit
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.systems import dry_friction, rigid_stop
-from nonsmooth.runtime import caching, loading
-from nonsmooth.runtime.declared import Declared, declaration_in
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import kernels_of, load_orbit, load_system
+from nonsmooth.runtime.loading import caching
+from nonsmooth.runtime.loading import load as loading
+from nonsmooth.runtime.loading.declared import Declared, declaration_in
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.solve import solve
 from tests.user_systems import DAMPED, KICKED, declare

@@ -8,11 +8,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.runtime.declared import declaration_in
 from nonsmooth.runtime.errors import InputError, NoConvergence, missing_extra, unknown_name
 from nonsmooth.runtime.files import unwritable
-from nonsmooth.runtime.folder import COMMAND
-from nonsmooth.runtime.loading import located
+from nonsmooth.runtime.loading.declared import declaration_in
+from nonsmooth.runtime.loading.folder import COMMAND
+from nonsmooth.runtime.loading.load import located
 
 __all__ = [
     "Emission",

@@ -51,8 +51,8 @@ def generate(
     """Derive your own system and its orbits and write their kernels: Python, C, LaTeX."""
     from nonsmooth.runtime.commands.deriving import emit_file, file_differences
     from nonsmooth.runtime.commands.display import show_differences, show_written, steps
-    from nonsmooth.runtime.compiling import compile_folder
-    from nonsmooth.runtime.folder import check_folder, write_folder
+    from nonsmooth.runtime.loading.compiling import compile_folder
+    from nonsmooth.runtime.loading.folder import check_folder, write_folder
 
     if check and compiled:
         raise InputError("--check writes nothing: leave out --compile")

@@ -25,9 +25,9 @@ from nonsmooth.runtime.composition.stability import (
     smallest_section,
     stroboscopic_maps,
 )
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.simulation.piecewise import numbers_at, parameter_points
 from nonsmooth.runtime.simulation.structure import structure_of

@@ -37,9 +37,9 @@ from nonsmooth.runtime.composition.symmetry import (
     whole_cycle,
     whole_orbit,
 )
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.orbit import DOUBLE
 from nonsmooth.runtime.refine import MOST_DIGITS

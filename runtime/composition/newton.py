@@ -281,7 +281,7 @@ def _phase_difference(angle: Any, first: Any, ratio: Any, angle_of: Any) -> Any:
     best: Any = None
     for turns in range(_MOST_TURNS):
         difference = angle - ratio * (first + turns * turn)
-        nearest = difference - turn * np.round((difference / turn).astype(float))
+        nearest = difference - turn * np.round(np.asarray(difference / turn, dtype=float))
         if best is None:
             best = nearest
         else:

@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.finding.neighbours import short_cycles
 from nonsmooth.runtime.finding.recurrence import (
@@ -28,6 +27,7 @@ from nonsmooth.runtime.finding.recurrence import (
     sizes_of,
 )
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import Status
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many

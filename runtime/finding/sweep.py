@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.finding.find import UNCLASSIFIED, Found, labels_of
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of, load_system
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 from nonsmooth.runtime.simulation.structure import structure_of

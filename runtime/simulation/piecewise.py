@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.parameters import in_domains, value_of
 from nonsmooth.runtime.simulation.modes import NumericModes, numeric_modes
 from nonsmooth.runtime.simulation.structure import Modes, Structure, mode_shapes, structure_of

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.engines import (
     Ends,
     compiled_engine,

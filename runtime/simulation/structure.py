@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 
 __all__ = [
     "BoundaryShape",

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.declared import DeclaredSystem
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import Structure, structure_of
 from nonsmooth.runtime.validation.facts import Facts, Row, evaluate, product

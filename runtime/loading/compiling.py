@@ -12,7 +12,7 @@ import numpy as np
 
 from nonsmooth.runtime.errors import InputError, MissingExtra
 from nonsmooth.runtime.files import write_file
-from nonsmooth.runtime.loading import extension_in
+from nonsmooth.runtime.loading.load import extension_in
 
 __all__ = ["compile_folder"]
 

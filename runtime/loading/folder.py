@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import unwritable, write_file
-from nonsmooth.runtime.loading import extension_in
+from nonsmooth.runtime.loading.load import extension_in
 
 __all__ = ["COMMAND", "check_folder", "write_folder"]
 

@@ -16,9 +16,14 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from nonsmooth.runtime.caching import cached, stored
-from nonsmooth.runtime.declared import Declared, DeclaredOrbit, DeclaredSystem, declaration_in
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.loading.caching import cached, stored
+from nonsmooth.runtime.loading.declared import (
+    Declared,
+    DeclaredOrbit,
+    DeclaredSystem,
+    declaration_in,
+)
 
 __all__ = [
     "Loaded",
