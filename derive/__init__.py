@@ -9,6 +9,7 @@ Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of t
 `itinerary`      Itinerary: the phases of an orbit, and how it is presented
 `soundness`      what a declaration must not be: endings, dead transitions, wrong landings
 `fingerprint`    a hash that equal declarations share
+`unfolding`      the whole of an orbit that is declared by a part and a symmetry
 `systems`        the systems of the source paper, declared
 `entire`         entire functions that never divide by an eigenvalue
 `modal`          flow of a configuration in closed form, and the spectrum

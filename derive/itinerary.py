@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from keyword import iskeyword
+from typing import Any
 
 import sympy as sp
 
@@ -173,6 +174,10 @@ class Itinerary:
         conditions halfway through each phase. States that are not named stay.
     period : Parameter, optional
         The period is given: the last phase's dwell time is what the others leave of it.
+    symmetry : mapping of state to state or its negative, optional
+        A signed permutation of the states that maps motions to motions, such as x to -x and v
+        to -v. The phases are then only a part of the orbit, half of it where the symmetry is
+        its own inverse: it maps the state behind the last of them to the start.
     vanishing : tuple of str
         Dwell times that are zero (border collision); as many `solved_for`.
     solved_for : tuple of str
@@ -196,6 +201,7 @@ class Itinerary:
     period: Parameter | None = None
     vanishing: tuple[str, ...] = ()
     solved_for: tuple[str, ...] = ()
+    symmetry: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         phases = tuple(p if isinstance(p, Phase) else Phase(*p) for p in self.phases)
@@ -203,6 +209,8 @@ class Itinerary:
         object.__setattr__(self, "start", dict(self.start))
         reversor = {s: exact(e) for s, e in self.reversor.items()}
         object.__setattr__(self, "reversor", sp.Dict(reversor))
+        images = {s: exact(e) for s, e in self.symmetry.items()}
+        object.__setattr__(self, "symmetry", sp.Dict(images))
         for attribute in ("vanishing", "solved_for"):
             object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
         check_name(self.name, "itinerary")
@@ -212,7 +220,55 @@ class Itinerary:
         for phase, following in zip(phases, phases[1:] + phases[:1], strict=True):
             self.system.configuration(phase.configuration).boundary(phase.boundary)
             self.system.configuration(following.configuration)
+            if phase is phases[-1] and images:
+                continue  # it leads to the image of the first
             self.system.transition(phase.configuration, phase.boundary, following.configuration)
+
+    @classmethod
+    def from_trajectory(
+        cls,
+        trajectory: Any,
+        system: System,
+        name: str = "orbit",
+        since: float = 0.0,
+        period: float | None = None,
+    ) -> Itinerary:
+        """The cycle that a simulated motion repeats at its end, with a guess of its orbit.
+
+        Parameters
+        ----------
+        trajectory : Trajectory
+            What `nonsmooth.simulate` gives for the system; the itinerary's reference has its
+            parameters.
+        system : System
+        name : str
+            Name of the orbit.
+        since, period : float
+            As for `nonsmooth.itinerary_of`.
+
+        Raises
+        ------
+        InputError
+            If the motion does not come back.
+        DeclarationError
+            If it passes boundaries together, or is one of another system.
+        """
+        cycle = trajectory.recurrence(since, period)
+        names = [f"tau{k}" for k in range(1, len(cycle.itinerary) + 1)]
+        taken = {*map(str, system.states), *(p.name for p in system.parameters)}
+        if taken & set(names):
+            names = [f"dwell_{n}" for n in names]
+        start = dict(zip(map(str, system.states), cycle.start.tolist(), strict=True))
+        guess = dict(zip(names, cycle.dwell_times.tolist(), strict=True)) | start
+        return cls(
+            name,
+            system,
+            tuple(Phase(c, b, n) for (c, b), n in zip(cycle.itinerary, names, strict=True)),
+            reference=Reference(
+                {n: value.text for n, value in trajectory.parameters.items()},
+                {n: repr(x) for n, x in guess.items()},
+            ),
+        )
 
     def _check_names(self) -> None:
         where = f"itinerary {self.name!r}"
@@ -237,6 +293,7 @@ class Itinerary:
         for kind, names, known in (
             ("start of", self.start, states),
             ("reversor of", map(str, self.reversor), states),
+            ("symmetry of", map(str, self.symmetry), [*map(str, self.system.states)]),
             ("vanishing dwell time", self.vanishing, dwell_times),
             ("parameter to solve for", self.solved_for, parameters),
         ):
@@ -246,6 +303,16 @@ class Itinerary:
                     raise DeclarationError(f"{where}: {kind} {name!r}, which is not declared")
                 if name in given[:place]:
                     raise DeclarationError(f"{where}: {kind} {name!r} is named twice")
+        for state, image in self.symmetry.items():
+            if image not in self.system.states and -image not in self.system.states:
+                raise DeclarationError(
+                    f"{where}: symmetry maps {state} to {image}, which is no state, nor minus one"
+                )
+        if self.symmetry and (self.reversor or self.vanishing or self.presentation):
+            raise DeclarationError(
+                f"{where}: a symmetry goes with the system's own coordinates, and neither with a"
+                " reversor nor with vanishing dwell times"
+            )
         if len(self.vanishing) != len(self.solved_for):
             raise DeclarationError(
                 f"{where}: {len(self.vanishing)} vanishing dwell times,"

@@ -33,8 +33,8 @@ def install(monkeypatch: pytest.MonkeyPatch, kernels: Any) -> None:
     def orbit(name: str) -> Any:
         return kernels if name == NAME else load_orbit(name)
 
-    def system(name: str) -> Any:
-        return kernels.system if name == "two-stops" else load_system(name)
+    def system(name: str, beside: Path | None = None) -> Any:
+        return kernels.system if name == "two-stops" else load_system(name, beside)
 
     monkeypatch.setattr(solving, "load_orbit", orbit)
     monkeypatch.setattr(saved, "load_system", system)

@@ -141,6 +141,8 @@ def _orbit(
 ) -> tuple[EquationSystem, list[tuple[Kernel, str | None]], list[str]]:
     if declaration.flows is None:
         raise DerivationError("the flows of its system have no closed form of modes")
+    if orbit.symmetry:
+        raise DerivationError("it is known by a part and a symmetry")
     if len(orbit.phases) > MOST_PHASES:
         raise DerivationError(f"it has more than {MOST_PHASES} phases")
     equations = derive_equations(orbit)

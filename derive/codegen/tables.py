@@ -113,6 +113,7 @@ def composed_table(orbit: Underived) -> dict[str, Any]:
         "phases": _phases(itinerary),
         "start": dict(itinerary.start),
         "period": None if period is None else _parameter(period),
+        "symmetry": {str(s): str(image) for s, image in itinerary.symmetry.items()},
         "reference": None if itinerary.presentation else _reference(itinerary),
     }
 

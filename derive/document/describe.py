@@ -47,6 +47,7 @@ from nonsmooth.derive.document.wording import Naming, enumeration
 from nonsmooth.derive.equations import EquationSystem
 from nonsmooth.derive.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.system import System
+from nonsmooth.derive.unfolding import unfolded
 
 __all__ = [
     "Block",
@@ -145,13 +146,15 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
 
     The equations are a chain of flows and resets, which hold for any flow; what depends on the
     declaration alone (boundaries, vector fields, resets, saltation matrices) is written out.
-    Equal transitions are described once.
+    Equal transitions are described once. An orbit that is declared by a part and a symmetry is
+    described whole.
 
     Raises
     ------
     DerivationError
         If no state satisfies what the end of the last phase enforces.
     """
+    itinerary = unfolded(itinerary)
     system = itinerary.presented_system
     names = list(dict.fromkeys(p.configuration for p in itinerary.phases))
     spectrum, found = closed_flows(system, names)

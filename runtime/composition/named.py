@@ -30,10 +30,22 @@ CONTINUATION_STEPS = 24
 
 def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
     """Names of the unknowns of a declared orbit: dwell times, then the start's coordinates."""
-    dwell = tuple(name for _, _, name in kernels.table["phases"])
+    dwell = _part_names(kernels)
     taken = {*dwell, *(p.name for p in kernels.system.parameters)}
     states = kernels.system.table["states"]
     return (*dwell, *start_names(states, taken, kernels.table.get("start")))
+
+
+def _part_names(kernels: OrbitKernels) -> tuple[str, ...]:
+    return tuple(name for _, _, name in kernels.table["phases"])
+
+
+def _whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
+    """Names of an orbit of so many phases: those of its images bear the image's number."""
+    part = _part_names(kernels)
+    images = count // len(part)
+    dwell = [n if k == 0 else f"{n}_{k + 1}" for k in range(images) for n in part]
+    return (*dwell, *unknowns_of(kernels)[len(part) :])
 
 
 def solve_declared(
@@ -86,6 +98,7 @@ def solve_declared(
     if declared is not None:
         own = values.pop(declared["name"], None)
         period = own if period is None else period
+    symmetry: Mapping[str, str] | None = kernels.table.get("symmetry") or None
     named = _named(kernels, guess, reference["guess"])
     phases = [(configuration, boundary) for configuration, boundary, _ in kernels.table["phases"]]
     names = unknowns_of(kernels)
@@ -107,11 +120,14 @@ def solve_declared(
     if guess is None and period is None and values != reference["parameters"]:
         defaults = dict(reference["parameters"])
         if defaults.keys() == values.keys():
-            start = _start(piecewise(kernels.system, defaults), phases, dwell, known)
-            orbit = _followed(kernels.system, defaults, values, (phases, dwell, start))
+            start = _start(piecewise(kernels.system, defaults), phases, dwell, known, symmetry)
+            orbit = _followed(kernels.system, defaults, values, (phases, dwell, start), symmetry)
     if orbit is None:
-        start = _start(piecewise(kernels.system, values), phases, dwell, known)
-        orbit = compose(kernels.system, values, phases, dwell, start, period=period)
+        start = _start(piecewise(kernels.system, values), phases, dwell, known, symmetry)
+        orbit = compose(
+            kernels.system, values, phases, dwell, start, period=period, symmetry=symmetry
+        )
+    names = _whole_names(kernels, len(orbit.itinerary))
     orbit = replace(orbit, label=kernels.name, names=names)
     if throw and not orbit.converged:
         raise NoConvergence(f"{kernels.name}: {orbit.message}")
@@ -122,7 +138,11 @@ _Guess = tuple[list[tuple[str, str]], list[float], list[float] | None]
 
 
 def _followed(
-    system: SystemKernels, defaults: Mapping[str, object], values: Mapping[str, Any], guess: _Guess
+    system: SystemKernels,
+    defaults: Mapping[str, object],
+    values: Mapping[str, Any],
+    guess: _Guess,
+    symmetry: Mapping[str, str] | None,
 ) -> ComposedOrbit | None:
     """The reference orbit carried to the parameters in even steps, if it goes as far.
 
@@ -141,10 +161,11 @@ def _followed(
             for name in end
         }
         point = values if step == CONTINUATION_STEPS else here
-        orbit = compose(system, point, phases, dwell, start)
+        orbit = compose(system, point, phases, dwell, start, symmetry=symmetry)
         if not orbit.converged:
             return None
-        dwell, start = orbit.dwell_times.tolist(), orbit.states[0].tolist()
+        dwell = orbit.dwell_times.tolist()[: len(phases)]
+        start = orbit.states[0].tolist()
     return orbit
 
 
@@ -184,10 +205,13 @@ def _start(
     phases: Sequence[tuple[str, str]],
     dwell: Sequence[float],
     known: Sequence[float | None],
+    symmetry: Mapping[str, str] | None,
 ) -> list[float] | None:
     """Guess of the start: what is not known of it fits the dwell times best."""
-    places = [place for place, value in enumerate(known) if value is not None]
-    if not places:
+    given = [value for value in known if value is not None]
+    if len(given) == len(known):
+        return given
+    if not given or symmetry:
         return None
     cycle = cycle_of(point.structure, phases)
     flat = numbers_of(point)[None]

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.run import Grazing, Run, Status
 from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.values import Value
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.composition.recurring import Recurrence
 
 __all__ = ["Trajectory"]
 
@@ -221,6 +224,12 @@ class Trajectory:
         from nonsmooth.runtime.pictures.scenes import plot_trajectory
 
         return plot_trajectory(self, kind, axes, masses=masses, points=points)
+
+    def recurrence(self, since: float = 0.0, period: float | None = None) -> Recurrence:
+        """The cycle that the motion repeats at its end: `nonsmooth.itinerary_of`."""
+        from nonsmooth.runtime.composition.recurring import itinerary_of
+
+        return itinerary_of(self, since, period)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the motion to a file that `nonsmooth.load_trajectory` reads: .npz or .csv.
