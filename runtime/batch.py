@@ -84,7 +84,7 @@ def solve_many(
     Parameters
     ----------
     orbit : str
-        ``system/orbit``.
+        ``system/orbit``, ``FILE.py:orbit`` or ``FOLDER:orbit``.
     admissibility : bool
         Also decide whether each orbit is a motion of the real system; where several are
         found, one that is comes first.
@@ -117,6 +117,11 @@ def solve_many(
     if threads is not None:
         _check_positive("threads", threads)
     kernels = load_orbit(orbit)
+    if not kernels.derived:
+        from nonsmooth.runtime.composition.named_many import solve_declared_many
+
+        options: Any = {"admissibility": admissibility, "threads": threads}
+        return solve_declared_many(kernels, parameters, **options)
     arrays = check_arrays(kernels, parameters)
     try:
         shape = np.broadcast_shapes(*(a.shape for a in arrays.values()))

@@ -148,6 +148,8 @@ def _line(
 ) -> tuple[OrbitKernels, dict[str, Any], np.ndarray]:
     """Kernels, the other parameters as floats, and a grid inside the range."""
     kernels = load_orbit(orbit)
+    if not kernels.derived:
+        raise InputError(f"{kernels.name} is composed: intervals need equations that are derived")
     if parameter not in kernels.parameter_names:
         raise unknown_name("parameter", parameter, kernels.parameter_names)
     if not np.isfinite([lower, upper]).all() or not lower < upper:
