@@ -298,3 +298,9 @@ def test_windows_and_overflow():
     assert first_crossing(half, at * 1.001).time == pytest.approx(at, rel=1e-15)
     with pytest.raises(OverflowError):
         first_crossing(QuasiPolynomial((1 + 0j,), ((-1 + 0j,),)), 1e4)
+
+
+def test_a_ceiling_passes_over_powers_that_do_not_occur():
+    function = QuasiPolynomial((0j, -0.1 + 1j), ((-2.0 + 0j, 0j, 0j), (1 + 0j, 0j)))
+    assert function.ceiling(0.0) == pytest.approx(-1)
+    assert function.ceiling(10.0) == pytest.approx(-2 + math.exp(-1))

@@ -217,8 +217,8 @@ class QuasiPolynomial:
         total = 0.0
         for exponent, p in zip(self.exponents, self.polynomials, strict=True):
             rate = exponent.real
-            if exponent == 0 and len(p) <= 2:
-                drift = p[1].real if len(p) == 2 else 0.0
+            if exponent == 0 and not any(p[2:]):
+                drift = p[1].real if len(p) > 1 else 0.0
                 if drift > 0:
                     return math.inf
                 total += p[0].real + (drift * t if drift else 0.0)
@@ -226,6 +226,8 @@ class QuasiPolynomial:
             if rate > 0 or (rate == 0 and any(p[1:])):
                 return math.inf
             for k, c in enumerate(p):
+                if c == 0:
+                    continue
                 peak = max(t, -k / rate) if k else t
                 total += abs(c) * peak**k * (math.exp(rate * peak) if rate else 1.0)
         return total
