@@ -149,3 +149,16 @@ def test_many_points_of_a_declared_orbit() -> None:
     assert ns.solve_many(name, r=values, admissibility=False).admissible is None
     with pytest.raises(InputError, match="a part and a symmetry"):
         ns.solve_many(load_orbit(symmetric(system)).name, r=values)
+
+
+@pytest.mark.compiled
+def test_a_declaration_in_numbers_alone() -> None:
+    belt = oscillator("belt", ["x"], [[1]], [[1]], elements=[Friction("x", 1, "1.3", "0.5")])
+    found = ns.find_orbits(belt, {}, 20, transitions=100)
+    (entry,) = found.orbits
+    assert entry.share + found.resting == 1  # the rest oscillates below the velocity of the belt
+    many = ns.compose_many(belt, entry.itinerary, {}, [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]])
+    assert many.dwell_times.shape == (3, 2)
+    np.testing.assert_allclose(many.period, entry.period, rtol=1e-12)
+    runs = ns.simulate_many(belt, {}, np.zeros((4, 2)), transitions=9)
+    assert (runs.transitions == 9).all()

@@ -111,7 +111,8 @@ def compose_many(
     parameters : mapping of str to array (...)
         All physical parameters; they broadcast against each other.
     guess_dwell_times : array (..., p)
-        One guess for all points or one for each; so are the next two.
+        One guess for all points or one for each; so are the next two. Guesses may be many for
+        one point.
     guess_state : array (..., N), optional
     period : array (...), optional
         As for `compose`.
@@ -132,7 +133,11 @@ def compose_many(
     structure = structure_of(kernels)
     cycle = cycle_of(structure, itinerary)
     size = len(structure.states)
-    points, shape = parameter_points(kernels, parameters)
+    points, given = parameter_points(kernels, parameters)
+    shape = _common(given, guess_dwell_times, guess_state)
+    width = points.shape[1]
+    points = np.broadcast_to(points.reshape(*given, width), (*shape, width))
+    points = points.reshape(int(np.prod(shape)), width)
     dwell = _spread("guess_dwell_times", guess_dwell_times, len(cycle), shape, positive=True)
     start = None if guess_state is None else _spread("guess_state", guess_state, size, shape)
     lengths = np.full(len(dwell), np.nan)
@@ -195,6 +200,15 @@ def compose_many(
         status.reshape(shape),
         period is not None,
     )
+
+
+def _common(shape: tuple[int, ...], dwell: Any, start: Any) -> tuple[int, ...]:
+    """Shape of the points: what parameters and guesses broadcast to, where they do."""
+    leads = [np.shape(guess)[:-1] for guess in (dwell, start) if guess is not None]
+    try:
+        return np.broadcast_shapes(shape, *leads)
+    except ValueError:
+        return shape  # which guess does not fit is told when it is spread
 
 
 def _spread(

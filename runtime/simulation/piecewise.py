@@ -158,6 +158,8 @@ def parameter_points(
         except (TypeError, ValueError):
             raise InputError(f"parameter {name} is no array of real numbers") from None
         arrays.append(np.where(in_domains(table, array), array, np.nan))
+    if not arrays:  # a declaration in numbers alone
+        return np.empty((1, 0)), ()
     try:
         joined = np.broadcast_arrays(*arrays)
     except ValueError:
