@@ -138,3 +138,14 @@ def test_any_number_of_digits(digits: int) -> None:
     for one, other in zip(orbit.states.ravel(), more.states.ravel(), strict=True):
         assert abs(one - other) <= 10.0**-digits
     assert abs(orbit.period - orbit.arithmetic.mp.pi) <= 10.0**-digits
+
+
+def test_the_start_of_an_orbit_is_one_of_a_motion() -> None:
+    """At a stop at zero a position is 1e-29: it has no size of its own."""
+    orbit = ns.compose(impact(), DATA, ONE, [3.14])
+    for position in (orbit.states[0, 0], 1e-25, -1e-25):
+        start = [position, *orbit.states[0, 1:]]
+        motion = ns.simulate(impact(), DATA, start, transitions=3)
+        np.testing.assert_allclose(np.diff(motion.times), np.pi, rtol=1e-12)
+    with pytest.raises(InputError, match="beyond stop-reaches-stop"):
+        ns.simulate(impact(), DATA, [1e-9, *orbit.states[0, 1:]], transitions=3)

@@ -209,6 +209,16 @@ def test_resets_have_to_follow() -> None:
         compose(system, DATA, RIGHT, [1.85], symmetry=MIRROR)
 
 
+def test_resets_of_boundaries_together_have_to_follow_where_they_are_reached() -> None:
+    system = pair()
+    good = system.module.resets
+    system.module.resets = lambda p, lib: good(p, lib)[:-6] + good([*p[:2], 0.5, *p[3:]], lib)[-6:]
+    mirror = {name: f"-{name}" for name in ("x", "y", "v", "w", "c", "s")}
+    assert compose(pair(), DATA, [("free", "right+up")], [1.85], symmetry=mirror).converged
+    with pytest.raises(InputError, match=r"right\+up and left\+down.* in different ways"):
+        compose(system, DATA, [("free", "right+up")], [1.85], symmetry=mirror)
+
+
 def test_only_a_part_has_a_part() -> None:
     with pytest.raises(InputError, match="from a part"):
         _ = broken()[0].part_stability

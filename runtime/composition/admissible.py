@@ -12,7 +12,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from nonsmooth.runtime.admissible import MOST_MISSED, Admissibility, Violation
-from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, numbers_in
+from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, flow_at, numbers_in
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.simulation.crossing import first_crossing
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
@@ -24,6 +24,7 @@ __all__ = ["assess_cycle"]
 
 _EPSILON = float(np.finfo(float).eps)
 _SAMPLES, _MOST_SAMPLES = 16, 20_000  # a radian, and altogether
+_SIZES = 9  # instants of a phase at which the sizes of its states are taken
 
 
 def assess_cycle(
@@ -54,7 +55,7 @@ def assess_cycle(
                 f"{name} lasts {duration:.6g}, more than {LONGEST_WAIT:g} over its largest"
                 " exponent: no guarantee reaches that far"
             )
-        noise = _noise(numbers, now, place, duration)
+        noise = _noise(cycle, numbers, now, place, duration)
         state = [*map(float, now.starts[place]), 1.0]
         shapes = cycle.structure.boundaries[configuration]
         for boundary, shape in zip(table.boundaries, shapes, strict=True):
@@ -95,13 +96,15 @@ def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[floa
     return float(times[best]), float(values[best])
 
 
-def _noise(numbers: Numbers, now: Passage, place: int, duration: float) -> np.ndarray:
+def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int, duration: float) -> np.ndarray:
     """Rounding of every row along a phase, whose terms are differences of the data.
 
     By as much as the phase misses the boundary that ends it, all may be off: up to a limit.
+    What vanishes at both ends has the size that it takes between them.
     """
-    states = np.maximum(abs(now.starts[place]), abs(now.ends[place]))
-    states = np.maximum(states, abs(now.fields[place]) * duration)
+    start, times = now.starts[place], np.linspace(0, duration, _SIZES)
+    flows = flow_at(cycle.structure, numbers, cycle.configurations[place], times, np)
+    states = abs(flows[..., :-1] @ start + flows[..., -1]).max(axis=0)
     size = abs(numbers.rows[:, :-1]) @ states + abs(numbers.rows[:, -1])
     missed = abs(float(now.gaps[place])) + float(np.max(abs(now.starts[-1] - now.starts[0])))
     return np.asarray(64 * _EPSILON * size + np.minimum(2 * missed, MOST_MISSED * size))

@@ -123,7 +123,7 @@ def compose(
     if mirror is None:
         cycle = cycle_of(structure, itinerary)
     else:
-        cycle = whole_cycle(structure, mirror, itinerary)
+        cycle = whole_cycle(point, mirror, itinerary)
     closed, part = closing(point, cycle, mirror)
     dwell = guesses("guess_dwell_times", guess_dwell_times, len(part), positive=True)
     start = None

@@ -201,13 +201,24 @@ def _with_one_reset_more(structure: Structure) -> Structure:
     return replace(structure, resets=structure.resets + 1)
 
 
-def whole_cycle(structure: Structure, symmetry: Symmetry, part: Any) -> Cycle:
-    """The whole cycle of a part that the symmetry closes; InputError as `cycle_of`."""
+def whole_cycle(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Cycle:
+    """The whole cycle of a part that the symmetry closes.
+
+    InputError as `cycle_of`, and where boundaries reset the state as their images do not.
+    """
+    structure = system.structure
     try:
         pairs = tuple((c, b) for c, b in part)
     except (TypeError, ValueError):
         raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
-    return cycle_of(structure, _expanded(structure, symmetry, pairs))
+    cycle = cycle_of(structure, _expanded(structure, symmetry, pairs))
+    for place, transition in enumerate(cycle.transitions):
+        image = place - len(pairs)
+        resets = system.resets[[transition.reset, cycle.transitions[image].reset]]
+        if not _close(_turned(symmetry.matrix, resets[0]), resets[1], _SAME):
+            names = " and ".join(cycle.itinerary[k][1] for k in (place, image))
+            raise InputError(f"symmetry: {names}, its image, reset the state in different ways")
+    return cycle
 
 
 def whole_orbit(
@@ -233,6 +244,17 @@ def _phase(structure: Structure, name: str, boundary: Any) -> tuple[int, list[in
     configuration = structure.configuration(str(name))
     names = boundary.split("+") if isinstance(boundary, str) else boundary
     return configuration, [structure.boundary(configuration, str(b)) for b in names]
+
+
+def _turned(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
+    """An affine map (N, N + 1) of states, seen in their images."""
+    found = matrix @ map_
+    return np.concatenate([found[:, :-1] @ matrix.T, found[:, -1:]], axis=1)
+
+
+def _close(first: np.ndarray, second: np.ndarray, error: float) -> bool:
+    largest = max(abs(x) for x in first.ravel())
+    return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))
 
 
 class _Images:
@@ -271,8 +293,7 @@ class _Images:
         """Images of the boundaries of a configuration if another may be its image."""
         structure, system, matrix = self.structure, self.system, self.matrix
         own, other = structure.boundaries[c], structure.boundaries[image]
-        field = matrix @ system.fields[c]
-        field = np.concatenate([field[:, :-1] @ matrix.T, field[:, -1:]], axis=1)
+        field = _turned(matrix, system.fields[c])
         if len(own) != len(other) or not self._equal(field, system.fields[image]):
             return None
         constraints = list(structure.constraints[image])
@@ -312,32 +333,61 @@ class _Images:
         return np.concatenate([self.matrix @ function[:-1], function[-1:]])
 
     def _equal(self, first: np.ndarray, second: np.ndarray) -> bool:
-        largest = max(abs(x) for x in first.ravel())
-        return bool(all(abs(x) <= self.error * largest for x in (first - second).ravel()))
+        return _close(first, second, self.error)
 
     def _transitions_follow(self, source: int, chosen: Mapping[int, int]) -> bool:
-        """Whether each transition has one at its place among those of the image."""
+        """Whether each transition has its image among those of the image, in the same order.
+
+        Those that never apply together may have any order. Boundaries that are reached together
+        are left out: contacts are decided one after another there, in the order of declaration.
+        """
         image = chosen[source]
         places = self.boundaries[source, image]
-        others = list(self.structure.transitions[image])
-        if len(others) != len(self.structure.transitions[source]):
+        own, others = (
+            [t for t in self.structure.transitions[c] if len(t.boundaries) == 1]
+            for c in (source, image)
+        )
+        if len(others) != len(own):
             return False
-        for transition in self.structure.transitions[source]:
+        for transition in own:
             boundaries = frozenset(places[b] for b in transition.boundaries)
-            fitting = [t for t in others if t.boundaries == boundaries]
-            if not fitting or not self._transition_maps(transition, fitting[0], chosen):
+            passed: list[TransitionShape] = []
+            for other in others:
+                if other.boundaries != boundaries:
+                    continue
+                exclusive = all(self._exclude_each_other(other, before) for before in passed)
+                if exclusive and self._transition_maps(transition, other, chosen):
+                    others.remove(other)
+                    break
+                passed.append(other)
+            else:
                 return False
-            others.remove(fitting[0])
         return True
+
+    def _exclude_each_other(self, first: TransitionShape, second: TransitionShape) -> bool:
+        """Whether two transitions have conditions that never hold together."""
+        return any(
+            along == along_ and holds and holds_ and self._opposed(row, row_)
+            for row, along, holds in first.conditions
+            for row_, along_, holds_ in second.conditions
+        )
+
+    def _opposed(self, row: int, other: int) -> bool:
+        """Whether two functions are never positive together: their sum is constant, not above 0."""
+        rows = self.system.rows[[row, other]]
+        sizes = abs(rows[:, :-1]).max(axis=1)
+        if not sizes.all():
+            return False
+        first, second = rows / sizes[:, None]
+        return self._equal(first[:-1], -second[:-1]) and bool(first[-1] + second[-1] <= 0)
 
     def _transition_maps(
         self, transition: TransitionShape, other: TransitionShape, chosen: Mapping[int, int]
     ) -> bool:
         if chosen[transition.target] != other.target:
             return False
-        reset = self.matrix @ self.system.resets[transition.reset]
-        reset = np.concatenate([reset[:, :-1] @ self.matrix.T, reset[:, -1:]], axis=1)
-        if not self._equal(reset, self.system.resets[other.reset]):
+        resets = self.system.resets[[transition.reset, other.reset]]
+        if not self._equal(_turned(self.matrix, resets[0]), resets[1]):
             return False
         if len(transition.conditions) != len(other.conditions):
             return False

@@ -166,23 +166,32 @@ def _orders(
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Values and errors of a row and of its derivatives of order 1 to N along a flow.
 
+    Each errs by its own rounding, and by that of the time at which the state was computed: a
+    position at zero has no size of its own.
+
     Field (n or 1, N, N + 1), row (n or 1, N + 1), extended (n, N + 1): states and 1.
     """
     sizes = np.abs(extended)
     bound, bounds = np.abs(row), np.abs(field)
+    speed = bounds[:, :, :-1].sum(axis=2).max(axis=1)
+    shortest = np.divide(1.0, speed, out=np.zeros_like(speed), where=speed > 0)
+    size = (bound * sizes).sum(axis=-1)
     for _ in range(extended.shape[1]):
-        yield (row * extended).sum(axis=-1), _ERROR * (bound * sizes).sum(axis=-1)
+        value = (row * extended).sum(axis=-1)
         row = (row[:, :-1, None] * field).sum(axis=1)
         bound = (bound[:, :-1, None] * bounds).sum(axis=1)
+        following = (bound * sizes).sum(axis=-1)
+        yield value, _ERROR * (size + shortest * following)
+        size = following
 
 
 def _violated(system: PiecewiseLinear, c: int, state: np.ndarray) -> str:
     """Which constraint or boundary the state misses; empty if none."""
-    structure, extended = system.structure, np.append(state, 1.0)
+    structure, extended = system.structure, np.append(state, 1.0)[None]
 
     def excess(row: int) -> tuple[float, float]:
-        products = system.rows[row] * extended
-        return float(products.sum()), float(_ERROR * np.abs(products).sum())
+        value, error = next(_orders(system.fields[c][None], system.rows[row][None], extended))
+        return float(value[0]), float(error[0])
 
     for row in structure.constraints[c]:
         value, error = excess(row)

@@ -6,7 +6,7 @@ It is the reference of the compiled engine and takes its place on machines witho
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -78,16 +78,26 @@ class _Stepper:
         return self.configurations[index]
 
     def watches(
-        self, configuration: int, state: list[float], error: float, left_out: frozenset[int]
+        self,
+        configuration: int,
+        state: list[float],
+        size: list[float],
+        error: float,
+        left_out: frozenset[int],
+        zero: frozenset[int],
     ) -> list[_Watch]:
-        """Boundary functions of a phase, each start judged; what slides along is left out."""
-        table, size = self.configuration(configuration), [abs(x) for x in state]
+        """Boundary functions of a phase, each start judged; what slides along is left out.
+
+        `size` has the sums of absolute values that each coordinate was added up from, `zero`
+        the rows that are zero, whatever rounding makes of them.
+        """
+        table = self.configuration(configuration)
         found = []
         for index, boundary in enumerate(table.boundaries):
             if index in left_out:
                 continue
             function = table.function(boundary, state, size)
-            start = _start(boundary, function, state, size, error)
+            start = _start(boundary, function, state, size, error, boundary.row in zero)
             if start.sign:
                 found.append(_Watch(index, boundary, function, start))
         return found
@@ -170,6 +180,16 @@ class _Stepper:
     def reset(self, transition: TransitionShape, state: list[float]) -> list[float]:
         return [*(dot(row, state) for row in self.resets[transition.reset]), 1.0]
 
+    def kept(self, transition: TransitionShape, rows: Iterable[int]) -> frozenset[int]:
+        """Rows whose values a reset leaves alone."""
+        found, reset = self.system.rows, self.system.resets[transition.reset]
+        reset = np.vstack([reset, np.append(np.zeros(len(reset)), 1.0)])
+        return frozenset(r for r in rows if np.array_equal(found[r] @ reset, found[r]))
+
+    def reset_sizes(self, transition: TransitionShape, sizes: list[float]) -> list[float]:
+        rows = self.resets[transition.reset]
+        return [*(dot([abs(x) for x in row], sizes) for row in rows), 1.0]
+
 
 def _start(
     boundary: BoundaryTable,
@@ -177,6 +197,7 @@ def _start(
     state: list[float],
     size: list[float],
     error: float,
+    zero: bool,
 ) -> Start:
     """Judge the start of a boundary function by its derivatives along the field.
 
@@ -185,7 +206,7 @@ def _start(
     """
     value, following = dot(boundary.orders[0], state), dot(boundary.orders[1], state)
     rounding = UNIT * sum(s[0] for s in function.sizes)
-    if abs(value) > rounding + error * abs(following):
+    if not zero and abs(value) > rounding + error * abs(following):
         return Start(1, None, True) if value > 0 else Start(-1, None)
     count = len(boundary.values)
     modal, errors = function.taylor(count)
@@ -241,6 +262,7 @@ def run(
     """
     stepper, clock = _Stepper(system), Clock()
     extended = [*map(float, state), 1.0]
+    sizes, zero = [abs(x) for x in extended], frozenset[int]()
     entries = [(0.0, configuration, extended, extended, 0)]
     grazings: list[Grazing] = []
     error, immediate, left_out = 0.0, 0, frozenset[int]()
@@ -273,7 +295,7 @@ def run(
         horizon = LONGEST_WAIT / table.fastest if table.fastest else math.inf
         window = min(horizon, remaining)
         try:
-            watches = stepper.watches(configuration, extended, error, left_out)
+            watches = stepper.watches(configuration, extended, sizes, error, left_out, zero)
             event = stepper.event(watches, window)
             dwell = window if event.time is None else event.time
             for time, boundary, depth in event.grazings:
@@ -291,14 +313,15 @@ def run(
                 # the same phase from here on, within reach of the guarantee again
                 watched = {w.place for w in watches}
                 left_out = frozenset(range(len(table.boundaries))) - watched
+                sizes, zero = table.magnitudes([abs(x) for x in extended], dwell), frozenset()
                 extended, error = table.after(extended, dwell), 4 * math.ulp(dwell)
                 clock.advance(dwell)
                 continue
             if dwell > 0:
                 error = event.error
+                sizes = table.magnitudes([abs(x) for x in extended], dwell)
             # a flight too short for the clock is none
             error = max(error, _RESOLUTION * (clock.time + dwell))
-            sizes = table.magnitudes([abs(x) for x in extended], dwell)
             before = table.after(extended, dwell)
         except OverflowError:
             return ended(Status.OVERFLOW, clock.time)
@@ -307,7 +330,11 @@ def run(
         transition = stepper.transition(configuration, event, before, (sizes, moved, error))
         if transition is None:
             return ended(Status.UNDECLARED, clock.time)
+        shapes = system.structure.boundaries[configuration]
+        located = {shapes[b].row for b in event.located} | (zero if dwell == 0 else frozenset())
+        zero = stepper.kept(transition, located)
         extended = stepper.reset(transition, before)
+        sizes = stepper.reset_sizes(transition, sizes)
         configuration, left_out = transition.target, frozenset()
         immediate = 0 if dwell > 0 else immediate + 1
         waited, windows = 0.0, 0
