@@ -175,6 +175,7 @@ def test_labels_agree_with_following_single_starts():
         assert lasted == pytest.approx(orbit.period, rel=1e-6)
 
 
+@pytest.mark.compiled  # thousands of motions
 def test_axes_may_be_any_two_states():
     one = basins(found(), ("x1", -2.0, 2.0, 4), ("v2", -1.0, 0.5, 3))
     other = basins(found(), ("v2", -1.0, 0.5, 3), ("x1", -2.0, 2.0, 4))
