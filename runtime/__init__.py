@@ -36,6 +36,7 @@ and the rooms, each with a map of its own:
 `composition`     periodic orbits of itineraries that have no kernels
 `finding`         the periodic orbits that live in a system, and their basins
 `validation`      the sequence of configurations of a motion, proved in balls
+`certification`   certificates of periodic orbits, and the sceptic's checker
 `pictures`        pictures of orbits, motions, basins
 `reproduce`       the source paper again: every number and figure
 `commands`        what the command line takes and shows

@@ -13,7 +13,11 @@ from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.commands import generating, motions  # noqa: F401 - their commands join the application
+from nonsmooth.runtime.commands import (  # noqa: F401 - their commands join the application
+    certifying,
+    generating,
+    motions,
+)
 from nonsmooth.runtime.commands.application import (
     ANSWERED,
     NOT_MET,

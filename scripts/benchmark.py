@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
+from benchmark_certify import certified
 from benchmark_declared import declared
 from benchmark_simulation import composed, many, sequences, simulation
 from measuring import Row, timed
@@ -307,7 +308,7 @@ SECTIONS = {
     f.__name__: f
     for f in (
         *(batch, kernel, single, refine, derive, process),
-        *(simulation, many, sequences, composed, declared),
+        *(simulation, many, sequences, composed, declared, certified),
     )
 }
 

@@ -135,6 +135,8 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         nonsmooth.simulate("rigid-stop", data, [0, 0, 1, 0], transitions=4).save("motion.npz")
     if "pdf" in example:
         monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
+    if "--check certificate.json" in example:
+        nonsmooth.certify(nonsmooth.solve(ORBIT)).save("certificate.json")
     if "my_oscillator.py" in example:
         if "--compile" in example and shutil.which("cc") is None:
             pytest.skip("no C compiler")

@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.batch import Orbits, solve_many
+    from nonsmooth.runtime.certification.certificate import Certificate
+    from nonsmooth.runtime.certification.certify import certify
+    from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
     from nonsmooth.runtime.composition.recurring import Recurrence, itinerary_of
     from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
@@ -31,6 +34,7 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "Certificate",
     "ComposedOrbit",
     "Found",
     "InputError",
@@ -46,11 +50,14 @@ __all__ = [
     "Trajectories",
     "Trajectory",
     "__version__",
+    "certify",
+    "check_certificate",
     "compose",
     "compose_many",
     "find_orbits",
     "itinerary_of",
     "load",
+    "load_certificate",
     "load_found",
     "load_trajectory",
     "lyapunov",
@@ -65,6 +72,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "Certificate": "certification.certificate",
     "ComposedOrbit": "composition.composed",
     "Found": "finding.find",
     "InputError": "errors",
@@ -79,11 +87,14 @@ _HOMES = {
     "Recurrence": "composition.recurring",
     "Trajectories": "simulation.simulate",
     "Trajectory": "simulation.trajectory",
+    "certify": "certification.certify",
+    "check_certificate": "certification.saved",
     "compose": "composition.composed",
     "compose_many": "composition.composed",
     "find_orbits": "finding.find",
     "itinerary_of": "composition.recurring",
     "load": "saved:load_orbit_file",
+    "load_certificate": "certification.saved",
     "load_found": "finding.saved",
     "load_trajectory": "simulation.saved",
     "lyapunov": "observing.lyapunov",

@@ -1,0 +1,19 @@
+"""Certificates: a periodic orbit, its admissibility and its stability proved in balls.
+
+================  ============================================================
+`tables`          a system's numbers at one parameter point: exact, or in balls
+`chain`           the equations of a cycle, their Jacobian and the Poincare map, in balls
+`closing`         how a cycle closes: by its state, at a given period, or with a forcing
+`existence`       Newton's method in balls, and Krawczyk's test on a box
+`location`        the box in which an orbit is unique
+`known`           which boundary functions are exactly zero where a phase begins or ends
+`waves`           whether an affine function stays negative along a phase
+`admissibility`   all boundaries for all times of all phases, and each transition
+`multipliers`     trace, multipliers, and on which side of the unit circle they are
+`subject`         what is to be proved: an orbit of any kind as a cycle of its system
+`certify`         all of it together
+`certificate`     what is proved, with enclosures; JSON
+`saved`           certificates in files, and their check
+`checker`         the sceptic's own proof, from the file alone: one file to read
+================  ============================================================
+"""

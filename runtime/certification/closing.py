@@ -1,0 +1,160 @@
+"""How a cycle closes, which makes its equations square and nonsingular.
+
+An autonomous dissipative cycle closes by its state. Of a conservative one the period is
+given, and one coordinate's closure is dropped: it follows from the energy. A forced one is a
+function of time: the forcing's states are cos(w t) and sin(w t) at an unknown time, and a
+whole number of the forcing's periods passes.
+
+A conservative cycle is proved to be one by exact arithmetic: there is a nondegenerate
+skew form Omega and an energy E_c of each configuration with Omega f_c = grad E_c, each
+transition keeps the energy on its boundary and Omega on the tangents of its boundary. Hence
+the monodromy matrix is symplectic: the saltation maps the field in front to that behind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.certification.tables import Tables
+from nonsmooth.runtime.composition.passage import Cycle
+from nonsmooth.runtime.validation.facts import left_kernel
+
+if TYPE_CHECKING:
+    from flint import fmpq, fmpq_mat
+
+__all__ = ["Closing", "Form", "forcing_speeds", "symplectic_form"]
+
+
+@dataclass(frozen=True, eq=False)
+class Form:
+    """Omega (N, N) and the energies: E_c = (y, 1) H_c (y, 1) / 2, of the visited configurations."""
+
+    omega: fmpq_mat
+    constants: dict[int, fmpq]
+    energies: dict[int, fmpq_mat]
+
+
+@dataclass(frozen=True)
+class Closing:
+    """How a cycle closes.
+
+    Attributes
+    ----------
+    kind : {"state", "period", "forcing"}
+    period : Value or None
+        What the dwell times sum up to, for "period".
+    dropped : int
+        The coordinate whose closure follows from the energy; -1 for none.
+    form : Form or None
+    speeds : tuple of fmpq
+        Angular frequencies of the forcings.
+    turns : int
+        How often the first forcing turns in one period.
+    pairs : tuple of (int, int)
+        States of the forcings.
+    """
+
+    kind: str
+    period: Any = None
+    dropped: int = -1
+    form: Form | None = None
+    speeds: tuple[Any, ...] = ()
+    turns: int = 0
+    pairs: tuple[tuple[int, int], ...] = field(default=())
+
+
+def forcing_speeds(tables: Tables, cycle: Cycle) -> tuple[Any, ...] | str:
+    """Frequencies of the forcings, exactly the same in every phase; or why there are none."""
+    found: list[Any] = []
+    for cosine, sine in cycle.structure.forcing:
+        speed = tables.fields[cycle.configurations[0]][sine][cosine]
+        for configuration in cycle.configurations:
+            rows = tables.fields[configuration]
+            for state, other, rate in ((cosine, sine, -speed), (sine, cosine, speed)):
+                wanted = [rate if k == other else 0 for k in range(len(rows))]
+                if list(rows[state]) != wanted:
+                    return "a forcing does not turn evenly"
+        for transition in cycle.transitions:
+            reset = tables.resets[transition.reset]
+            for state in (cosine, sine):
+                if list(reset[state]) != [int(k == state) for k in range(len(reset))]:
+                    return "a transition resets a forcing"
+        found.append(speed)
+    return tuple(found)
+
+
+def symplectic_form(tables: Tables, cycle: Cycle) -> Form | None:
+    """A nondegenerate form and energies that the cycle keeps exactly, if there are such."""
+    from flint import fmpq
+
+    size = len(tables.fields[0]) - 1
+    visited = sorted(set(cycle.configurations))
+    pairs = [(i, j) for i in range(size) for j in range(i)]
+    count = len(pairs) + len(visited)
+    columns = []
+    for place in range(count):
+        values = [fmpq(int(k == place)) for k in range(count)]
+        columns.append(_missed(tables, cycle, _form(tables, visited, pairs, values)))
+    kernel = left_kernel(columns)
+    values = [
+        sum((fmpq(k + 1) * row[j] for k, row in enumerate(kernel)), fmpq(0)) for j in range(count)
+    ]
+    form = _form(tables, visited, pairs, values)
+    return form if form.omega.det() != 0 else None
+
+
+def _form(
+    tables: Tables, visited: Sequence[int], pairs: Sequence[tuple[int, int]], values: Sequence[Any]
+) -> Form:
+    """The form of given entries, and half of each energy's matrix: the lower rows follow."""
+    from flint import fmpq_mat
+
+    size = len(tables.fields[0]) - 1
+    omega = fmpq_mat(size, size)
+    for (i, j), value in zip(pairs, values, strict=False):
+        omega[i, j], omega[j, i] = value, -value
+    constants = dict(zip(visited, values[len(pairs) :], strict=True))
+    energies = {}
+    for configuration in visited:
+        upper = omega * fmpq_mat([list(row) for row in tables.fields[configuration][:-1]])
+        energy = fmpq_mat(size + 1, size + 1)
+        for i in range(size):
+            for j in range(size + 1):
+                energy[i, j] = upper[i, j]
+            energy[size, i] = upper[i, size]
+        energy[size, size] = constants[configuration]
+        energies[configuration] = energy
+    return Form(omega, constants, energies)
+
+
+def _missed(tables: Tables, cycle: Cycle, form: Form) -> list[Any]:
+    """What a form misses of being kept: linear in its entries."""
+    from flint import fmpq_mat
+
+    missed: list[Any] = []
+    for energy in form.energies.values():
+        missed += (energy - energy.transpose()).entries()
+    count = len(cycle)
+    for place, transition in enumerate(cycle.transitions):
+        before = cycle.configurations[place]
+        after = cycle.configurations[(place + 1) % count]
+        row = tables.rows[cycle.rows[place]]
+        reset = fmpq_mat([list(r) for r in tables.resets[transition.reset]])
+        jump = reset.transpose() * form.energies[after] * reset - form.energies[before]
+        on = _columns(row)
+        missed += (on.transpose() * jump * on).entries()
+        size = len(row) - 1
+        linear = fmpq_mat([[reset[i, j] for j in range(size)] for i in range(size)])
+        turn = linear.transpose() * form.omega * linear - form.omega
+        along = _columns(row[:-1])
+        missed += (along.transpose() * turn * along).entries()
+    return missed
+
+
+def _columns(row: Sequence[Any]) -> fmpq_mat:
+    """Basis, in columns, of what a row maps to zero."""
+    from flint import fmpq_mat
+
+    return fmpq_mat([list(r) for r in left_kernel([[entry] for entry in row])]).transpose()

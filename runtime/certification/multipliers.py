@@ -1,0 +1,243 @@
+"""Trace and multipliers of an orbit, and on which side of the unit circle they are proved to be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.certification.known import Known
+from nonsmooth.runtime.validation.facts import Facts
+
+if TYPE_CHECKING:
+    from flint import acb, arb, arb_mat, arb_poly
+
+__all__ = [
+    "Spectrum",
+    "apart",
+    "inside_circle",
+    "neutral_pairs",
+    "product_of",
+    "spectrum_of",
+    "trace_of",
+]
+
+_MOST_SQUARINGS = 48
+_LEAST_SLOPE = 2.0**-72
+
+
+class Spectrum(NamedTuple):
+    """Of the Poincare map, or the stroboscopic map of a forced orbit.
+
+    Attributes
+    ----------
+    trace : arb
+    matrix : arb_mat
+        Its other multipliers are exactly zero.
+    multipliers : tuple of acb, or None
+        Those that are not zero for that reason; None if the balls do not tell them apart.
+    """
+
+    trace: arb
+    matrix: arb_mat
+    multipliers: tuple[acb, ...] | None
+
+
+def spectrum_of(
+    maps: Sequence[arb_mat], known: Known | None, forced: Sequence[int], *, timed: bool
+) -> Spectrum:
+    """Spectrum of the product of the phases' maps, on the smallest section that is known.
+
+    Parameters
+    ----------
+    maps : sequence of arb_mat (N, N)
+    known : Known or None
+    forced : sequence of int
+        States of forcings, which do not change from period to period.
+    timed : bool
+        Whether the maps are at fixed times: then only facts that last hold for changes.
+    """
+    size = maps[0].nrows()
+    facts = (
+        [Facts((), ())] * len(maps) if known is None else known.lasting if timed else known.starts
+    )
+    tangents = [_tangent(f, forced, size) for f in facts]
+    first = min(range(len(maps)), key=lambda k: len(tangents[k][0]))
+    free, basis = tangents[first]
+    matrix = basis
+    for place in range(first, first + len(maps)):
+        matrix = maps[place % len(maps)] * matrix
+    matrix = _rows(matrix, free)
+    return Spectrum(trace_of(matrix), matrix, _eigenvalues(matrix))
+
+
+def inside_circle(matrix: arb_mat) -> bool | None:
+    """Whether all eigenvalues lie strictly inside the unit circle; None if undecided.
+
+    Some power has a norm below 1, or a trace above its dimension in absolute value.
+    """
+    from flint import arb
+
+    size, power = matrix.nrows(), matrix
+    for _ in range(_MOST_SQUARINGS):
+        entries = power.entries()
+        if not all(x.is_finite() for x in entries):
+            return None
+        rows = [
+            sum((abs(x) for x in entries[i * size : (i + 1) * size]), arb(0)) for i in range(size)
+        ]
+        if all(row < 1 for row in rows):
+            return True
+        if abs(trace_of(power)) > size:
+            return False
+        power = power * power
+    return None
+
+
+def neutral_pairs(section: arb_mat, trace: arb) -> tuple[bool | None, tuple[acb, ...] | None]:
+    """Whether the pairs of a symplectic map lie on the unit circle, apart from each other.
+
+    The section map has one multiplier 1, one that is 0, and pairs m, 1/m. It is neutral
+    where every m + 1/m is proved to be real and inside (-2, 2).
+
+    Parameters
+    ----------
+    section : arb_mat (N, N)
+    trace : arb
+        Of it: with one pair, m + 1/m = trace - 1.
+    """
+    from flint import acb, acb_poly, arb_poly
+
+    size = section.nrows()
+    if size == 2:
+        return True, ()
+    if size == 4:
+        sums = [acb(trace - 1)]
+    else:
+        coefficients = section.charpoly().coeffs()
+        quotient = arb_poly(_divided(coefficients[1:]))
+        try:
+            sums = acb_poly(_of_sums(quotient)).roots()
+        except ValueError:
+            return None, None
+    found: list[acb] = []
+    verdict: bool | None = True
+    for place, total in enumerate(sums):
+        root = (total * total / 4 - 1).sqrt()
+        others = (*sums[:place], *sums[place + 1 :])
+        # the conjugate is a root too: where it is in no other ball it is this one, and real
+        if total.imag.contains(0) and not any(total.conjugate().overlaps(x) for x in others):
+            half = total.real / 2
+            if abs(half) < 1:
+                height = (1 - half * half).sqrt()
+                found += [acb(half, height), acb(half, -height)]
+                continue
+            if not abs(half) > 1:
+                return None, None
+            root = acb((half * half - 1).sqrt())
+        verdict = False
+        larger = total / 2 + (root if (total / 2).real * root.real > 0 else -root)
+        found += [larger, 1 / larger]
+    return verdict, tuple(found)
+
+
+def apart(multipliers: Sequence[acb], size: int, *, trivial: bool) -> tuple[acb, ...]:
+    """Those that are clear roots of the map's characteristic polynomial.
+
+    Its slope there is the product of the distances to the others: to the trivial 1, where there
+    is one, and to zero, which is all the rest. The check cannot tell those that are too near.
+    """
+    from flint import acb
+
+    known = [*multipliers, *([acb(1)] if trivial else [])]
+    known += [acb(0)] * (size - len(known))
+    found = []
+    for place, multiplier in enumerate(multipliers):
+        slope = acb(1)
+        for other in (*known[:place], *known[place + 1 :]):
+            slope *= multiplier - other
+        if abs(slope) > _LEAST_SLOPE:
+            found.append(multiplier)
+    return tuple(found)
+
+
+def _divided(coefficients: Sequence[arb]) -> list[arb]:
+    """A polynomial whose root 1 is known, divided by x - 1."""
+    found: list[Any] = []
+    carried = 0 * coefficients[-1]
+    for coefficient in reversed(coefficients[1:]):
+        carried = carried + coefficient
+        found.append(carried)
+    return found[::-1]
+
+
+def _of_sums(polynomial: arb_poly) -> arb_poly:
+    """A reciprocal polynomial of degree 2m as one of degree m in x + 1/x."""
+    from flint import arb_poly
+
+    coefficients = polynomial.coeffs()
+    half = len(coefficients) // 2
+    before, power = arb_poly([2]), arb_poly([0, 1])
+    total = arb_poly([coefficients[half]])
+    for k in range(1, half + 1):
+        total = total + power * coefficients[half + k]
+        before, power = power, arb_poly([0, 1]) * power - before
+    return total
+
+
+def _tangent(facts: Facts, forced: Sequence[int], size: int) -> tuple[list[int], arb_mat]:
+    """Free coordinates of a section, and how a change moves along it by theirs: (N, free)."""
+    from flint import arb, arb_mat, fmpq
+
+    rows = [(*row[:-1], fmpq(0)) for row in facts.rows]
+    rows += [tuple(fmpq(int(j == k)) for j in range(size + 1)) for k in forced]
+    kept = Facts.of(rows)
+    free = [k for k in range(size) if k not in kept.pivots]
+    basis = arb_mat(size, len(free))
+    for place, k in enumerate(free):
+        basis[k, place] = 1
+        for row, pivot in zip(kept.rows, kept.pivots, strict=True):
+            basis[pivot, place] = arb(-row[k])
+    return free, basis
+
+
+def _rows(matrix: arb_mat, kept: Sequence[int]) -> arb_mat:
+    from flint import arb_mat
+
+    columns = matrix.ncols()
+    flat = [matrix[i, j] for i in kept for j in range(columns)]
+    return arb_mat(len(kept), columns, flat)
+
+
+def product_of(maps: Sequence[arb_mat]) -> arb_mat:
+    """The maps one after the other."""
+    product = maps[0]
+    for matrix in maps[1:]:
+        product = matrix * product
+    return product
+
+
+def trace_of(matrix: arb_mat) -> arb:
+    """Sum of the diagonal."""
+    from flint import arb
+
+    return sum((matrix[k, k] for k in range(matrix.nrows())), arb(0))
+
+
+def _eigenvalues(matrix: arb_mat) -> tuple[acb, ...] | None:
+    from flint import acb, acb_mat
+
+    if matrix.nrows() == 1:
+        return (acb(matrix[0, 0]),)
+    if matrix.nrows() == 2:
+        half, product = trace_of(matrix) / 2, matrix.det()
+        square = half * half - product
+        if square > 0:
+            return acb(half + square.sqrt()), acb(half - square.sqrt())
+        if square < 0:
+            height = (-square).sqrt()
+            return acb(half, height), acb(half, -height)
+        return None
+    try:
+        return tuple(acb_mat(matrix).eig())
+    except ValueError:
+        return None

@@ -1,0 +1,233 @@
+"""Certificates in files, and their check.
+
+A file is checked in three ways: its checksum; the checker proves every claim again from the
+file alone; and its declaration is compared with that of the system it names, at its
+parameters, where that is there.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from nonsmooth.runtime.certification.certificate import (
+    CLAIMS,
+    FORMAT,
+    GUARD,
+    VERSION,
+    Certificate,
+    Stated,
+    Unknown,
+)
+from nonsmooth.runtime.certification.checker import Failure, check
+from nonsmooth.runtime.certification.statement import declaration_json, value_json
+from nonsmooth.runtime.certification.tables import tables_of
+from nonsmooth.runtime.composition.passage import cycle_of
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.files import read_file, write_file
+from nonsmooth.runtime.kernels import load_system
+from nonsmooth.runtime.saved import checksum_of, given_value
+from nonsmooth.runtime.simulation.piecewise import system_parameters
+from nonsmooth.runtime.simulation.structure import structure_of
+from nonsmooth.runtime.values import flint_precision
+
+__all__ = ["Check", "check_certificate", "load_certificate", "save_certificate"]
+
+_LARGEST_FILE = 50_000_000  # bytes
+_FIELDS: dict[str, type] = {
+    "format": str,
+    "version": int,
+    "package": str,
+    "orbit": str,
+    "system": str,
+    "parameters": dict,
+    "chosen": list,
+    "given_period": str,
+    "itinerary": list,
+    "bits": int,
+    "claims": dict,
+    "stability": str,
+    "reasons": dict,
+    "enclosures": dict,
+    "multipliers": list,
+    "margins": list,
+    "box": list,
+    "start": list,
+    "dwell_times": list,
+    "declaration": dict,
+    "closing": dict,
+    "sha256": str,
+}
+_WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
+
+
+@dataclass(frozen=True)
+class Check:
+    """The check of a certificate.
+
+    Attributes
+    ----------
+    difference : str or None
+        What is wrong with it; None if every claim was proved again.
+    note : str or None
+        What could not be compared: the system is not there.
+    """
+
+    difference: str | None
+    note: str | None = None
+
+
+def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> None:
+    """Write a certificate to a file; what was there stays until the new content is complete.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    from importlib.metadata import version
+
+    content: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "package": version("nonsmooth"),
+        **certificate.to_json(),
+        "start": list(certificate.start_names),
+        "dwell_times": list(certificate.dwell_names),
+        "declaration": dict(certificate.declaration),
+        "closing": dict(certificate.closing),
+    }
+    content["sha256"] = checksum_of(content)
+    text = json.dumps(content, indent=1, allow_nan=False) + "\n"
+    write_file(Path(path), text.encode())
+
+
+def load_certificate(path: str | os.PathLike[str]) -> Certificate:
+    """Read a certificate that `Certificate.save` wrote; nothing is proved again.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or is cut, edited or foreign. The message names it.
+    """
+    try:
+        content = _content(Path(path))
+        if content["sha256"] != checksum_of(content):
+            raise InputError("edited or damaged: the checksum differs")
+        return _certificate(content)
+    except InputError as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+
+
+def check_certificate(path: str | os.PathLike[str]) -> Check:
+    """Check a certificate: its checksum, its system, and all its claims, from the file alone.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or is no certificate.
+    """
+    try:
+        content = _content(Path(path))
+    except InputError as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+    note = None
+    try:
+        with flint_precision(content["bits"]):  # the one precision of the process is kept
+            check(content)
+        _certificate(content)
+        note = _compare(content, Path(path).parent)
+    except (Failure, InputError) as problem:
+        return Check(str(problem))
+    except _WRONG_SHAPE as problem:
+        return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
+    return Check(None, note)
+
+
+def _content(path: Path) -> dict[str, Any]:
+    """Entries of a certificate's file, of the right types."""
+    try:
+        content = json.loads(read_file(path, _LARGEST_FILE, "certificate").decode("utf-8"))
+    except (ValueError, RecursionError) as problem:
+        if isinstance(problem, InputError):
+            raise
+        raise InputError("cut, or not JSON") from None
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise InputError("not a certificate, such as --save writes")
+    if content.get("version") != VERSION:
+        raise InputError(
+            f"version {content.get('version')!r} of the format, where {VERSION} is known:"
+            " use the release that wrote it"
+        )
+    for name in _FIELDS.keys() ^ content.keys():
+        raise InputError(f"{name!r} is {'missing' if name in _FIELDS else 'unknown'}")
+    for name, kind in _FIELDS.items():
+        if type(content[name]) is not kind:
+            raise InputError(f"{name!r} is of the wrong type")
+    if set(content["claims"]) != set(CLAIMS):
+        raise InputError(f"its claims are not {', '.join(CLAIMS)}")
+    return content
+
+
+def _certificate(content: Mapping[str, Any]) -> Certificate:
+    bits = content["bits"]
+
+    def ball(entry: Mapping[str, str]) -> Stated:
+        return Stated.of(entry["mid"], entry["rad"], bits)
+
+    try:
+        return Certificate(
+            content["orbit"],
+            content["system"],
+            {name: given_value(name, text) for name, text in content["parameters"].items()},
+            tuple(content["chosen"]),
+            tuple((str(c), str(b)) for c, b in content["itinerary"]),
+            dict(content["claims"]),
+            content["stability"],
+            dict(content["reasons"]),
+            {name: ball(entry) for name, entry in content["enclosures"].items()},
+            tuple((ball(m["re"]), ball(m["im"])) for m in content["multipliers"]),
+            tuple(dict(margin) for margin in content["margins"]),
+            tuple(Unknown(x["name"], x["mid"], x["rad"]) for x in content["box"]),
+            bits,
+            tuple(content["start"]),
+            tuple(content["dwell_times"]),
+            given_value("period", content["given_period"]) if content["given_period"] else None,
+            content["declaration"],
+            content["closing"],
+        )
+    except _WRONG_SHAPE as problem:
+        raise InputError(f"not in order: {problem}") from None
+
+
+def _compare(content: Mapping[str, Any], folder: Path) -> str | None:
+    """Compare the declaration with that of the system at the parameters that are named.
+
+    Raises
+    ------
+    Failure
+        If they differ.
+    """
+    if not content["declaration"]:
+        return None
+    try:
+        kernels = load_system(content["system"], folder)
+    except InputError:
+        return f"{content['system']} is not here: its declaration is as the file says"
+    given = {name: given_value(name, text) for name, text in content["parameters"].items()}
+    values = system_parameters(kernels, given)
+    cycle = cycle_of(structure_of(kernels), [(c, b) for c, b in content["itinerary"]])
+    work = content["bits"] + GUARD
+    with flint_precision(work):
+        tables = tables_of(kernels, tuple(values.values()), work)
+        if declaration_json(tables, cycle) != content["declaration"]:
+            raise Failure(f"the declaration is not that of {content['system']} at its parameters")
+        if content["closing"]["kind"] == "period":
+            period = value_json(given_value("period", content["given_period"]), work)
+            if period != content["closing"]["period"]:
+                raise Failure("the period is not the one that is given")
+    return None

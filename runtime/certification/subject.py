@@ -1,0 +1,256 @@
+"""What is to be proved: an orbit of any kind as a cycle of its system, in physical coordinates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.arithmetic import exact_ball
+from nonsmooth.runtime.certification.closing import Closing, forcing_speeds, symplectic_form
+from nonsmooth.runtime.certification.tables import Tables
+from nonsmooth.runtime.composition.naming import start_names
+from nonsmooth.runtime.composition.newton import fitting_start
+from nonsmooth.runtime.composition.passage import Cycle, cycle_of
+from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.simulation.engine_layout import numbers_of
+from nonsmooth.runtime.simulation.piecewise import piecewise, system_parameters
+from nonsmooth.runtime.simulation.structure import structure_of
+from nonsmooth.runtime.values import Value, as_value
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["NotCovered", "Subject", "closing_of", "guess_of", "subject_of"]
+
+_MOST_TURNS = 1000
+
+
+class NotCovered(Exception):
+    """What this proof cannot be about; the message is the reason."""
+
+
+@dataclass(frozen=True, eq=False)
+class Subject:
+    """An orbit of a system, and about where it is.
+
+    Attributes
+    ----------
+    label : str
+    kernels : SystemKernels
+    values : dict of str to Value
+        All parameters of the system.
+    chosen : tuple of str
+        Parameters that the orbit leaves open and that were chosen.
+    cycle : Cycle
+    period : Value or None
+        Where it was given.
+    start, dwell : list of arb
+        Exact; nothing is proved of them.
+    start_names, dwell_names : tuple of str
+    """
+
+    label: str
+    kernels: SystemKernels
+    values: dict[str, Value]
+    chosen: tuple[str, ...]
+    cycle: Cycle
+    period: Value | None
+    start: list[arb]
+    dwell: list[arb]
+    start_names: tuple[str, ...]
+    dwell_names: tuple[str, ...]
+
+
+def subject_of(orbit: Orbit | ComposedOrbit) -> Subject:
+    """The subject of a proof about an orbit.
+
+    Raises
+    ------
+    InputError
+        If it has not converged.
+    NotCovered
+        If a parameter is an unknown of it.
+    """
+    if not orbit.converged:
+        raise InputError(f"{orbit.name} cannot be certified: {orbit.message}")
+    return _derived(orbit) if isinstance(orbit, Orbit) else _composed(orbit)
+
+
+def _composed(orbit: ComposedOrbit) -> Subject:
+    names = tuple(orbit.unknowns)
+    count = len(orbit.dwell_times)
+    return Subject(
+        orbit.name,
+        orbit.kernels,
+        dict(orbit.parameters),
+        (),
+        cycle_of(structure_of(orbit.kernels), orbit.itinerary),
+        orbit.given_period,
+        [exact_ball(x) for x in orbit.states[0].tolist()],
+        [exact_ball(x) for x in orbit.dwell_times.tolist()],
+        names[count:],
+        names[:count],
+    )
+
+
+def _derived(orbit: Orbit) -> Subject:
+    kernels = orbit.kernels
+    if kernels.table["vanishing"]:
+        raise NotCovered(
+            f"{orbit.name} is a border collision: {', '.join(kernels.solved_for)} has no exact"
+            " value at it"
+        )
+    exchanged = [name for name in orbit.unknowns if name not in kernels.unknowns]
+    if exchanged:
+        raise NotCovered(f"{', '.join(exchanged)} was solved for and has no exact value")
+    values, chosen = _physical(orbit)
+    structure = structure_of(kernels.system)
+    cycle = cycle_of(structure, [(c, b) for c, b, _ in kernels.table["phases"]])
+    dwell = list(orbit.dwell_times.values())
+    # closure and switching are linear in the start: these numbers are guesses, as all here
+    flat = numbers_of(piecewise(kernels.system, values))[None]
+    with np.errstate(all="ignore"):
+        start = fitting_start(cycle, flat, np.array([[float(t) for t in dwell]]))[0]
+    names = kernels.dwell_times
+    return Subject(
+        orbit.name,
+        kernels.system,
+        values,
+        chosen,
+        cycle,
+        _period(kernels, orbit.given),
+        [exact_ball(x) for x in start.tolist()],
+        [exact_ball(x) for x in dwell],
+        start_names(structure.states, {*names, *values}),
+        names,
+    )
+
+
+def _period(kernels: OrbitKernels, given: Mapping[str, Value]) -> Value | None:
+    """The parameter that the dwell times sum up to, of a conservative orbit."""
+    total: dict[str, int] = {}
+    for terms in kernels.table["durations"]:
+        for name, factor in terms.items():
+            total[name] = total.get(name, 0) + factor
+    left = [name for name, factor in total.items() if factor]
+    if len(left) == 1 and total[left[0]] == 1 and left[0] in given:
+        return given[left[0]]
+    return None
+
+
+def _physical(orbit: Orbit) -> tuple[dict[str, Value], tuple[str, ...]]:
+    """All parameters of the system, and which of them were left open and are chosen here."""
+    kernels = orbit.kernels
+    values = {name: as_value(text) for name, text in kernels.required.items()}
+    values |= {**orbit.given, **orbit.opened}
+    bounds = {}
+    if kernels.open_parameters:
+        admissibility = orbit.admissibility
+        bounds = {r.parameter: r.greater_than for r in admissibility.requires}
+    chosen = []
+    for table in kernels.system.parameters:
+        name = table.name
+        if name in values or _completed(kernels, name, values):
+            continue
+        least = bounds.get(name, 0.0)
+        # a simple number well above the bound, which double precision gives
+        values[name] = as_value("1" if least < 0.9 else f"{math.ceil(11 * least)}/10")
+        chosen.append(name)
+    wanted = [p.name for p in kernels.system.parameters]
+    try:
+        found = system_parameters(kernels.system, {name: values[name] for name in wanted})
+    except InputError as problem:
+        raise NotCovered(f"no values were found for {', '.join(chosen)}: {problem}") from None
+    return found, tuple(chosen)
+
+
+def _completed(kernels: OrbitKernels, name: str, values: dict[str, Value]) -> bool:
+    """Find a parameter from a combination such as e = ur - us, if the others are known."""
+    for combined, terms in kernels.combined.items():
+        rest = [term for term in terms if term != name]
+        if name not in terms or combined not in values or any(r not in values for r in rest):
+            continue
+        parts = [f"({values[combined]})"]
+        parts += [f"({-terms[term]})*({values[term]})" for term in rest]
+        exact = [values[combined].exact, *(values[term].exact for term in rest)]
+        if None not in exact:
+            factors = [1, *(-terms[term] for term in rest)]
+            total = sum(f * e for f, e in zip(factors, exact, strict=True) if e is not None)
+            values[name] = as_value(total / terms[name])
+        else:
+            values[name] = as_value(f"({' + '.join(parts)})/({terms[name]})")
+        return True
+    return False
+
+
+def closing_of(subject: Subject, tables: Tables, centre: Any) -> Closing:
+    """How the subject's cycle closes.
+
+    Parameters
+    ----------
+    centre : floats (N)
+        About where it starts: the coordinate whose closure the energy gives is chosen by it.
+
+    Raises
+    ------
+    NotCovered
+    """
+    cycle = subject.cycle
+    if cycle.structure.forcing:
+        if not tables.exact:
+            raise NotCovered("the parameters of a forced system have to be rational")
+        speeds = forcing_speeds(tables, cycle)
+        if isinstance(speeds, str):
+            raise NotCovered(speeds)
+        if not speeds[0] > 0:
+            raise NotCovered("the first forcing does not turn forwards")
+        total = float(sum(float(t) for t in subject.dwell))
+        turns = max(1, round(float(speeds[0]) * total / (2 * math.pi)))
+        for speed in speeds[1:]:
+            if (speed * turns / speeds[0]).q != 1:
+                raise NotCovered("the forcings have no common period that is the orbit's")
+        return Closing("forcing", speeds=speeds, turns=turns, pairs=cycle.structure.forcing)
+    if subject.period is None:
+        return Closing("state")
+    if not tables.exact:
+        raise NotCovered("the parameters of a conservative system have to be rational")
+    form = symplectic_form(tables, cycle)
+    if form is None:
+        raise NotCovered("no energy was found that the cycle keeps, so its period cannot be given")
+    energy = form.energies[cycle.configurations[0]]
+    size = len(centre)
+    slopes = [
+        sum(float(energy[i, j]) * centre[j] for j in range(size)) + float(energy[i, size])
+        for i in range(size)
+    ]
+    largest = max(range(size), key=lambda i: abs(slopes[i]))
+    return Closing("period", period=subject.period, dropped=largest, form=form)
+
+
+def guess_of(subject: Subject, closing: Closing) -> list[arb]:
+    """Unknowns of the equations, about."""
+    if closing.kind != "forcing":
+        return [*subject.start, *subject.dwell]
+    from flint import arb
+
+    forced = {state for pair in closing.pairs for state in pair}
+    start = [float(x) for x in subject.start]
+    speeds = [float(speed) for speed in closing.speeds]
+    angles = [math.atan2(start[s], start[c]) for c, s in closing.pairs]
+
+    def missed(time: float) -> float:
+        return sum(
+            1 - math.cos(speed * time - angle) for speed, angle in zip(speeds, angles, strict=True)
+        )
+
+    times = [(angles[0] + 2 * math.pi * k) / speeds[0] for k in range(_MOST_TURNS)]
+    time = times[0] if len(speeds) == 1 else min(times, key=missed)
+    free = [x for k, x in enumerate(subject.start) if k not in forced]
+    return [*free, arb(time), *subject.dwell]

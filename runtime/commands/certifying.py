@@ -1,0 +1,164 @@
+"""The command that certifies orbits, and checks certificates."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Mapping
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from nonsmooth.runtime.commands.application import (
+    ANSWERED,
+    NOT_MET,
+    UNANSWERED,
+    answering,
+    app,
+    assignments,
+    print_json,
+    split,
+)
+from nonsmooth.runtime.commands.options import AsJson, Assignments, Guess
+from nonsmooth.runtime.errors import InputError
+
+__all__ = ["certify"]
+
+_BITS = 128
+_MORE = 8  # bits beyond those of the digits
+
+
+class Proven(StrEnum):
+    """What can be required."""
+
+    PROVED = "proved"
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth certify dry-friction/global-stick eta=0.98\n\n"
+    "nonsmooth certify rigid-stop/one-impact T=2*pi --digits 100 --require proved\n\n"
+    "nonsmooth certify my_oscillator.py:loop --save certificate.json\n\n"
+    "nonsmooth certify --check certificate.json"
+)
+@answering
+def certify(
+    orbit: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="[SYSTEM/ORBIT]",
+            help="An orbit that `nonsmooth list` shows, or your own: FILE.py:ORBIT.",
+            show_default=False,
+        ),
+    ] = None,
+    parameters: Assignments = None,
+    guess: Guess = None,
+    digits: Annotated[
+        int | None, typer.Option("--digits", metavar="N", help="Decimals of the enclosures.")
+    ] = None,
+    bits: Annotated[
+        int | None,
+        typer.Option("--bits", metavar="N", help=f"Or binary digits of them; {_BITS} by default."),
+    ] = None,
+    require: Annotated[
+        Proven | None, typer.Option("--require", help="Exit with 3 unless every claim is proved.")
+    ] = None,
+    save: Annotated[
+        Path | None,
+        typer.Option("--save", metavar="FILE", help="Save the certificate, as JSON."),
+    ] = None,
+    check: Annotated[
+        Path | None,
+        typer.Option(
+            "--check",
+            metavar="FILE",
+            help="Prove a saved certificate again, from the file alone; exit with 1 if it differs.",
+        ),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Prove that an orbit exists, is a motion of the system, and is stable: by ball arithmetic."""
+    if check is not None:
+        options = (orbit, parameters, guess, digits, bits, save)
+        if any(option is not None and option != [] for option in options):
+            raise InputError("--check takes a file and nothing else to certify")
+        return _check(check, require, as_json=as_json)
+    if orbit is None:
+        raise InputError("an orbit is missing, or --check FILE")
+    if digits is not None and bits is not None:
+        raise InputError("--digits and --bits say the same: give one of them")
+    if digits is not None:
+        if digits < 1:
+            raise InputError(f"digits = {digits} is not a positive integer")
+        bits = max(53, math.ceil(digits * math.log2(10)) + _MORE)
+    return _certify(
+        orbit, parameters, guess, _BITS if bits is None else bits, require, save, as_json
+    )
+
+
+def _certify(
+    orbit: str,
+    parameters: list[str] | None,
+    guess: list[str] | None,
+    bits: int,
+    require: Proven | None,
+    save: Path | None,
+    as_json: bool,
+) -> int:
+    from nonsmooth.runtime.certification.certify import certify as prove
+    from nonsmooth.runtime.commands.display import steps
+    from nonsmooth.runtime.commands.display_certificates import show_certificate
+    from nonsmooth.runtime.files import check_target
+    from nonsmooth.runtime.solve import solve
+
+    if save is not None:
+        check_target(save)
+    values = assignments("parameter", parameters or [])
+    near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
+    with steps(f"solving {orbit}") as begin:
+        found = solve(orbit, values, near)
+        certificate = prove(found, bits, begin=begin)
+    if save is not None:
+        certificate.save(save)
+    if as_json:
+        told = certificate.to_json()
+        print_json(told if save is None else {**told, "file": str(save)})
+    else:
+        show_certificate(certificate)
+        if save is not None:
+            print(f"\n{save} written")
+    return _judged(certificate.claims, require, decided=certificate.decided)
+
+
+def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
+    from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
+    from nonsmooth.runtime.commands.display import steps
+    from nonsmooth.runtime.commands.display_certificates import show_claims
+
+    with steps(f"proving {path} again"):
+        found = check_certificate(path)
+    certificate = load_certificate(path) if found.difference is None else None
+    if as_json:
+        claims = {} if certificate is None else dict(certificate.claims)
+        told = {"file": str(path), "same": certificate is not None, "claims": claims}
+        print_json({**told, "difference": found.difference, "note": found.note})
+    elif certificate is not None:
+        show_claims(certificate)
+        print(f"{path}: every claim holds; all was proved again from the file")
+        if found.note:
+            print(found.note)
+    if certificate is None:
+        print(f"nonsmooth: {path}: {found.difference}", file=sys.stderr)
+        return UNANSWERED
+    return _judged(certificate.claims, require, decided=True)
+
+
+def _judged(claims: Mapping[str, str], require: Proven | None, *, decided: bool) -> int:
+    """Exit code; says on stderr which claims are not proved though they are required to be."""
+    missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
+    if require is not None and missed:
+        print(f"nonsmooth: required: proved; found: {', '.join(missed)}", file=sys.stderr)
+        return NOT_MET
+    return ANSWERED if decided else UNANSWERED

@@ -1,0 +1,75 @@
+"""What the command that certifies shows to people."""
+
+from __future__ import annotations
+
+from rich import box
+from rich.table import Table
+from rich.text import Text
+
+from nonsmooth.runtime.certification.certificate import Certificate
+from nonsmooth.runtime.commands.display import wide_console
+
+__all__ = ["show_certificate", "show_claims"]
+
+_WIDTH = 118
+_STYLES = {"proved": "green", "refuted": "red", "undecided": "yellow"}
+
+
+def show_claims(certificate: Certificate) -> None:
+    """Show what is claimed, and what is proved of it."""
+    out = wide_console(_WIDTH)
+    out.print(Text(f"{certificate.orbit}, {certificate.bits} bits", style="bold"))
+    out.print(Text(" -> ".join([*(c for c, _ in certificate.itinerary), "..."])))
+    table = _table("claim", "", "")
+    meaning = {
+        "existence": "one orbit, and no other, in the box",
+        "admissibility": "a motion of the real system",
+        "stability": certificate.stability,
+    }
+    for name, verdict in certificate.claims.items():
+        told = Text(meaning[name])
+        if name in certificate.reasons:
+            told.append(f": {certificate.reasons[name]}", style="dim")
+        table.add_row(name, Text(verdict, style=_STYLES[verdict]), told)
+    out.print(table)
+
+
+def show_certificate(certificate: Certificate) -> None:
+    """Show claims, parameters, enclosures, the box, and the margins."""
+    show_claims(certificate)
+    out = wide_console(_WIDTH)
+    values = {**certificate.parameters}
+    if certificate.given_period is not None:
+        values["period"] = certificate.given_period
+    out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if certificate.chosen:
+        names = ", ".join(certificate.chosen)
+        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    if not certificate.enclosures:
+        return
+    table = _table("enclosure", "", "unique within")
+    sides = {side.name: side.rad for side in certificate.box}
+    for name, enclosure in certificate.enclosures.items():
+        table.add_row(name, str(enclosure), _rounded(sides[name]) if name in sides else "")
+    for number, (re, im) in enumerate(certificate.multipliers, 1):
+        imaginary = "" if im.contains(0) else f" + {im} i"
+        table.add_row(f"multiplier {number}", f"{re}{imaginary}", "")
+    out.print(table)
+    if certificate.margins:
+        table = _table("phase", "boundary", "respected by at least")
+        for margin in certificate.margins:
+            place = f"{margin['phase']} {margin['configuration']}"
+            size = f"{_rounded(margin['least'])} ({margin['quantity']})"
+            table.add_row(place, margin["boundary"], size)
+        out.print(table)
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+    for name in columns:
+        table.add_column(name, overflow="fold")
+    return table
+
+
+def _rounded(text: str) -> str:
+    return f"{float(text):.3g}"

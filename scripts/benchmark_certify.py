@@ -1,0 +1,65 @@
+"""The section of benchmark.py on certificates, at the paper's data."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from measuring import Row, timed
+
+from nonsmooth.runtime.certification.certificate import GUARD
+from nonsmooth.runtime.certification.certify import certify
+from nonsmooth.runtime.certification.location import locate
+from nonsmooth.runtime.certification.multipliers import product_of, trace_of
+from nonsmooth.runtime.certification.saved import check_certificate
+from nonsmooth.runtime.certification.subject import closing_of, subject_of
+from nonsmooth.runtime.certification.tables import tables_of
+from nonsmooth.runtime.solve import solve
+from nonsmooth.runtime.values import flint_precision
+
+__all__ = ["certified"]
+
+ORBIT = "dry-friction/global-stick"
+BITS = 100
+DIGITS = 1000
+
+
+def certified(quick: bool) -> Iterator[Row]:
+    """Existence and trace, whole certificates, their check."""
+    orbit = solve(ORBIT)
+    assert orbit.admissibility.verdict
+    runs = 7 if quick else 21
+
+    def existence() -> object:
+        subject = subject_of(orbit)
+        with flint_precision(BITS + GUARD):
+            tables = tables_of(subject.kernels, tuple(subject.values.values()), BITS + GUARD)
+            closing = closing_of(subject, tables, [float(x) for x in subject.start])
+            root = locate(subject, closing, BITS)
+            return trace_of(product_of(root.equations.section_maps(root.passage)))
+
+    many = round(DIGITS * 3.3219) + 8
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "certificate.json"
+        certify(orbit, BITS).save(path)
+        yield Row(
+            f"existence, uniqueness, trace, {BITS} bits",
+            timed(existence, runs=runs),
+            0.005,
+        )
+        whole = f"whole certificate, {BITS} bits"
+        yield Row(whole, timed(lambda: certify(orbit, BITS), runs=runs), 0.050)
+        yield Row(
+            "  its check, from the file",
+            timed(lambda: check_certificate(path), runs=runs),
+            against=whole,
+        )
+        certify(orbit, many).save(path)
+        whole = f"whole certificate, {DIGITS} digits"
+        yield Row(whole, timed(lambda: certify(orbit, many), runs=runs), 0.200)
+        yield Row(
+            "  the check of that",
+            timed(lambda: check_certificate(path), runs=runs),
+            against=whole,
+        )

@@ -1,0 +1,106 @@
+"""Orbits to be certified: of users' systems whose numbers are known in closed form, and forced."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    Harmonic,
+    Parameter,
+    RigidStop,
+    SecondOrder,
+    Slider,
+    SoftStop,
+    System,
+    Transition,
+    oscillator,
+)
+from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.kernels import SystemKernels, load_system
+
+__all__ = ["FORCED", "forced", "kicked", "loop"]
+
+x, v = sp.symbols("x v", real=True)
+PARAMETERS = (
+    Parameter("k", "stiffness on the right"),
+    Parameter("r", "what is left of the velocity", lower=-3, upper=3),
+    Parameter("a", "place of the wall"),
+)
+k, r, a = (parameter.symbol for parameter in PARAMETERS)
+LOOP = (("right", "falls"), ("left", "rises"))
+
+
+@cache
+def kicked() -> SystemKernels:
+    """A mass between springs k and 4, kicked where it rises: v -> r v + 1.
+
+    Its orbit begins with v0 = 1/(1 - r), lasts pi/sqrt(k) + pi/2, goes as far as
+    v0/sqrt(k), and has the multiplier r. A wall that is only looked at stands at a.
+    """
+    system = System(
+        "kicked",
+        "a mass between two springs, kicked",
+        (x, v),
+        PARAMETERS,
+        (
+            Configuration("right", SecondOrder([[1]], [[k]]), (Boundary("falls", -x),
+                                                               Boundary("wall", x - a))),
+            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
+        ),
+        (
+            Transition("right", {"falls"}, "left"),
+            Transition("right", {"wall"}, "right", (), {v: -v}),
+            Transition("left", {"rises"}, "right", (), {v: r * v + 1}),
+        ),
+    )  # fmt: skip
+    return load_system(system)
+
+
+def loop(**given: str) -> ComposedOrbit:
+    """Its orbit, at k = 1, r = 1/2, a = 3 unless others are given."""
+    values = {"k": "1", "r": "1/2", "a": "3", **given}
+    size = 1 / (1 - float(sp.sympify(values["r"])))
+    stiffness = float(sp.sympify(values["k"]))
+    guess = [math.pi / math.sqrt(stiffness), math.pi / 2]
+    return ns.compose(kicked(), values, LOOP, guess, [0.0, size])
+
+
+_SPRING = [[1]], [[1]]
+FORCED = {
+    "soft": oscillator(
+        "soft", ["x"], *_SPRING, [["1/10"]],
+        forcing=[Harmonic("13/10", ("7/10",))],
+        elements=[SoftStop("x", "1/2", stiffness=20, damping="4/5")],
+    ),
+    "rigid": oscillator(
+        "rigid", ["x"], *_SPRING, [["1/10"]],
+        forcing=[Harmonic("13/5", ("7/10",))], elements=[RigidStop("x", 0, "4/5")],
+    ),
+    "slider": oscillator(
+        "slider", ["x"], [[1]], [["1/2"]], [["1/10"]],
+        forcing=[Harmonic("9/10", ("3/5",))], elements=[Slider("x", 3, "1/5")],
+    ),
+    "twice": oscillator(
+        "twice", ["x"], *_SPRING, [["3/10"]],
+        forcing=[Harmonic(1, ("7/10",)), Harmonic(2, sine=("3/10",))],
+        elements=[SoftStop("x", "1/2", stiffness=20, damping="4/5")],
+    ),
+}  # fmt: skip
+
+
+@cache
+def forced(name: str) -> ComposedOrbit:
+    """What a motion of a forced system comes to, as a periodic orbit."""
+    kernels = load_system(FORCED[name])
+    size = len(kernels.table["states"])
+    cosines = [kernels.table["states"].index(c) for c, _ in kernels.table["forcing"]]
+    start = [float(i in cosines) for i in range(size)]
+    motion = ns.simulate(kernels, {}, start, until=600.0)
+    found = ns.itinerary_of(motion)
+    return ns.compose(kernels, {}, found.itinerary, found.dwell_times, found.start)

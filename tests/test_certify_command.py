@@ -1,0 +1,94 @@
+"""nonsmooth certify: claims, JSON, exit codes, files."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli import app
+from tests.user_systems import declare
+
+STICK = "dry-friction/global-stick"
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    """Exit code, stdout and stderr."""
+    result = CliRunner().invoke(app, ["certify", *arguments])
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def test_json_holds_claims_and_enclosures() -> None:
+    code, out, err = run(STICK, "eta=0.98", "--digits", "40", "--json")
+    assert (code, err) == (0, "")
+    told = json.loads(out)
+    assert told["claims"] == dict.fromkeys(("existence", "admissibility", "stability"), "proved")
+    trace = told["enclosures"]["trace"]
+    sharp = ns.refine(ns.solve(STICK, {"eta": "0.98"}), 60).trace
+    assert abs(sharp - type(sharp)(trace["mid"])) < float(trace["rad"]) < 1e-40
+    assert told["parameters"]["eta"] == "0.98"
+    assert {"ta", "tau", "tau1", "tau2", "x10", "period"} < set(told["enclosures"])
+
+
+def test_people_see_claims_reasons_and_margins() -> None:
+    code, out, _ = run("dry-friction/symmetric")
+    assert code == 0
+    assert "a multiplier lies outside the unit circle" in out
+    assert "left open: chosen for this proof" in out
+    assert "first-reaches-belt" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [
+        (["dry-friction/symmetric", "--require", "proved"], 3, "stability refuted"),
+        (["dry-friction/solution-ii"], 1, ""),
+        (["dry-friction/solution-ii", "--require", "proved"], 3, "existence undecided"),
+        ([STICK, "--require", "proved"], 0, ""),
+        ([], 2, "an orbit is missing"),
+        ([STICK, "--digits", "0"], 2, "digits = 0"),
+        ([STICK, "--bits", "3"], 2, "bits = 3"),
+        ([STICK, "--bits", "128", "--digits", "30"], 2, "--digits and --bits"),
+        ([STICK, "eta=0"], 2, "eta"),
+        ([STICK, "etta=1"], 2, "did you mean"),
+        ([STICK, "--check", "x.json"], 2, "nothing else"),
+        (["--check", "nowhere.json"], 2, "nowhere.json"),
+        ([STICK, "--save", "no/such/folder/x.json"], 2, "no folder"),
+    ],
+)
+def test_exit_codes(arguments: list[str], code: int, told: str) -> None:
+    found, _, err = run(*arguments)
+    assert found == code
+    assert told in err
+    assert len(err.splitlines()) == bool(told)
+
+
+def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:
+    declare(tmp_path)
+    path = tmp_path / "certificate.json"
+    code, out, _ = run(f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
+    assert code == 0
+    assert f"{path} written" in out
+    code, out, err = run("--check", str(path))
+    assert (code, err) == (0, "")
+    assert "every claim holds" in out
+    code, out, _ = run("--check", str(path), "--json", "--require", "proved")
+    assert code == 0
+    assert json.loads(out)["same"] is True
+
+
+def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "certificate.json"
+    ns.certify(ns.solve(STICK)).save(path)
+    path.write_text(path.read_text().replace('"bits": 128', '"bits": 129', 1))
+    code, out, err = run("--check", str(path))
+    assert (code, out) == (1, "")
+    assert "the checksum differs" in err
+    code, out, _ = run("--check", str(path), "--json")
+    assert code == 1
+    assert json.loads(out)["same"] is False
