@@ -234,13 +234,17 @@ def plot(
 
 
 @app.command(
-    epilog="Examples:\n\nnonsmooth reproduce --out paper\n\nnonsmooth reproduce --out paper --json"
+    epilog="Examples:\n\nnonsmooth reproduce --out paper\n\n"
+    "nonsmooth reproduce --out paper --certify --json"
 )
 @answering
 def reproduce(
     out: Annotated[
         Path, typer.Option(metavar="DIR", help="Folder of the report, made if need be.")
     ],
+    certified: Annotated[
+        bool, typer.Option("--certify", help="Add what ball arithmetic proves of every orbit.")
+    ] = False,
     as_json: AsJson = False,
 ) -> int:
     """Write every number and figure of the source paper beside ours: a report in HTML."""
@@ -248,7 +252,7 @@ def reproduce(
     from nonsmooth.runtime.reproduce.writing import reproduce as write
 
     with steps() as begin:
-        files = [str(path) for path in write(out, begin)]
+        files = [str(path) for path in write(out, begin, certified=certified)]
     if as_json:
         print_json({"folder": str(out), "files": files})
     else:

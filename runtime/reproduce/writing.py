@@ -9,11 +9,14 @@ from nonsmooth.runtime.commands.deriving import section_formulas
 from nonsmooth.runtime.errors import missing_extra
 from nonsmooth.runtime.files import unwritable
 from nonsmooth.runtime.reproduce.chapters import ORBITS, paper_orbits, paper_report
+from nonsmooth.runtime.reproduce.proofs import with_certificates
 
 __all__ = ["reproduce"]
 
 
-def reproduce(out: Path, begin: Callable[[str], None] = lambda step: None) -> tuple[Path, ...]:
+def reproduce(
+    out: Path, begin: Callable[[str], None] = lambda step: None, *, certified: bool = False
+) -> tuple[Path, ...]:
     """Reproduce the source paper.
 
     Writes ``report.html`` (self-contained), ``report.md``, ``results.json`` and each figure
@@ -25,6 +28,8 @@ def reproduce(out: Path, begin: Callable[[str], None] = lambda step: None) -> tu
         A folder; it is made if need be.
     begin : callable
         Told the name of each step when it begins.
+    certified : bool
+        Add what ball arithmetic proves of every orbit.
 
     Returns
     -------
@@ -53,6 +58,8 @@ def reproduce(out: Path, begin: Callable[[str], None] = lambda step: None) -> tu
     begin("claims, misprints and equations")
     pictures = {stem: drawing.picture for stem, drawing in drawn.items()}
     report = paper_report(orbits, pictures, section_formulas)
+    if certified:
+        report = with_certificates(report, orbits, begin)
     written = []
     try:
         for stem, drawing in drawn.items():
