@@ -35,6 +35,7 @@ and the rooms, each with a map of its own:
 `observing`       peaks, averages, contact forces, Lyapunov exponents
 `composition`     periodic orbits of itineraries that have no kernels
 `finding`         the periodic orbits that live in a system, and their basins
+`charting`        charts of the parameter plane: chunked, resumed, on a cluster
 `validation`      the sequence of configurations of a motion, proved in balls
 `certification`   certificates of periodic orbits, and the sceptic's checker
 `pictures`        pictures of orbits, motions, basins

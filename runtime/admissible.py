@@ -28,6 +28,7 @@ __all__ = [
     "admissible_points",
     "assess_admissibility",
     "boundary_sums",
+    "first_violations",
     "sums_of",
 ]
 
@@ -257,27 +258,51 @@ def admissible_points(
         What each open parameter has to exceed; NaN where nothing is allowed.
     """
     if kernels.admissible is None:
-        allowed, bounds = _admissible_numpy(kernels, points, unknowns)
+        boundary, bounds = _admissible_numpy(kernels, points, unknowns)
     else:
         with np.errstate(all="ignore"):  # points without an orbit are NaN
             *bounded, boundary, _, _ = kernels.admissible(points, unknowns)
-        allowed = np.asarray(boundary == -1)
         bounds = np.asarray(bounded[0]) if bounded else np.empty((len(points), 0))
+    allowed = np.asarray(boundary == -1)
     bounds[~allowed] = np.nan
     return allowed, bounds
+
+
+def first_violations(kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray) -> np.ndarray:
+    """Which boundary is crossed inside a phase, at many orbits.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    points : array (count, p)
+        Parameters of the equations.
+    unknowns : array (count, n)
+
+    Returns
+    -------
+    array (count,) of int
+        Row of the first of `kernels.boundaries` that is crossed; -1 where none is, -2 where a
+        dwell time is not positive, -3 where it cannot be told.
+    """
+    if kernels.admissible is None:
+        return _admissible_numpy(kernels, points, unknowns)[0]
+    with np.errstate(all="ignore"):
+        *_, boundary, _, _ = kernels.admissible(points, unknowns)
+    return np.asarray(boundary)
 
 
 def _admissible_numpy(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The compiled test's algorithm, point by point."""
-    allowed = np.zeros(len(points), dtype=bool)
+    """The compiled test's algorithm, point by point: its codes, and the bounds."""
+    crossed = np.full(len(points), -3)
     opened = [p.name for p in kernels.open_parameters]
     bounds = np.zeros((len(points), len(opened)))
     values = dict(zip(kernels.parameter_names, points.T, strict=True))
     durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
     dwell = np.stack([np.broadcast_to(d, len(points)) for d in durations.values()], axis=-1)
     timed = [name not in kernels.table["vanishing"] for name in durations]
+    crossed[(dwell[:, timed] <= 0).any(axis=-1)] = -2
     sound = np.flatnonzero(np.isfinite(unknowns).all(axis=-1) & (dwell[:, timed] > 0).all(axis=-1))
     spectrum, _ = kernels.spectrum(points[sound])
     coefficients, frequencies = kernels.evaluate(
@@ -290,7 +315,7 @@ def _admissible_numpy(
             sums = list(sums_of(kernels, coefficients[row], frequencies[row]))
             measures = np.concatenate([points[point], unknowns[point]])[places].tolist()
             noise = _noise(kernels, measures, sums, dwell[point].tolist())
-            for boundary, function in sums:
+            for number, (boundary, function) in enumerate(sums):
                 duration = float(dwell[point, boundary.phase])
                 if boundary.open_parameter is None:
                     floor = function.rounding(duration) + noise
@@ -298,6 +323,7 @@ def _admissible_numpy(
                         _rises(boundary, function, duration, noise)
                         or maximum(function, duration, floor).value > floor
                     ):
+                        crossed[point] = number
                         break
                 else:
                     place = opened.index(boundary.open_parameter)
@@ -305,7 +331,7 @@ def _admissible_numpy(
                     found = maximum(function, duration, unit * bounds[point, place])
                     bounds[point, place] = found.value / unit
             else:
-                allowed[point] = True
+                crossed[point] = -1
         except InputError:  # overflow, or a phase too long for any guarantee
             continue
-    return allowed, bounds
+    return crossed, bounds

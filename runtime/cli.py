@@ -15,6 +15,7 @@ import typer
 
 from nonsmooth.runtime.commands import (  # noqa: F401 - their commands join the application
     certifying,
+    charting,
     generating,
     motions,
 )
@@ -191,6 +192,7 @@ def verify(
     "nonsmooth plot orbit.json\n\n"
     "nonsmooth plot orbit.json --kind phase --out phase.svg\n\n"
     "nonsmooth plot motion.npz --kind strip\n\n"
+    "nonsmooth plot F.zarr --out F.png\n\n"
     "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
 )
 @answering
@@ -199,8 +201,8 @@ def plot(
         Path,
         typer.Argument(
             metavar="FILE",
-            help="An orbit of `solve --save`, a motion of `simulate --save`, or the orbits of"
-            " `find --save`.",
+            help="An orbit of `solve --save`, a motion of `simulate --save`, the orbits of"
+            " `find --save`, or a chart of `chart --out`.",
         ),
     ],
     kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
@@ -214,7 +216,7 @@ def plot(
     ] = None,
     as_json: AsJson = False,
 ) -> int:
-    """Draw saved orbits or motions: histories, phase portraits, configurations, multipliers."""
+    """Draw saved orbits, motions or charts: histories, phase portraits, maps, multipliers."""
     from nonsmooth.runtime.commands.display import show_written
     from nonsmooth.runtime.files import check_target
     from nonsmooth.runtime.pictures.plot import save_figure

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nonsmooth.runtime.errors import InputError
 
-__all__ = ["check_ending", "check_target", "read_file", "unwritable", "write_file"]
+__all__ = ["check_ending", "check_folder", "check_target", "read_file", "unwritable", "write_file"]
 
 
 def check_target(out: Path) -> None:
@@ -19,6 +19,16 @@ def check_target(out: Path) -> None:
     if out.is_dir():
         raise InputError(f"cannot write {out}: it is a folder")
     if not os.access(out if out.exists() else folder, os.W_OK):
+        raise InputError(f"cannot write {out}: permission denied")
+
+
+def check_folder(out: Path) -> None:
+    """Refuse a folder that cannot be written, before the work is done."""
+    if not out.parent.is_dir():
+        raise InputError(f"cannot write {out}: there is no folder {out.parent}")
+    if out.exists() and not out.is_dir():
+        raise InputError(f"cannot write {out}: it is a file")
+    if not all(os.access(path, os.W_OK) for path in (out.parent, out) if path.exists()):
         raise InputError(f"cannot write {out}: permission denied")
 
 

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 from benchmark_certify import certified
+from benchmark_chart import chart
 from benchmark_declared import declared
 from benchmark_simulation import composed, many, sequences, simulation
 from measuring import Row, timed
@@ -308,7 +309,7 @@ SECTIONS = {
     f.__name__: f
     for f in (
         *(batch, kernel, single, refine, derive, process),
-        *(simulation, many, sequences, composed, declared, certified),
+        *(simulation, many, sequences, composed, declared, certified, chart),
     )
 }
 

@@ -117,8 +117,8 @@ def test_every_command_has_help_with_examples_and_json(name: str) -> None:
 
 
 def engine_needed(example: str) -> bool:
-    """Thousands of motions, which take minutes in Python."""
-    return example.startswith(("nonsmooth find", "nonsmooth sweep"))
+    """Thousands of motions or orbits, which take minutes in Python."""
+    return example.startswith(("nonsmooth chart", "nonsmooth find", "nonsmooth sweep"))
 
 
 @pytest.mark.parametrize(
@@ -133,6 +133,8 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         nonsmooth.solve(ORBIT).save("orbit.json")
         data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
         nonsmooth.simulate("rigid-stop", data, [0, 0, 1, 0], transitions=4).save("motion.npz")
+        if "F.zarr" in example:
+            nonsmooth.chart(ORBIT, V=[0.9, 1.0, 1.1], eta=[0.9, 1.0], store="F.zarr")
     if "pdf" in example:
         monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
     if "--check certificate.json" in example:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.certification.certificate import Certificate
     from nonsmooth.runtime.certification.certify import certify
     from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
+    from nonsmooth.runtime.charting.chart import chart, load_chart
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
     from nonsmooth.runtime.composition.recurring import Recurrence, itinerary_of
     from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
@@ -51,6 +52,7 @@ __all__ = [
     "Trajectory",
     "__version__",
     "certify",
+    "chart",
     "check_certificate",
     "compose",
     "compose_many",
@@ -58,6 +60,7 @@ __all__ = [
     "itinerary_of",
     "load",
     "load_certificate",
+    "load_chart",
     "load_found",
     "load_trajectory",
     "lyapunov",
@@ -89,12 +92,14 @@ _HOMES = {
     "Trajectory": "simulation.trajectory",
     "certify": "certification.certify",
     "check_certificate": "certification.saved",
+    "chart": "charting.chart",
     "compose": "composition.composed",
     "compose_many": "composition.composed",
     "find_orbits": "finding.find",
     "itinerary_of": "composition.recurring",
     "load": "saved:load_orbit_file",
     "load_certificate": "certification.saved",
+    "load_chart": "charting.chart",
     "load_found": "finding.saved",
     "load_trajectory": "simulation.saved",
     "lyapunov": "observing.lyapunov",

@@ -6,6 +6,7 @@
 `panels`         what is drawn of an orbit into one Axes
 `scenes`         of simulated motions
 `motion_panels`  what is drawn of a motion into one Axes
+`charts`         of the parameter plane
 `maps`           of many motions: basins, bifurcation diagrams
 ===============  ==============================================================
 """

@@ -1,4 +1,4 @@
-"""Pictures of what is in a file: an orbit, a motion, or orbits that were found."""
+"""Pictures of what is in a file: an orbit, a motion, orbits that were found, a chart."""
 
 from __future__ import annotations
 
@@ -22,9 +22,10 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     Parameters
     ----------
     path : Path
-        JSON of an orbit or of found orbits; .npz or .csv of a motion.
+        JSON of an orbit or of found orbits; .npz or .csv of a motion; folder of a chart.
     kind : str
-        As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase".
+        As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
+        and a chart only "all".
     periods : int
         How many periods of an orbit to draw against time.
 
@@ -39,6 +40,15 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     InputError
         If the file cannot be read or is cut, edited or foreign, or for a kind that it has not.
     """
+    if path.is_dir():
+        from nonsmooth.runtime.charting.chart import load_chart
+        from nonsmooth.runtime.charting.classes import title_of
+        from nonsmooth.runtime.pictures.charts import chart_figure
+        from nonsmooth.runtime.pictures.drawing import check_picture
+
+        check_picture(kind, ("all",))
+        chart = load_chart(path)
+        return {"chart": title_of(chart)}, chart_figure(chart)
     if path.suffix.lower() in (".npz", ".csv"):
         from nonsmooth.runtime.pictures.scenes import trajectory_figure
         from nonsmooth.runtime.simulation.saved import load_trajectory

@@ -1,0 +1,172 @@
+"""What is charted by brute force: where the motions from one start settle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.charting.problem import MISSING, Variable, fixed_values, table_hash
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.run import Status
+from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
+from nonsmooth.runtime.simulation.starting import start_state
+from nonsmooth.runtime.simulation.structure import structure_of
+
+__all__ = ["LONGEST", "AttractorProblem", "attractor_problem", "settled_lengths"]
+
+LONGEST = 32  # phases of a cycle that is looked for
+RETURN = 1e-6  # in units of the largest size of a state on the cycle
+_POINTS = 1 << 11  # of a chunk: about a second
+_LEAST = 1e-8  # size of a state in units of the largest
+
+
+@dataclass(frozen=True)
+class AttractorProblem:
+    """Motions from one start over a grid of parameters.
+
+    Attributes
+    ----------
+    system : str
+    fixed : tuple of (name, value)
+    start : tuple of float
+    transitions : int
+        After which the motions are looked at.
+    """
+
+    system: str
+    fixed: tuple[tuple[str, float], ...]
+    start: tuple[float, ...]
+    transitions: int
+
+    @property
+    def kernels(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        return load_system(self.system)
+
+    @property
+    def points(self) -> int:
+        """Points of a chunk, unless a user says otherwise."""
+        return _POINTS
+
+    def identity(self) -> dict[str, Any]:
+        """All that the numbers depend on but the grid."""
+        kernels = self.kernels
+        compiled = kernels.compiled is not None and compiled_engine() is not None
+        return {
+            "kind": "attractors",
+            "system": str(kernels.table["name"]),
+            "derivation": str(kernels.module.DERIVATION),
+            "table": table_hash(kernels.table),
+            "kernels": "c" if compiled else "numpy",
+            "parameters": {name: repr(value) for name, value in self.fixed},
+            "start": [repr(value) for value in self.start],
+            "transitions": self.transitions,
+        }
+
+    def variables(self) -> tuple[Variable, ...]:
+        """What is computed."""
+        told = {str(status.value): status.message for status in Status}
+        status = {
+            "long_name": "why the simulation ended",
+            "meanings": {str(MISSING): "not computed", "-1": "no configuration", **told},
+        }
+        names = structure_of(self.kernels).configurations
+        places = {"-1": "none", **{str(k): name for k, name in enumerate(names)}}
+        return (
+            Variable("status", "|i1", MISSING, status),
+            Variable(
+                "transitions",
+                "<i2",
+                -1,
+                {"long_name": "transitions in a period; 0 where the motion is not periodic"},
+            ),
+            Variable(
+                "period", "<f8", float("nan"), {"long_name": "period", "units": "nondimensional"}
+            ),
+            Variable(
+                "configuration",
+                "<i2",
+                -1,
+                {"long_name": "configuration at the end", "meanings": places},
+            ),
+        )
+
+    def compute(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+        """All variables at points whose parameters broadcast against each other."""
+        motions = simulate_many(
+            self.system,
+            {**dict(self.fixed), **values},
+            np.array(self.start),
+            transitions=self.transitions,
+            keep=2 * LONGEST + 1,
+            threads=1,
+        )
+        lengths = settled_lengths(motions)
+        times = motions.last_times
+        before = np.take_along_axis(times, (times.shape[-1] - 1 - lengths)[..., None], axis=-1)
+        return {
+            "status": motions.status.astype("i1"),
+            "transitions": lengths.astype("<i2"),
+            "period": np.where(lengths > 0, times[..., -1] - before[..., 0], np.nan),
+            "configuration": motions.configurations.astype("<i2"),
+        }
+
+
+def attractor_problem(
+    system: str,
+    given: Mapping[str, object],
+    swept: Sequence[str],
+    start: Mapping[str, object] | Sequence[object],
+    transitions: int,
+) -> AttractorProblem:
+    """Check names and values.
+
+    Raises
+    ------
+    InputError
+        For an unknown system, names or values that are wrong or missing, or fewer
+        transitions than two of the longest cycles have.
+    """
+    kernels = load_system(system)
+    most = checked_count("transitions", transitions, 1)
+    if most <= 2 * LONGEST:
+        raise InputError(
+            f"transitions = {most}: cycles of up to {LONGEST} are looked for, which takes more"
+            f" than {2 * LONGEST}"
+        )
+    fixed = fixed_values(kernels.parameters, given, swept, {}, kernels.name)
+    begin = start_state(structure_of(kernels), start)
+    return AttractorProblem(kernels.name, fixed, tuple(begin.tolist()), most)
+
+
+def settled_lengths(motions: Trajectories) -> np.ndarray:
+    """After how many transitions the end of each motion came back; 0 where it did not.
+
+    The last cycle repeats the configurations and boundaries of the one before; its size is
+    that of the motion's own states, so that nothing depends on other motions.
+
+    Returns
+    -------
+    array (...) of int
+    """
+    configurations, sets = motions.last_configurations, motions.last_sets
+    states, kept = motions.last_states, motions.last_times.shape[-1]
+    with np.errstate(invalid="ignore"):
+        largest = np.nan_to_num(np.abs(states)).max(axis=-2)
+        scale = np.maximum(largest, _LEAST * largest.max(axis=-1, keepdims=True))
+        scale[scale == 0] = 1.0
+        found = np.zeros(motions.status.shape, dtype=int)
+        for length in range(1, (kept - 1) // 2 + 1):
+            last, before = slice(kept - length, kept), slice(kept - 2 * length, kept - length)
+            same = (configurations[..., last] == configurations[..., before]).all(axis=-1)
+            same &= (sets[..., last] == sets[..., before]).all(axis=-1)
+            same &= configurations[..., kept - 2 * length - 1] >= 0
+            miss = np.abs(states[..., -1, :] - states[..., -1 - length, :]) / scale
+            same &= (miss <= RETURN).all(axis=-1) & (found == 0)
+            found[same & (motions.status == Status.TRANSITIONS)] = length
+    return found
