@@ -34,6 +34,7 @@ and the rooms, each with a map of its own:
 `simulation`      exact motions from event to event; the engine in C is `engine/`
 `observing`       peaks, averages, contact forces, Lyapunov exponents
 `composition`     periodic orbits of itineraries that have no kernels
+`continuation`    branches of orbits over a parameter, and what happens along them
 `finding`         the periodic orbits that live in a system, and their basins
 `charting`        charts of the parameter plane: chunked, resumed, on a cluster
 `validation`      the sequence of configurations of a motion, proved in balls

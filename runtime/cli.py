@@ -16,6 +16,7 @@ import typer
 from nonsmooth.runtime.commands import (  # noqa: F401 - their commands join the application
     certifying,
     charting,
+    continuing,
     generating,
     motions,
 )
@@ -202,7 +203,7 @@ def plot(
         typer.Argument(
             metavar="FILE",
             help="An orbit of `solve --save`, a motion of `simulate --save`, the orbits of"
-            " `find --save`, or a chart of `chart --out`.",
+            " `find --save`, a branch of `continue --save`, or a chart of `chart --out`.",
         ),
     ],
     kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,

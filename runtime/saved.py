@@ -42,8 +42,12 @@ __all__ = [
     "given_value",
     "load_orbit_file",
     "number_text",
+    "orbit_content",
+    "orbit_of",
+    "parsed",
     "read_number",
     "save_orbit",
+    "write_content",
 ]
 
 FORMAT = "nonsmooth orbit"
@@ -88,6 +92,11 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
     InputError
         If the orbit has not converged or the file cannot be written.
     """
+    write_content(Path(path), orbit_content(orbit))
+
+
+def orbit_content(orbit: Orbit) -> dict[str, Any]:
+    """Entries of an orbit's file; InputError if it has not converged."""
     from importlib.metadata import version
 
     if not orbit.converged:
@@ -109,9 +118,13 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
         "iterations": orbit.iterations,
         "status": orbit.status,
     }
-    content["sha256"] = checksum_of(content)
+    return {**content, "sha256": checksum_of(content)}
+
+
+def write_content(path: Path, content: Mapping[str, Any]) -> None:
+    """Write entries as JSON; what was there stays until the new content is complete."""
     text = json.dumps(content, indent=2, allow_nan=False) + "\n"
-    write_file(Path(path), text.encode())
+    write_file(path, text.encode())
 
 
 def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
@@ -131,14 +144,34 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
         the kernels that are installed. The message names the file.
     """
     try:
-        content = _content(read_file(Path(path), _LARGEST_FILE, "saved orbit"))
-        if content["format"] == FORMAT:
-            return _orbit(content, Path(path).parent)
-        from nonsmooth.runtime.composition.saved import composed_orbit
-
-        return composed_orbit(content, Path(path).parent)
+        content = parsed(read_file(Path(path), _LARGEST_FILE, "saved orbit"))
+        return orbit_of(content, Path(path).parent)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
+
+
+def parsed(found: bytes) -> Any:
+    """What JSON text holds; InputError if it is none."""
+    try:
+        return json.loads(found.decode("utf-8"))
+    except (ValueError, RecursionError):
+        raise InputError("cut, or not JSON") from None
+
+
+def orbit_of(content: Any, folder: Path) -> Orbit | ComposedOrbit:
+    """The orbit that the entries of a file in a folder describe, of one of the two formats.
+
+    Raises
+    ------
+    InputError
+        As for `load_orbit_file`, without the name of a file.
+    """
+    checked = _content(content)
+    if checked["format"] == FORMAT:
+        return _orbit(checked, folder)
+    from nonsmooth.runtime.composition.saved import composed_orbit
+
+    return composed_orbit(checked, folder)
 
 
 def bits_of(number: Any) -> int:
@@ -161,14 +194,10 @@ def checksum_of(content: Mapping[str, Any]) -> str:
     return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
 
 
-def _content(found: bytes) -> dict[str, Any]:
+def _content(content: Any) -> dict[str, Any]:
     """Entries of a file of one of the two formats."""
     from nonsmooth.runtime.composition import saved as composed
 
-    try:
-        content = json.loads(found.decode("utf-8"))
-    except (ValueError, RecursionError):
-        raise InputError("cut, or not JSON") from None
     known = {FORMAT: (VERSION, _FIELDS), composed.FORMAT: (composed.VERSION, composed.FIELDS)}
     if not isinstance(content, dict) or content.get("format") not in (FORMAT, composed.FORMAT):
         raise InputError("not a saved orbit, such as Orbit.save or --save writes")

@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 from benchmark_certify import certified
 from benchmark_chart import chart
+from benchmark_continuation import branch
 from benchmark_declared import declared
 from benchmark_simulation import composed, many, sequences, simulation
 from measuring import Row, timed
@@ -309,7 +310,7 @@ SECTIONS = {
     f.__name__: f
     for f in (
         *(batch, kernel, single, refine, derive, process),
-        *(simulation, many, sequences, composed, declared, certified, chart),
+        *(simulation, many, sequences, composed, declared, certified, chart, branch),
     )
 }
 

@@ -43,7 +43,9 @@ def empty_reproduction(monkeypatch: pytest.MonkeyPatch) -> None:
     """A reproduction of the paper that writes one empty file; the whole is a test of its own."""
     from nonsmooth.runtime.reproduce import writing
 
-    def write(out: Path, begin: Callable[[str], None]) -> tuple[Path, ...]:
+    def write(
+        out: Path, begin: Callable[[str], None], *, certified: bool = False
+    ) -> tuple[Path, ...]:
         begin("report")
         out.mkdir(exist_ok=True)
         (out / "results.json").write_text("{}")

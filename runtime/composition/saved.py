@@ -6,7 +6,6 @@ an orbit that is read has to be one of the system that is there.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from pathlib import Path
@@ -18,12 +17,11 @@ from nonsmooth.runtime.composition.passage import numbers_in
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.symmetry import symmetry_of
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.files import write_file
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbit import DOUBLE
 from nonsmooth.runtime.simulation.piecewise import piecewise, system_parameters
 
-__all__ = ["FIELDS", "FORMAT", "VERSION", "composed_orbit", "save_composed"]
+__all__ = ["FIELDS", "FORMAT", "VERSION", "composed_content", "composed_orbit", "save_composed"]
 
 FORMAT = "nonsmooth composed orbit"
 VERSION = 1
@@ -68,6 +66,13 @@ def save_composed(orbit: ComposedOrbit, path: str | os.PathLike[str]) -> None:
     InputError
         If the orbit has not converged or the file cannot be written.
     """
+    from nonsmooth.runtime.saved import write_content
+
+    write_content(Path(path), composed_content(orbit))
+
+
+def composed_content(orbit: ComposedOrbit) -> dict[str, Any]:
+    """Entries of an orbit's file; InputError if it has not converged."""
     from importlib.metadata import version
 
     from nonsmooth.runtime.saved import bits_of, checksum_of, number_text
@@ -104,9 +109,7 @@ def save_composed(orbit: ComposedOrbit, path: str | os.PathLike[str]) -> None:
         "iterations": orbit.iterations,
         "status": orbit.status,
     }
-    content["sha256"] = checksum_of(content)
-    text = json.dumps(content, indent=2, allow_nan=False) + "\n"
-    write_file(Path(path), text.encode())
+    return {**content, "sha256": checksum_of(content)}
 
 
 def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:

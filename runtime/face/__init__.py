@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.charting.chart import chart, load_chart
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
     from nonsmooth.runtime.composition.recurring import Recurrence, itinerary_of
+    from nonsmooth.runtime.continuation.branch import Branch, continue_orbit
+    from nonsmooth.runtime.continuation.event import Event
+    from nonsmooth.runtime.continuation.plane import Locus, continue_event
+    from nonsmooth.runtime.continuation.saved import load_branch
     from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
     from nonsmooth.runtime.finding.find import Found, find_orbits
     from nonsmooth.runtime.finding.saved import load_found
@@ -35,10 +39,13 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "Branch",
     "Certificate",
     "ComposedOrbit",
+    "Event",
     "Found",
     "InputError",
+    "Locus",
     "MissingExtra",
     "Motion",
     "NoConvergence",
@@ -56,9 +63,12 @@ __all__ = [
     "check_certificate",
     "compose",
     "compose_many",
+    "continue_event",
+    "continue_orbit",
     "find_orbits",
     "itinerary_of",
     "load",
+    "load_branch",
     "load_certificate",
     "load_chart",
     "load_found",
@@ -76,9 +86,12 @@ __all__ = [
 
 _HOMES = {
     "Certificate": "certification.certificate",
+    "Branch": "continuation.branch",
     "ComposedOrbit": "composition.composed",
+    "Event": "continuation.event",
     "Found": "finding.find",
     "InputError": "errors",
+    "Locus": "continuation.plane",
     "MissingExtra": "errors",
     "Motion": "motion",
     "NoConvergence": "errors",
@@ -95,11 +108,14 @@ _HOMES = {
     "chart": "charting.chart",
     "compose": "composition.composed",
     "compose_many": "composition.composed",
+    "continue_event": "continuation.plane",
+    "continue_orbit": "continuation.branch",
     "find_orbits": "finding.find",
     "itinerary_of": "composition.recurring",
     "load": "saved:load_orbit_file",
     "load_certificate": "certification.saved",
     "load_chart": "charting.chart",
+    "load_branch": "continuation.saved",
     "load_found": "finding.saved",
     "load_trajectory": "simulation.saved",
     "lyapunov": "observing.lyapunov",

@@ -1,4 +1,4 @@
-"""Pictures of what is in a file: an orbit, a motion, orbits that were found, a chart."""
+"""Pictures of what is in a file: an orbit, a branch, a motion, orbits that were found, a chart."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nonsmooth.runtime.continuation.event import FORMAT as BRANCH
+from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding import saved as found_orbits
 
 if TYPE_CHECKING:
@@ -22,7 +24,7 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     Parameters
     ----------
     path : Path
-        JSON of an orbit or of found orbits; .npz or .csv of a motion; folder of a chart.
+        JSON of an orbit, a branch or found orbits; .npz or .csv of a motion; folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and a chart only "all".
@@ -55,7 +57,15 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
 
         motion = load_trajectory(path)
         return {"system": motion.name}, trajectory_figure(motion, kind)
-    if _holds_found(path):
+    if _holds(path, BRANCH):
+        from nonsmooth.runtime.continuation.drawing import branch_figure
+        from nonsmooth.runtime.continuation.saved import load_branch
+
+        branch = load_branch(path)
+        if kind != "all":
+            raise InputError(f"a branch has one kind of picture, all, not {kind}")
+        return {"orbit": branch.name}, branch_figure(branch)
+    if _holds(path, found_orbits.FORMAT):
         from nonsmooth.runtime.pictures.found import found_figure
 
         found = found_orbits.load_found(path)
@@ -73,11 +83,11 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     return {"orbit": orbit.name}, composed_figure(orbit, kind, periods=periods)
 
 
-def _holds_found(path: Path) -> bool:
-    """Whether a file begins as one of found orbits does; what cannot be read does not."""
+def _holds(path: Path, form: str) -> bool:
+    """Whether a file begins as one of a format does; what cannot be read does not."""
     try:
         with path.open(encoding="utf-8") as file:
             beginning = file.read(_BEGINNING)
     except (OSError, ValueError):
         return False
-    return json.dumps(found_orbits.FORMAT) in beginning
+    return json.dumps(form) in beginning

@@ -1,0 +1,271 @@
+"""Composed orbits as a family to be followed.
+
+Unknowns are the dwell times and the state at the start; the equations are the switching
+conditions and closure. Flows are exponentials of the fields at a parameter with a tiny
+imaginary part: the imaginary part of what comes out is the derivative by the parameter, to
+full precision, since the kernels of fields, rows and resets are rational and nothing is
+subtracted (Al-Mohy and Higham, Numer. Algorithms 53, 2010).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy
+from dataclasses import replace
+
+import numpy as np
+
+from nonsmooth.runtime.arithmetic import FLOATS
+from nonsmooth.runtime.composition.admissible import assess_cycle
+from nonsmooth.runtime.composition.composed import compose
+from nonsmooth.runtime.composition.newton import sizes as sizes_along
+from nonsmooth.runtime.composition.passage import Cycle, Numbers, numbers_in, pass_through
+from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.composition.stability import mechanical_states, stroboscopic_maps
+from nonsmooth.runtime.composition.symmetry import closing, whole_orbit
+from nonsmooth.runtime.continuation.matrices import (
+    eigenvalues,
+    exponentials,
+    sorted_by_size,
+)
+from nonsmooth.runtime.continuation.phases import conditions_of, phase_waves
+from nonsmooth.runtime.continuation.waves import PhaseWaves
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.simulation.piecewise import numbers_at, piecewise_at
+from nonsmooth.runtime.values import as_value
+
+__all__ = ["PERIOD", "ComposedCurve"]
+
+PERIOD = "period"
+_IMAGINARY = 1e-30  # of the parameter, in units of max(1, |it|)
+
+
+class ComposedCurve:
+    """A `ComposedOrbit` over one parameter, or over its period if that was given."""
+
+    def __init__(self, orbit: ComposedOrbit, parameter: str, length: float) -> None:
+        if len(orbit.cycle.structure.forcing) > 1:
+            raise InputError(f"{orbit.name} has several forcings: its branches are not followed")
+        kernels = orbit.kernels
+        self.orbit, self.parameter = orbit, parameter
+        self.order = 1 if orbit.symmetry is None else orbit.symmetry.order
+        self._parameters = [p.name for p in kernels.parameters]
+        self._base = np.array([float(orbit.parameters[name]) for name in self._parameters])
+        closed, self._cycle = closing(orbit.piecewise, orbit.cycle, orbit.symmetry)
+        count = len(self._cycle)
+        dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
+        now = pass_through(self._cycle, numbers_in(closed), dwell, start, np)
+        self.dwell_names = orbit.dwell_time_names[:count]
+        names = tuple(orbit.unknowns)
+        self.names = (*self.dwell_names, *names[len(orbit.itinerary) :])
+        self.phases = self._cycle.itinerary
+        value = orbit.period if parameter == PERIOD else float(orbit.parameters[parameter])
+        self.first = np.array([*dwell, *start, value])
+        waits = np.full(count, dwell.sum())
+        self.sizes = np.concatenate([waits, sizes_along(now, dwell), [length]])
+        stability = orbit.stability if orbit.symmetry is None else orbit.part_stability
+        self._rank, self._family = stability.rank, orbit.family
+        self._driven = mechanical_states(self._cycle)
+        # a forcing, or no family, determines the period by itself
+        self._timed = orbit.given_period is not None and orbit.family
+        if parameter == PERIOD and not self._timed:
+            raise InputError(f"{orbit.name}: the period is determined by the other parameters")
+        self._conditions = conditions_of(self._cycle, numbers_in(closed), now)
+
+    def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """See `Curve`."""
+        cycle, count, size = self._cycle, len(self._cycle), len(self._cycle.structure.states)
+        tiny = _IMAGINARY * max(1.0, abs(z[-1]))
+        fields, rows, resets = self._complex_numbers(z[-1], tiny)
+        start = z[count:-1]
+        generators = np.zeros((count, size + 1, size + 1), dtype=complex)
+        generators[:, :size] = fields[list(cycle.configurations)]
+        flows = exponentials(generators * z[:count, None, None])[:, :size]
+        state = start.astype(complex)
+        linear = np.zeros((size, count + size))
+        linear[:, count:] = np.eye(size)
+        missed, slopes = [], []
+        for place, configuration in enumerate(cycle.configurations):
+            flow, field = flows[place], fields[configuration]
+            end = flow[:, :size] @ state + flow[:, size]
+            linear = flow[:, :size].real @ linear
+            linear[:, place] += (field[:, :size] @ end + field[:, size]).real
+            row, reset = rows[cycle.rows[place]], resets[cycle.transitions[place].reset]
+            missed.append(row[:size] @ end + row[size])
+            slopes.append(row[:size].real @ linear)
+            state = reset[:, :size] @ end + reset[:, size]
+            linear = reset[:, :size].real @ linear
+        closure, by_unknowns = state - start, linear.copy()
+        by_unknowns[:, count:] -= np.eye(size)
+        for c, s in cycle.structure.forcing:
+            # its amplitude is 1; that it turns by whole turns is one equation, not two
+            closure[c] = start[c] ** 2 + start[s] ** 2 - 1
+            by_unknowns[c] = 0
+            by_unknowns[c, [count + c, count + s]] = 2 * start[[c, s]]
+            closure[s] = start[c] * state[s] - start[s] * state[c]
+            by_unknowns[s] = start[c] * linear[s] - start[s] * linear[c]
+            by_unknowns[s, [count + c, count + s]] += state.real[s], -state.real[c]
+        values = np.concatenate([missed, closure])
+        jacobian = np.concatenate([slopes, by_unknowns])
+        by_parameter = values.imag / tiny
+        residual = values.real
+        if self._timed:
+            row = np.concatenate([np.ones(count), np.zeros(size)])
+            jacobian = np.concatenate([jacobian, row[None]])
+            wanted = z[-1] if self.parameter == PERIOD else self.orbit.period
+            residual = np.append(residual, z[:count].sum() - wanted / self.order)
+            rate = -1.0 / self.order if self.parameter == PERIOD else 0.0
+            by_parameter = np.append(by_parameter, rate)
+        return residual, np.concatenate([jacobian, by_parameter[:, None]], axis=1)
+
+    def dwell(self, z: np.ndarray) -> np.ndarray:
+        """See `Curve`."""
+        return z[:, : len(self._cycle)]
+
+    def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
+        """See `Curve`."""
+        found = []
+        for places, cycle, numbers in self._groups(z):
+            part = z[places]
+            dwell, start = self._unknowns(part)
+            now = pass_through(cycle, numbers, dwell, start, np)
+            phases = range(len(cycle))
+            found.append((places, [phase_waves(cycle, numbers, now, dwell, k) for k in phases]))
+        return found
+
+    def conditions(self, z: np.ndarray) -> np.ndarray:
+        """See `Curve`: the lowest derivative along a flow that is not zero at the start."""
+        found = np.empty((len(z), len(self._conditions.rows)))
+        for places, cycle, numbers in self._groups(z):
+            now = pass_through(cycle, numbers, *self._unknowns(z[places]), np)
+            for column, condition in enumerate(self._conditions.rows):
+                found[places, column] = condition.value(numbers, now)
+        return found
+
+    @property
+    def condition_places(self) -> Sequence[int]:
+        """See `Curve`."""
+        return [condition.place for condition in self._conditions.rows]
+
+    def taken(self, conditions: np.ndarray) -> np.ndarray:
+        """See `Curve`."""
+        return self._conditions.taken(conditions)
+
+    def multipliers(self, z: np.ndarray) -> np.ndarray:
+        """See `Curve`."""
+        size = len(self._cycle.structure.states)
+        found = np.full((len(z), self._rank - self._family), np.nan, dtype=complex)
+        for places, cycle, numbers in self._groups(z):
+            dwell, start = self._unknowns(z[places])
+            with np.errstate(all="ignore"):  # infinite where a boundary is touched
+                now = pass_through(cycle, numbers, dwell, start, np)
+            matrices = now.matrix[..., :size]
+            if self._driven is not None:
+                field = numbers.fields[:, cycle.configurations[0]]
+                matrices = stroboscopic_maps(cycle, field, start, matrices, self._driven)
+            values = eigenvalues(matrices)
+            if self._family:
+                trivial = np.argmin(abs(values - 1), axis=-1)
+                values[np.arange(len(values)), trivial] = 0
+                values = sorted_by_size(values)
+            found[places] = values[:, : found.shape[1]]
+        return found
+
+    def traces(self, z: np.ndarray) -> np.ndarray:
+        """See `Curve`."""
+        powers = self.multipliers(z) ** self.order
+        return np.asarray(powers.sum(axis=-1).real + self._family)
+
+    @property
+    def conservative(self) -> bool:
+        """See `Curve`."""
+        return self._family
+
+    def admissible(self, z: np.ndarray) -> np.ndarray:
+        """See `Curve`."""
+        return np.array([self._admissible(point) for point in z])
+
+    def _admissible(self, z: np.ndarray) -> bool:
+        if not (np.isfinite(z).all() and (self.dwell(z[None]) > 0).all()):
+            return False
+        system = piecewise_at(self.orbit.kernels, self._point(z[-1]))
+        cycle = self.orbit.cycle.at(system.structure)
+        dwell, start = self._unknowns(z)
+        times, _ = whole_orbit(self.orbit.symmetry, dwell, start[None])
+        now = pass_through(cycle, numbers_in(system), times, start, np)
+        return bool(assess_cycle(cycle, system, now, times).verdict)
+
+    def at(self, z: np.ndarray) -> ComposedOrbit:
+        """See `Curve`."""
+        orbit, symmetry = self.orbit, self.orbit.symmetry
+        period = orbit.given_period
+        values = dict(orbit.parameters)
+        if self.parameter == PERIOD:
+            period = as_value(float(z[-1]))
+        else:
+            values[self.parameter] = as_value(float(z[-1]))
+        dwell, start = self._unknowns(z)
+        found = compose(
+            orbit.kernels,
+            values,
+            self._cycle.itinerary,
+            dwell.tolist(),
+            start.tolist(),
+            period=period,
+            symmetry=None if symmetry is None else symmetry.matrix,
+        )
+        return replace(found, label=orbit.label, names=orbit.names)
+
+    def moved(self, name: str, value: float) -> ComposedCurve:
+        """See `Curve`."""
+        other = copy(self)
+        changed = {**self.orbit.parameters, name: as_value(value)}
+        other.orbit = replace(self.orbit, parameters=changed)
+        other._base = self._base.copy()
+        other._base[self._parameters.index(name)] = value
+        return other
+
+    def _unknowns(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Dwell times and start."""
+        count = len(self._cycle)
+        return z[..., :count], z[..., count:-1]
+
+    def _point(self, value: float) -> np.ndarray:
+        point = self._base.copy()
+        if self.parameter != PERIOD:
+            point[self._parameters.index(self.parameter)] = value
+        return point
+
+    def _complex_numbers(self, value: float, tiny: float) -> tuple[np.ndarray, ...]:
+        """Fields, rows and resets, the last reset that of the part's closure."""
+        size = len(self._cycle.structure.states)
+        point = self._point(value).astype(complex)
+        if self.parameter != PERIOD:
+            point[self._parameters.index(self.parameter)] += 1j * tiny
+        fields, rows, resets = (
+            np.array(self.orbit.kernels.source(name)(point, lib=FLOATS), dtype=complex)
+            for name in ("fields", "rows", "resets")
+        )
+        resets = resets.reshape(-1, size, size + 1)
+        if self.orbit.symmetry is not None:
+            last = self.orbit.cycle.transitions[len(self._cycle) - 1].reset
+            closing_reset = self.orbit.symmetry.matrix @ resets[last]
+            resets = np.concatenate([resets, closing_reset[None]])
+        return fields.reshape(-1, size, size + 1), rows.reshape(-1, size + 1), resets
+
+    def _groups(self, z: np.ndarray) -> list[tuple[np.ndarray, Cycle, Numbers]]:
+        """Numbers of the system at many points, grouped by the modes that they have."""
+        points = np.stack([self._point(value) for value in z[:, -1].tolist()])
+        found = []
+        for group in numbers_at(self.orbit.kernels, points):
+            numbers = numbers_in(group.structure, group.flat)
+            cycle = self._cycle
+            if self.orbit.symmetry is not None:
+                last = self.orbit.cycle.transitions[len(cycle) - 1].reset
+                closing_reset = self.orbit.symmetry.matrix @ numbers.resets[:, last]
+                resets = np.concatenate([numbers.resets, closing_reset[:, None]], axis=1)
+                numbers = numbers._replace(resets=resets)
+            modes = group.structure.shapes
+            here = cycle.at(cycle.structure.with_modes(modes))
+            found.append((group.places, here, numbers))
+        return found

@@ -1,0 +1,76 @@
+"""What happens at one point of a branch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+__all__ = ["BORDER_COLLISIONS", "FORMAT", "KINDS", "Event"]
+
+FORMAT = "nonsmooth branch"  # of its file
+
+KINDS = {
+    "fold": "the branch turns",
+    "flip": "a multiplier is -1: an orbit of twice the period branches off",
+    "neimark-sacker": "a pair of multipliers is on the unit circle: a torus branches off",
+    "branch-point": "a multiplier is 1: another branch crosses",
+    "symmetry-breaking": "a pair of orbits without the symmetry branches off",
+    "grazing": "a boundary is touched inside a phase",
+    "tangent": "a phase leaves its boundary, or reaches it, without speed",
+    "entry": "a boundary is already reached where a phase begins",
+    "simultaneous": "another boundary is reached at the same instant",
+    "condition": "a condition of a transition just holds",
+    "vanishing-phase": "a dwell time shrinks to zero",
+    "admissibility": "the orbit ceases to be a motion of the real system",
+}
+
+BORDER_COLLISIONS = (
+    "grazing",
+    "tangent",
+    "entry",
+    "simultaneous",
+    "condition",
+    "vanishing-phase",
+    "admissibility",
+)
+
+
+@dataclass(frozen=True)
+class Event:
+    """A point of a branch where something happens.
+
+    Attributes
+    ----------
+    kind : str
+        A key of `KINDS`.
+    parameter : str
+    value : float
+        Of the parameter.
+    unknowns : dict of str to float
+    phase : int or None
+        Counted from 0, where it is a matter of one.
+    configuration, boundary : str
+        Of that phase; empty otherwise.
+    time : float or None
+        Since that phase began.
+    place : float
+        On the branch: between its points with the numbers before and behind it.
+    text : str
+        All of it in words.
+    """
+
+    kind: str
+    parameter: str
+    value: float
+    unknowns: Mapping[str, float]
+    phase: int | None
+    configuration: str
+    boundary: str
+    time: float | None
+    place: float
+    text: str
+
+    @property
+    def border_collision(self) -> bool:
+        """Whether the itinerary changes here."""
+        return self.kind in BORDER_COLLISIONS

@@ -1,0 +1,150 @@
+"""Branches in files: JSON with every digit, refused when it is cut, edited or foreign.
+
+Numbers are decimal strings that give back the very same doubles. The orbit that the branch
+was followed from is in the file too, and is checked as a saved orbit is.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.composition.saved import composed_content
+from nonsmooth.runtime.continuation.branch import Branch
+from nonsmooth.runtime.continuation.event import FORMAT, KINDS, Event
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.files import read_file
+from nonsmooth.runtime.saved import (
+    check_fields,
+    checksum_of,
+    orbit_content,
+    orbit_of,
+    parsed,
+    write_content,
+)
+
+__all__ = ["FORMAT", "load_branch", "save_branch"]
+
+VERSION = 1
+_FIELDS: dict[str, type] = {
+    "format": str,
+    "version": int,
+    "package": str,
+    "name": str,
+    "parameter": str,
+    "unknown_names": list,
+    "columns": list,
+    "stability": list,
+    "admissible": list,
+    "events": list,
+    "ends": list,
+    "start": int,
+    "orbit": list,
+    "sha256": str,
+}
+_LARGEST_FILE = 500_000_000  # bytes
+_COLUMNS = ("parameter_values", "unknowns", "period", "multipliers", "trace")
+
+
+def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
+    """Write a branch to a file; what was there stays until the new content is complete.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    from importlib.metadata import version
+
+    orbit = branch.orbit
+    content: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "package": version("nonsmooth"),
+        "name": branch.name,
+        "parameter": branch.parameter,
+        "unknown_names": list(branch.unknown_names),
+        "columns": [_texts(getattr(branch, name)) for name in _COLUMNS],
+        "stability": list(branch.stability),
+        "admissible": branch.admissible.tolist(),
+        "events": [_entries(event) for event in branch.events],
+        "ends": list(branch.ends),
+        "start": branch.start,
+        "orbit": [
+            composed_content(orbit) if isinstance(orbit, ComposedOrbit) else orbit_content(orbit)
+        ],
+    }
+    write_content(Path(path), {**content, "sha256": checksum_of(content)})
+
+
+def load_branch(path: str | os.PathLike[str]) -> Branch:
+    """Read a branch that `Branch.save` wrote.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
+        the system that is there. The message names the file.
+    """
+    try:
+        content = parsed(read_file(Path(path), _LARGEST_FILE, "saved branch"))
+        if not isinstance(content, dict) or content.get("format") != FORMAT:
+            raise InputError("not a saved branch, such as Branch.save or --save writes")
+        check_fields(content, VERSION, _FIELDS)
+        return _branch(content, Path(path).parent)
+    except InputError as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+
+
+def _branch(content: dict[str, Any], folder: Path) -> Branch:
+    (entries,) = content["orbit"]
+    orbit = orbit_of(entries, folder)
+    values, unknowns, period, multipliers, trace = map(_numbers, content["columns"])
+    names = tuple(content["unknown_names"])
+    count = len(values)
+    return Branch(
+        orbit.name,
+        content["parameter"],
+        values.real,
+        names,
+        unknowns.real.reshape(count, len(names)),
+        period.real,
+        multipliers.reshape(count, -1),
+        trace.real,
+        tuple(content["stability"]),
+        np.array(content["admissible"], dtype=bool),
+        tuple(_event(entry) for entry in content["events"]),
+        (content["ends"][0], content["ends"][1]),
+        content["start"],
+        orbit,
+    )
+
+
+def _texts(array: np.ndarray) -> list[str]:
+    """Numbers, row by row, as decimal texts of real and imaginary parts."""
+    return [
+        f"{float(x.real)!r} {float(x.imag)!r}" if x.imag else repr(float(x.real))
+        for x in np.ravel(array).tolist()
+    ]
+
+
+def _numbers(texts: Sequence[str]) -> np.ndarray:
+    parts = (tuple(map(float, text.split())) for text in texts)
+    return np.array([complex(*pair) for pair in parts], dtype=complex)
+
+
+def _entries(event: Event) -> dict[str, Any]:
+    found = {field.name: getattr(event, field.name) for field in fields(event)}
+    return {**found, "unknowns": dict(event.unknowns)}
+
+
+def _event(entry: Any) -> Event:
+    if entry["kind"] not in KINDS:
+        raise InputError(f"{entry['kind']!r} is no kind of event")
+    return Event(**entry)

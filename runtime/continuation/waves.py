@@ -1,0 +1,112 @@
+"""Boundary functions along the phases of many points at once: values, ends, interior maxima.
+
+Along a phase a boundary function is a sum of functions of time, the same for all boundaries
+of a configuration, times coefficients. Maxima are looked for between samples, dense compared
+with the fastest oscillation, and polished by Newton's method: this locates events. Whether an
+orbit is admissible is decided by the guaranteed search.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+__all__ = ["Ends", "PhaseWaves", "ends_of", "interior_maxima"]
+
+_LEAST_CELLS, _CELLS_PER_RADIAN, _MOST_CELLS = 16, 3, 600
+_POLISHING = 12  # steps of Newton's method, or of bisection where it leaves its cell
+_EDGE = 1e-7  # of a dwell time: a maximum nearer to the ends is no interior one
+
+
+@dataclass(frozen=True)
+class PhaseWaves:
+    """Boundary functions along one phase at k points.
+
+    Attributes
+    ----------
+    phase : int
+    names : tuple of str
+        Of the boundaries, b of them.
+    leaving : int
+        Place among them of the boundary that ends the phase.
+    durations : array (k,)
+    fastest : float
+        Largest absolute value of an exponent.
+    basis : callable
+        Functions of time (l, f) from places of points (l,) and times (l,).
+    coefficients : array (3, k, b, f)
+        Of the boundary functions, their rates and the rates of these.
+    """
+
+    phase: int
+    names: tuple[str, ...]
+    leaving: int
+    durations: np.ndarray
+    fastest: float
+    basis: Callable[[np.ndarray, np.ndarray], np.ndarray]
+    coefficients: np.ndarray
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Boundary functions and their rates at both ends of a phase, arrays (2, k, b).
+
+    `sizes` are the sums of the absolute values that they are made of.
+    """
+
+    starts: np.ndarray
+    stops: np.ndarray
+    start_sizes: np.ndarray
+    stop_sizes: np.ndarray
+
+
+def ends_of(waves: PhaseWaves) -> Ends:
+    """Values at both ends of a phase."""
+    points = np.arange(len(waves.durations))
+    found = []
+    for times in (np.zeros_like(waves.durations), waves.durations):
+        functions = waves.basis(points, times)
+        coefficients = waves.coefficients[:2]
+        found.append(np.einsum("jkbf,kf->jkb", coefficients, functions))
+        found.append(np.einsum("jkbf,kf->jkb", abs(coefficients), abs(functions)))
+    return Ends(found[0], found[2], found[1], found[3])
+
+
+def interior_maxima(waves: PhaseWaves) -> tuple[np.ndarray, np.ndarray]:
+    """Largest local maximum inside the phase, and its time; arrays (k, b), NaN for none."""
+    count, boundaries = waves.coefficients.shape[1:3]
+    angle = waves.fastest * float(np.max(waves.durations, initial=0.0))
+    cells = int(min(_LEAST_CELLS + _CELLS_PER_RADIAN * angle, _MOST_CELLS))
+    parts = np.linspace(0.0, 1.0, cells + 1)
+    times = waves.durations[:, None] * parts
+    points = np.repeat(np.arange(count), cells + 1)
+    functions = waves.basis(points, times.ravel()).reshape(count, cells + 1, -1)
+    slopes = np.einsum("kbf,kmf->kbm", waves.coefficients[1], functions)
+    point, boundary, cell = np.nonzero((slopes[..., :-1] > 0) & (slopes[..., 1:] <= 0))
+    low, high = times[point, cell], times[point, cell + 1]
+    first, last = slopes[point, boundary, cell], slopes[point, boundary, cell + 1]
+    value, slope, curvature = waves.coefficients[:, point, boundary]
+    time = low + (high - low) * first / (first - last)
+    for _ in range(_POLISHING):
+        here = waves.basis(point, time)
+        rate, change = (slope * here).sum(axis=-1), (curvature * here).sum(axis=-1)
+        low, high = np.where(rate > 0, time, low), np.where(rate > 0, high, time)
+        with np.errstate(all="ignore"):
+            newton = time - rate / change
+        inside = (newton >= low) & (newton <= high)
+        following = np.where(inside, newton, 0.5 * (low + high))
+        settled = np.abs(following - time) <= 1e-15 * np.abs(time)
+        time = following
+        if settled.all():
+            break
+    found = (value * waves.basis(point, time)).sum(axis=-1)
+    length = waves.durations[point]
+    kept = (time > _EDGE * length) & (time < (1 - _EDGE) * length)
+    best = np.full((count, boundaries), -np.inf)
+    np.maximum.at(best, (point[kept], boundary[kept]), found[kept])
+    when = np.full((count, boundaries), np.nan)
+    top = kept & (found == best[point, boundary])
+    when[point[top], boundary[top]] = time[top]
+    return np.where(np.isfinite(best), best, np.nan), when

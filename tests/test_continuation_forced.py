@@ -1,0 +1,175 @@
+"""Branches of impact oscillators: folds, flips and tori in closed form, multipliers by simulation.
+
+Closed forms: C. Budd and F. Dux, Phil. Trans. R. Soc. Lond. A 347 (1994).
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+import nonsmooth
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+
+W, R = 2.8, 0.8
+
+
+@cache
+def system() -> System:
+    r, sigma, w, c = sp.symbols("r sigma w c")
+    return oscillator(
+        "impact-oscillator",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[c]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[RigidStop("x", at=sigma, restitution=r, name="wall")],
+        parameters=[
+            Parameter("sigma", "position of the stop", lower=-sp.oo),
+            Parameter("w", "frequency of the forcing"),
+            Parameter("c", "damping", lower=-sp.oo),
+        ],
+    )
+
+
+@cache
+def orbit(sigma: float = 0, c: float = 0) -> nonsmooth.ComposedOrbit:
+    return nonsmooth.compose(
+        system(),
+        {"r": R, "sigma": sigma, "w": W, "c": c},
+        [("free", "wall-reaches-stop")],
+        [2 * math.pi / W],
+    )
+
+
+@cache
+def branch() -> nonsmooth.Branch:
+    return nonsmooth.continue_orbit(orbit(), "sigma", (-2.0, 0.14), step=0.02)
+
+
+def closed_forms() -> tuple[float, float]:
+    """Stops at which the orbits of one impact in a period of the forcing fold and flip."""
+    period = 2 * math.pi / W
+    cotangent, gain = 1 / math.tan(period / 2), 1 / (1 - W * W)
+    fold = gain * math.sqrt(1 + (W * cotangent * (1 + R) / (1 - R)) ** 2)
+    ratio = (
+        (1 - W * W) * (1 + R) * cotangent / 2
+        + (1 + R * R - 2 * R * math.cos(period)) / ((1 + R) * math.sin(period))
+    ) / W**2
+    speed = abs(gain) / math.hypot(ratio + (1 + R) * cotangent / 2, (1 - R) / (2 * W))
+    return fold, ratio * speed
+
+
+def test_fold_and_flip_in_closed_form() -> None:
+    fold, flip = closed_forms()
+    events = {kind: [e for e in branch().events if e.kind == kind] for kind in ("fold", "flip")}
+    assert [e.value for e in events["fold"]] == [pytest.approx(fold, abs=1e-12)]
+    assert events["flip"][-1].value == pytest.approx(flip, abs=1e-11)
+    # the branch turns: no point is beyond the fold, and both orbits are on it
+    assert branch().parameter_values.min() >= fold - 1e-12
+    assert np.count_nonzero(np.diff(np.sign(branch().parameter_values + 1.0))) == 2
+    assert branch().stability.count("stable") > 10
+
+
+def test_impact_speeds_solve_the_closed_equation() -> None:
+    period = 2 * math.pi / W
+    cotangent, gain = 1 / math.tan(period / 2), 1 / (1 - W * W)
+    sigma = branch().parameter_values
+    speed = -branch().quantity("v0") / R
+    missed = (sigma + (1 + R) * cotangent * speed / 2) ** 2 + ((1 - R) * speed / (2 * W)) ** 2
+    np.testing.assert_allclose(missed, gain**2, rtol=1e-10)
+
+
+def test_multipliers_by_simulation() -> None:
+    admissible = np.flatnonzero(branch().admissible & (branch().quantity("v0") < -0.05))
+    for place in admissible[:: len(admissible) // 4].tolist():
+        here = branch().orbit_at(place)
+        start = here.states[0].astype(float)
+        angle = math.atan2(start[3], start[2])
+
+        def impact(moved: np.ndarray, here=here, start=start) -> np.ndarray:
+            speed, turn = moved
+            state = [start[0], speed, math.cos(turn), math.sin(turn)]
+            motion = nonsmooth.simulate(system(), here.parameters, state, "free", transitions=1)
+            end = motion.states[-1]
+            return np.array(
+                [end[1], turn + math.remainder(math.atan2(end[3], end[2]) - turn, 2 * math.pi)]
+            )
+
+        base = np.array([start[1], angle])
+        columns = [(impact(base + h) - impact(base - h)) / 2e-6 for h in 1e-6 * np.eye(2)]
+        expected = np.sort_complex(np.linalg.eigvals(np.stack(columns, axis=-1)))
+        found = np.sort_complex(branch().multipliers[place])
+        np.testing.assert_allclose(found, expected, atol=1e-5)
+        assert np.prod(found).real == pytest.approx(R * R, abs=1e-9)
+
+
+def test_torus_where_the_area_is_kept() -> None:
+    # between impacts the area shrinks by e^(-c T), at an impact by r^2
+    damped = nonsmooth.continue_orbit(orbit(-0.5), "c", (-0.4, 0.4), step=0.02)
+    (event,) = [e for e in damped.events if e.kind == "neimark-sacker"]
+    assert event.value == pytest.approx(2 * math.log(R) / (2 * math.pi / W), abs=1e-11)
+    multipliers = damped.orbit_at(event).multipliers
+    np.testing.assert_allclose(np.abs(multipliers), 1, atol=1e-9)
+
+
+def test_grazing_beyond_which_the_wall_is_struck_twice() -> None:
+    (event,) = [e for e in branch().events if e.kind == "grazing"]
+    assert (event.phase, event.boundary) == (0, "wall-reaches-stop")
+    at = branch().orbit_at(event)
+    assert event.time is not None
+
+    def field(_: float, y: np.ndarray) -> list[float]:
+        return [y[1], y[2] - y[0], -W * y[3], W * y[2]]
+
+    motion = solve_ivp(
+        field, (0, 2), at.states[0].astype(float), method="DOP853", dense_output=True,
+        rtol=1e-13, atol=1e-13,
+    )  # fmt: skip
+    heights = motion.sol(event.time + 1e-3 * np.linspace(-1, 1, 3))[0]
+    assert heights[1] == pytest.approx(event.value, abs=1e-10)
+    assert heights.argmax() == 1
+    before, behind = math.floor(event.place), math.ceil(event.place)
+    assert branch().admissible[before] != branch().admissible[behind]
+
+
+def test_symmetry_breaking_between_two_stops() -> None:
+    r, w, f = sp.symbols("r w f")
+    between = oscillator(
+        "two-stops",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[sp.Rational(1, 10)]],
+        forcing=[Harmonic(w, cosine=[f])],
+        elements=[
+            RigidStop("x", 1, r, name="right"),
+            RigidStop("x", -1, r, name="left", side="lower"),
+        ],
+        parameters=[Parameter("w", "frequency"), Parameter("f", "force")],
+    )
+    data = {"r": 0.7, "w": 1.3, "f": 2}
+    motion = nonsmooth.simulate(between, data, [0, 1, 1, 0], transitions=400)
+    phases, dwell, start = nonsmooth.itinerary_of(motion)
+    mirrored = nonsmooth.compose(
+        between, data, phases[:1], dwell[:1].tolist(), start.tolist(),
+        symmetry={"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"},
+    )  # fmt: skip
+    found = nonsmooth.continue_orbit(mirrored, "w", (1.0, 2.0), step=0.03)
+    events = [event for event in found.events if event.kind == "symmetry-breaking"]
+    assert len(events) == 2
+    for event in events:
+        at = found.orbit_at(event)
+        nearest = min(at.part_stability.multipliers, key=lambda m: abs(m.real + 1))
+        assert nearest.real == pytest.approx(-1, abs=1e-8)
+    for place in (0, len(found) // 2, -1):
+        whole = found.orbit_at(place)
+        assert found.trace[place] == pytest.approx(whole.trace, abs=1e-9)
+        assert found.period[place] == pytest.approx(whole.period, abs=1e-12)
+        assert found.admissible[place] == whole.admissibility.verdict
