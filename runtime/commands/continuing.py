@@ -67,7 +67,13 @@ def follow(
         typer.Option("--beyond", help="Find the itineraries beyond each border collision."),
     ] = False,
     quantity: Annotated[
-        str, typer.Option("--quantity", metavar="NAME", help="What --plot draws.")
+        str,
+        typer.Option(
+            "--quantity",
+            metavar="NAME",
+            help="What --plot draws: period, frequency, trace, amplitude_x of a state x, or an"
+            " unknown.",
+        ),
     ] = "period",
     plot: Annotated[
         Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")

@@ -14,6 +14,7 @@
 `locating`    events between two points of a branch, to full precision
 `beyond`      itineraries on the other side of a border collision
 `plane`       a point of a kind, followed in two parameters
+`amplitudes`  how far a state swings: frequency responses and backbones
 `saved`       branches in files
 `drawing`     pictures of branches
 ============  ==============================================================

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.continuation.amplitudes import amplitude_of
 from nonsmooth.runtime.continuation.composed import PERIOD, ComposedCurve
 from nonsmooth.runtime.continuation.curve import Curve
 from nonsmooth.runtime.continuation.derived import DerivedCurve
@@ -110,14 +111,33 @@ class Branch:
         return next_itineraries(self, event)
 
     def quantity(self, name: str) -> np.ndarray:
-        """Values (k,) of "period", "trace", an unknown or the parameter."""
+        """Values (k,) of something over the branch.
+
+        Parameters
+        ----------
+        name : str
+            "period", "frequency" (2 pi over the period), "trace", an unknown, the parameter, or
+            "amplitude_x" of a state x: half of what it sweeps in a period. Over the frequency of
+            a forcing that is the frequency response; of a conservative family over its period,
+            beside "frequency", the backbone.
+
+        Raises
+        ------
+        InputError
+            For another name.
+        """
         if name == self.parameter:
             return self.parameter_values
+        if name == "frequency":
+            return np.asarray(2 * np.pi / self.period)
+        if name.startswith("amplitude_"):
+            state = name.removeprefix("amplitude_")
+            return np.array([amplitude_of(self.orbit_at(k), state) for k in range(len(self))])
         if name in ("period", "trace"):
             found: np.ndarray = getattr(self, name)
             return found
         if name not in self.unknown_names:
-            known = ("period", "trace", self.parameter, *self.unknown_names)
+            known = ("period", "frequency", "trace", self.parameter, *self.unknown_names)
             raise unknown_name("quantity", name, known)
         return np.asarray(self.unknowns[:, self.unknown_names.index(name)])
 
