@@ -376,7 +376,7 @@ def test_wrong_input() -> None:
     orbit = loop()
     for bits in (0, 52, MOST_BITS + 1, True, "128"):
         with pytest.raises(InputError, match="bits"):
-            ns.certify(orbit, bits)  # type: ignore[arg-type]
+            ns.certify(orbit, bits)  # type: ignore[arg-type]  # that is what is refused
     with pytest.raises(InputError, match="cannot be certified"):
         ns.certify(replace(orbit, status=1))
 

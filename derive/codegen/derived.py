@@ -109,6 +109,7 @@ def derive_system(
             equations, own, sources = _orbit(declaration, orbit)
         except DeclarationError:
             raise
+        # SymPy says NotImplementedError where it cannot solve or print
         except (ValueError, NotImplementedError) as problem:
             if orbit.vanishing:
                 raise

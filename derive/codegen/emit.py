@@ -144,6 +144,7 @@ def _c_functions(derived: DerivedSystem) -> list[_Function]:
     """Everything that C can hold: kernels, then solvers and admissibility tests."""
     name = derived.system.name
     found = []
+    # SymPy says NotImplementedError of what it cannot print in C
     for kernel, orbit in derived.kernels:
         with suppress(DerivationError, NotImplementedError):
             (wrapped,) = wrapped_functions(name, [(kernel, orbit)])
