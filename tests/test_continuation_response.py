@@ -35,3 +35,12 @@ def test_the_backbone_of_a_conservative_family() -> None:
     states = motion(np.linspace(0, motion.period, 20_001))
     place = motion.names.index("x1")
     assert found[0] == pytest.approx(np.ptp(states[:, place]) / 2, rel=1e-6)
+
+
+def test_a_branch_stays_inside_its_interval_where_the_end_is_singular() -> None:
+    """At W = 1/2 the orbit is one of a family: the equations do not determine it there."""
+    orbit = ns.solve(f"{PAGE}:without-rest")
+    branch = ns.continue_orbit(orbit, "W", (0.5, 0.61))
+    assert branch.ends[0] == "end of the interval"
+    assert branch.parameter_values.min() == pytest.approx(0.5, abs=1e-3)
+    assert branch.parameter_values.min() >= 0.5

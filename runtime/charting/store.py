@@ -239,7 +239,8 @@ def _difference(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> str:
             return f"its grid has other values of {_first_other(other, value)}"
         if name == "parameters" and isinstance(other, Mapping):
             which = _first_other(other, value)
-            return f"{which} = {other.get(which)} there, {value.get(which)} here"
+            there, here = (known.get(which, "not fixed") for known in (other, value))
+            return f"{which} is {there} there, {here} here"
         return f"{name} {_words(other)} there, {_words(value)} here"
     return "it has further entries"
 

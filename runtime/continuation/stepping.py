@@ -187,13 +187,31 @@ def _ended(
     part, normal, offset, reason = min(ends, key=lambda end: end[0])
     found = correct(curve, z + part * (following - z), normal, offset)
     if found is None:
-        return following, reason
+        inside = _before(curve, z, following, limits) if reason.startswith("end") else following
+        return inside, reason
     point = found[0]
     if reason.startswith("end"):
         point[-1] = (
             limits[0] if abs(point[-1] - limits[0]) < abs(point[-1] - limits[1]) else limits[1]
         )
     return point, reason
+
+
+def _before(
+    curve: Curve, z: np.ndarray, following: np.ndarray, limits: tuple[float, float]
+) -> np.ndarray:
+    """The last point of a step inside the interval, where its end itself is singular."""
+    chord = (following - z) / curve.sizes
+    chord /= np.linalg.norm(chord)
+    inside, low, high = z, 0.0, 1.0
+    for _ in range(40):
+        part = (low + high) / 2
+        found = correct(curve, z + part * (following - z), chord)
+        if found is not None and limits[0] <= found[0][-1] <= limits[1]:
+            inside, low = found[0], part
+        else:
+            high = part
+    return inside
 
 
 def _scaled_rows(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
