@@ -240,7 +240,7 @@ def _difference(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> str:
         if name == "parameters" and isinstance(other, Mapping):
             which = _first_other(other, value)
             there, here = (known.get(which, "not fixed") for known in (other, value))
-            return f"{which} is {there} there, {here} here"
+            return f"{which} = {there} there, {here} here"
         return f"{name} {_words(other)} there, {_words(value)} here"
     return "it has further entries"
 
