@@ -317,8 +317,8 @@ def test_conservative_cycles_are_recognised_exactly() -> None:
     assert form is not None
     (energy,) = form.energies.values()
     # m x'' = -K x: the stiffness matrix, and the masses, in the units of the form
-    unit = energy[2, 2]
-    assert [energy[i, j] / unit for i, j in ((0, 0), (0, 1), (1, 1), (3, 3))] == [1, -1, 6, 2]
+    unit = energy[2][2]
+    assert [energy[i][j] / unit for i, j in ((0, 0), (0, 1), (1, 1), (3, 3))] == [1, -1, 6, 2]
     values["r"] = parse("0.9")
     assert symplectic_form(tables_of(subject.kernels, tuple(values.values()), 128),
                            subject.cycle) is None  # fmt: skip

@@ -12,15 +12,14 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.chain import Chain, Passage
-from nonsmooth.runtime.certification.known import Known, first_sign, value_of
-from nonsmooth.runtime.certification.tables import Tables, balls
+from nonsmooth.runtime.certification.models import matrix, range_of
+from nonsmooth.runtime.certification.plan import Derivative, Follower, Plan, Watched
 from nonsmooth.runtime.certification.waves import Crossed, Ends, Waves
-from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.validation.enclosures import Undecided
-from nonsmooth.runtime.validation.facts import Row, product
+from nonsmooth.runtime.validation.facts import evaluate
 
 if TYPE_CHECKING:
-    from flint import arb, arb_mat
+    from flint import arb
 
 __all__ = ["Judgement", "Margin", "judge"]
 
@@ -58,24 +57,24 @@ class _Refuted(Exception):
     pass
 
 
-def judge(
-    tables: Tables, cycle: Cycle, known: Known, chain: Chain, now: Passage, dwell: Sequence[arb]
-) -> Judgement:
+def judge(plans: Sequence[Plan], chain: Chain, now: Passage, dwell: Sequence[Any]) -> Judgement:
     """Judge an orbit whose start and dwell times are enclosed, at the working precision.
 
     Parameters
     ----------
+    plans : sequence of Plan
+        In the numbers of the chain.
+    chain : Chain
     now : Passage
         Over the enclosures.
-    dwell : sequence of arb
+    dwell : sequence of arb or Model
     """
     margins: list[Margin] = []
     undecided = ""
-    for place in range(len(cycle)):
-        phase = _Phase(tables, cycle, known, chain, now, dwell[place], place)
-        name = f"phase {place}, {phase.name}"
+    for plan, field, time in zip(plans, chain.fields, dwell, strict=True):
+        name = f"phase {plan.place}, {plan.configuration}"
         try:
-            margins += phase.judged()
+            margins += _Phase(plan, field, now, time).judged()
         except _Refuted as found:
             return Judgement("refuted", f"{name}: {found}", ())
         except Undecided as trouble:
@@ -88,26 +87,11 @@ def judge(
 class _Phase:
     """One phase of an orbit."""
 
-    def __init__(
-        self,
-        tables: Tables,
-        cycle: Cycle,
-        known: Known,
-        chain: Chain,
-        now: Passage,
-        dwell: arb,
-        place: int,
-    ) -> None:
-        self.tables, self.cycle, self.place, self.dwell = tables, cycle, place, dwell
-        self.configuration = cycle.configurations[place]
-        self.name = cycle.structure.configurations[self.configuration]
-        self.field = tables.fields[self.configuration]
-        self.begin, self.lasting, self.end = (
-            part[place] for part in (known.starts, known.lasting, known.ends)
-        )
-        self.chain, self.now = chain, now
-        self.start = self.begin.tighten(_state(now.starts[place]))
-        self.behind = self.end.tighten(_state(now.ends[place]))
+    def __init__(self, plan: Plan, field: Any, now: Passage, dwell: Any) -> None:
+        self.plan, self.field, self.dwell = plan, field, dwell
+        self.first = now.starts[plan.place]
+        self.start = plan.starts.tighten(self.first.entries()[:-1])
+        self.behind = plan.ends.tighten(now.ends[plan.place].entries()[:-1])
 
     def judged(self) -> list[Margin]:
         """Margins of all boundaries; raises where one is crossed or cannot be decided."""
@@ -115,71 +99,58 @@ class _Phase:
             if self.dwell < 0:
                 raise _Refuted("its dwell time is negative")
             raise Undecided("its dwell time cannot be told from 0")
-        structure = self.cycle.structure
-        for held in structure.constraints[self.configuration]:
-            self._holds(held)
+        for row in self.plan.held:
+            value = evaluate(row, self.start)
+            if value > 0 or value < 0:
+                raise _Refuted("what it holds does not hold where it begins")
+            raise Undecided("whether what it holds holds where it begins", digits=False)
         found: list[Margin] = []
         waves = None
-        reached = self.cycle.transitions[self.place].boundaries
-        for index, boundary in enumerate(structure.boundaries[self.configuration]):
-            row = self.tables.rows[boundary.row]
-            told = boundary.name
-            try:
-                order, sign, value = first_sign(row, self.field, self.begin, self.start)
-            except Undecided as trouble:
-                raise Undecided(f"{told} where it begins: {trouble.reason}") from None
-            if sign > 0:
-                raise _Refuted(f"{told} is passed where it begins")
-            last = index in reached
-            if last:
-                found.append(self._margin(told, "speed", self._speed(row, told)))
-            if sign and order:
-                found.append(self._margin(told, "departure", -value))
-            if not any(self.lasting.reduce(product(row, self.field))):
-                if sign and not order:
-                    found.append(self._margin(told, "distance", -value))
+        for watched in self.plan.watched:
+            name, begins = watched.name, watched.begins
+            if begins is not None:
+                value = _signed(begins, self.start, f"{name} where it begins: its")
+                if value > 0:
+                    raise _Refuted(f"{name} is passed where it begins")
+            if watched.reached:
+                found.append(self._margin(name, "speed", self._speed(watched)))
+            if begins is not None and begins.order:
+                found.append(self._margin(name, "departure", -value))
+            if watched.still:
+                if begins is not None and not begins.order:
+                    found.append(self._margin(name, "distance", -value))
                 continue
-            waves = waves or Waves(
-                self.chain.fields[self.place], self.now.starts[self.place], self.dwell
-            )
-            least = self._distance(waves, row, Ends(order, last), told)
+            waves = waves or Waves(self.field, self.first, self.dwell)
+            least = self._distance(waves, watched)
             if least is not None:
-                found.append(self._margin(told, "distance", least))
+                found.append(self._margin(name, "distance", least))
         self._follows()
         return found
 
     def _margin(self, boundary: str, quantity: str, least: Any) -> Margin:
-        from flint import arb
+        plan = self.plan
+        return Margin(plan.place, plan.configuration, boundary, quantity, range_of(least).lower())
 
-        return Margin(self.place, self.name, boundary, quantity, arb(least).lower())
-
-    def _holds(self, row: int) -> None:
-        """What a configuration holds is so exactly: by facts, never by balls."""
-        value = value_of(self.tables.rows[row], self.begin, self.start)
-        if value == 0:
-            return
-        if value > 0 or value < 0:
-            raise _Refuted("what it holds does not hold where it begins")
-        raise Undecided("whether what it holds holds where it begins", digits=False)
-
-    def _speed(self, row: Row, told: str) -> arb:
+    def _speed(self, watched: Watched) -> Any:
         """Speed at which a boundary is reached that is exactly zero at the end."""
-        value = value_of(row, self.end, self.behind)
-        if value > 0 or value < 0:
-            raise _Refuted(f"{told} is not reached where it ends")
-        exactly = value == 0  # a ball may be neither this nor different from it
-        if not exactly:
-            raise Undecided(f"whether {told} is reached where it ends", digits=False)
-        speed: arb = value_of(product(row, self.field), self.end, self.behind)
+        name = watched.name
+        if any(watched.ends):
+            value = evaluate(watched.ends, self.behind)
+            if value > 0 or value < 0:
+                raise _Refuted(f"{name} is not reached where it ends")
+            raise Undecided(f"whether {name} is reached where it ends", digits=False)
+        speed = evaluate(watched.speed, self.behind)
         if speed > 0:
             return speed
         if speed < 0:
-            raise _Refuted(f"{told} is reached from outside")
-        raise Undecided(f"{told} may be reached tangentially")
+            raise _Refuted(f"{name} is reached from outside")
+        raise Undecided(f"{name} may be reached tangentially")
 
-    def _distance(self, waves: Waves, row: Row, ends: Ends, told: str) -> arb | None:
+    def _distance(self, waves: Waves, watched: Watched) -> arb | None:
         """Prove that a boundary is not reached inside the phase; by how much, if anything."""
-        function = waves.function(balls([row]))
+        order = 0 if watched.begins is None else watched.begins.order
+        ends = Ends(order, watched.reached)
+        function = waves.function(matrix([watched.row]))
         try:
             if not (ends.order or ends.last):
                 least = (-waves.largest(function) / 2).mid()
@@ -192,55 +163,46 @@ class _Phase:
             waves.stays_negative(function, ends)
         except Crossed as found:
             raise _Refuted(
-                f"{told} is crossed before it ends, {found.time.str(6, radius=False)} after its"
-                " start"
+                f"{watched.name} is crossed before it ends, {found.time.str(6, radius=False)}"
+                " after its start"
             ) from None
         except Undecided as trouble:
-            raise Undecided(f"{told}: {trouble.reason}") from None
+            raise Undecided(f"{watched.name}: {trouble.reason}") from None
         return None
 
     def _follows(self) -> None:
         """Prove that the itinerary's transition is the first whose conditions hold."""
-        wanted = self.cycle.transitions[self.place]
-        own = {
-            self.cycle.structure.boundaries[self.configuration][b].row for b in wanted.boundaries
-        }
-        for transition in self.cycle.structure.transitions[self.configuration]:
-            if transition.boundaries != wanted.boundaries:
-                continue
-            holds = self._conditions(transition.conditions, own)
-            target = self.cycle.structure.configurations[transition.target]
+        for follower in self.plan.followers:
+            holds = self._holds(follower)
             if holds is None:
-                raise Undecided(f"whether {target} follows")
-            if holds and transition is not wanted:
-                raise _Refuted(f"{target} follows, or another transition to it")
-            if transition is wanted:
-                if not holds:
-                    raise _Refuted(f"{target} does not follow: its conditions do not hold")
-                return
+                raise Undecided(f"whether {follower.target} follows")
+            if holds and not follower.wanted:
+                raise _Refuted(f"{follower.target} follows, or another transition to it")
+            if follower.wanted and not holds:
+                raise _Refuted(f"{follower.target} does not follow: its conditions do not hold")
 
-    def _conditions(
-        self, conditions: Sequence[tuple[int, int, bool]], own: set[int]
-    ) -> bool | None:
+    def _holds(self, follower: Follower) -> bool | None:
         unknown = False
-        for row, along, expected in conditions:
+        for behind, expected in follower.conditions:
             try:
-                _, sign, _ = first_sign(
-                    self.tables.rows[row],
-                    self.tables.fields[along],
-                    self.end,
-                    self.behind,
-                    int(row in own),
-                )
+                positive = behind is not None and bool(_signed(behind, self.behind, "it") > 0)
             except Undecided:
                 unknown = True
                 continue
-            if (sign > 0) != expected:
+            if positive != expected:
                 return False
         return None if unknown else True
 
 
-def _state(column: arb_mat) -> list[arb]:
-    """Coordinates of a state, without the last entry 1."""
-    entries: list[arb] = column.entries()
-    return entries[:-1]
+def _signed(derivative: Derivative, state: Sequence[Any], told: str) -> Any:
+    """The value of a derivative, which is not zero.
+
+    Raises
+    ------
+    Undecided
+        If it cannot be told from zero.
+    """
+    value = evaluate(derivative.row, state)
+    if value > 0 or value < 0:
+        return value
+    raise Undecided(f"{told} derivative of order {derivative.order} cannot be told from 0")

@@ -13,11 +13,14 @@ from nonsmooth.runtime.certification.known import Known, known_of
 from nonsmooth.runtime.certification.location import Missing, Root, locate
 from nonsmooth.runtime.certification.multipliers import (
     apart,
+    eigenvalues_of,
     inside_circle,
     neutral_pairs,
     product_of,
-    spectrum_of,
+    reduced_map,
+    trace_of,
 )
+from nonsmooth.runtime.certification.plan import plan_of
 from nonsmooth.runtime.certification.statement import (
     closing_json,
     decimals,
@@ -132,41 +135,44 @@ def stability_of(subject: Subject, closing: Closing, known: Known | None, root: 
     if not all(x.is_finite() for matrix in maps for x in matrix.entries()):
         return Stability(claim, "undecided", "a boundary may be reached tangentially", None, ())
     forced = [state for pair in closing.pairs for state in pair]
-    spectrum = spectrum_of(maps, known, forced, timed=timed)
+    square = reduced_map(maps, known, forced, timed=timed)
+    trace = trace_of(square)
     if closing.form is not None:
-        section = product_of(maps)
-        inside, pairs = neutral_pairs(section, spectrum.trace)
+        inside, pairs = neutral_pairs(product_of(maps), trace)
     else:
-        inside, pairs = inside_circle(spectrum.matrix), spectrum.multipliers
+        inside, pairs = inside_circle(square), eigenvalues_of(square)
     multipliers = apart(pairs or (), len(root.equations.free), trivial=closing.form is not None)
     multipliers = tuple(sorted(multipliers, key=lambda m: -float(abs(m).mid())))
     if any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
         reason = "boundaries are reached together: the Poincare map has a corner"
-        return Stability(claim, "undecided", reason, spectrum.trace, ())
+        return Stability(claim, "undecided", reason, trace, ())
     if inside is None:
         reason = "a multiplier cannot be told from the unit circle"
         if closing.form is not None:
             reason = "a nontrivial pair of multipliers cannot be told from a double one"
-        return Stability(claim, "undecided", reason, spectrum.trace, multipliers)
+        return Stability(claim, "undecided", reason, trace, multipliers)
     if not inside:
         reason = "a multiplier lies outside the unit circle"
-        return Stability(claim, "refuted", reason, spectrum.trace, multipliers)
-    return Stability(claim, "proved", "", spectrum.trace, multipliers)
+        return Stability(claim, "refuted", reason, trace, multipliers)
+    return Stability(claim, "proved", "", trace, multipliers)
 
 
 def _admissible(
     subject: Subject, tables: Tables, known: Known | None, root: Root, work: int
 ) -> Judgement:
     """Judge the orbit, with few bits first: that it is as sharp as it is does not matter here."""
+    from flint import arb
+
     if known is None:
         reason = "what is exactly zero where phases begin is found for rational parameters only"
         return Judgement("undecided", reason, ())
     dwell = root.equations.dwell(root.contraction.image)
+    plans = plan_of(tables, subject.cycle, known)
     found: Judgement | None = None
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
             chain = chain_of(tables, subject.cycle)
-            found = judge(tables, subject.cycle, known, chain, root.passage, dwell)
+            found = judge([plan.at(arb) for plan in plans], chain, root.passage, dwell)
         if found.verdict != "undecided":
             break
     assert found is not None

@@ -15,14 +15,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from nonsmooth.runtime.certification.tables import Tables
+from nonsmooth.runtime.certification.tables import Matrix, Tables
 from nonsmooth.runtime.composition.passage import Cycle
-from nonsmooth.runtime.validation.facts import left_kernel
-
-if TYPE_CHECKING:
-    from flint import fmpq, fmpq_mat
+from nonsmooth.runtime.validation.facts import Row, left_kernel, product
 
 __all__ = ["Closing", "Form", "forcing_speeds", "symplectic_form"]
 
@@ -31,9 +28,9 @@ __all__ = ["Closing", "Form", "forcing_speeds", "symplectic_form"]
 class Form:
     """Omega (N, N) and the energies: E_c = (y, 1) H_c (y, 1) / 2, of the visited configurations."""
 
-    omega: fmpq_mat
-    constants: dict[int, fmpq]
-    energies: dict[int, fmpq_mat]
+    omega: Matrix
+    constants: dict[int, Any]
+    energies: dict[int, Matrix]
 
 
 @dataclass(frozen=True)
@@ -48,7 +45,7 @@ class Closing:
     dropped : int
         The coordinate whose closure follows from the energy; -1 for none.
     form : Form or None
-    speeds : tuple of fmpq
+    speeds : tuple of fmpq or Quotient
         Angular frequencies of the forcings.
     turns : int
         How often the first forcing turns in one period.
@@ -102,59 +99,65 @@ def symplectic_form(tables: Tables, cycle: Cycle) -> Form | None:
         sum((fmpq(k + 1) * row[j] for k, row in enumerate(kernel)), fmpq(0)) for j in range(count)
     ]
     form = _form(tables, visited, pairs, values)
-    return form if form.omega.det() != 0 else None
+    return None if left_kernel(form.omega) else form
 
 
 def _form(
     tables: Tables, visited: Sequence[int], pairs: Sequence[tuple[int, int]], values: Sequence[Any]
 ) -> Form:
     """The form of given entries, and half of each energy's matrix: the lower rows follow."""
-    from flint import fmpq_mat
+    from flint import fmpq
 
     size = len(tables.fields[0]) - 1
-    omega = fmpq_mat(size, size)
+    entries: list[list[Any]] = [[fmpq(0)] * size for _ in range(size)]
     for (i, j), value in zip(pairs, values, strict=False):
-        omega[i, j], omega[j, i] = value, -value
+        entries[i][j], entries[j][i] = value, -value
+    omega: Matrix = tuple(map(tuple, entries))
     constants = dict(zip(visited, values[len(pairs) :], strict=True))
-    energies = {}
+    energies: dict[int, Matrix] = {}
     for configuration in visited:
-        upper = omega * fmpq_mat([list(row) for row in tables.fields[configuration][:-1]])
-        energy = fmpq_mat(size + 1, size + 1)
-        for i in range(size):
-            for j in range(size + 1):
-                energy[i, j] = upper[i, j]
-            energy[size, i] = upper[i, size]
-        energy[size, size] = constants[configuration]
-        energies[configuration] = energy
+        upper = _times(omega, tables.fields[configuration][:-1])
+        below = (*(row[-1] for row in upper), constants[configuration])
+        energies[configuration] = (*upper, below)
     return Form(omega, constants, energies)
 
 
 def _missed(tables: Tables, cycle: Cycle, form: Form) -> list[Any]:
     """What a form misses of being kept: linear in its entries."""
-    from flint import fmpq_mat
-
     missed: list[Any] = []
     for energy in form.energies.values():
-        missed += (energy - energy.transpose()).entries()
+        missed += _difference(energy, _transposed(energy))
     count = len(cycle)
     for place, transition in enumerate(cycle.transitions):
         before = cycle.configurations[place]
         after = cycle.configurations[(place + 1) % count]
         row = tables.rows[cycle.rows[place]]
-        reset = fmpq_mat([list(r) for r in tables.resets[transition.reset]])
-        jump = reset.transpose() * form.energies[after] * reset - form.energies[before]
-        on = _columns(row)
-        missed += (on.transpose() * jump * on).entries()
-        size = len(row) - 1
-        linear = fmpq_mat([[reset[i, j] for j in range(size)] for i in range(size)])
-        turn = linear.transpose() * form.omega * linear - form.omega
-        along = _columns(row[:-1])
-        missed += (along.transpose() * turn * along).entries()
+        reset = tables.resets[transition.reset]
+        on = left_kernel([[entry] for entry in row])
+        missed += _difference(
+            _seen(_seen(form.energies[after], _transposed(reset)), on),
+            _seen(form.energies[before], on),
+        )
+        linear = tuple(r[:-1] for r in reset[:-1])
+        along = left_kernel([[entry] for entry in row[:-1]])
+        missed += _difference(
+            _seen(_seen(form.omega, _transposed(linear)), along), _seen(form.omega, along)
+        )
     return missed
 
 
-def _columns(row: Sequence[Any]) -> fmpq_mat:
-    """Basis, in columns, of what a row maps to zero."""
-    from flint import fmpq_mat
+def _seen(form: Sequence[Row], rows: Sequence[Row]) -> Matrix:
+    """A bilinear form between vectors that are given as rows."""
+    return _times(_times(rows, form), _transposed(rows))
 
-    return fmpq_mat([list(r) for r in left_kernel([[entry] for entry in row])]).transpose()
+
+def _times(left: Sequence[Row], right: Sequence[Row]) -> Matrix:
+    return tuple(product(row, right) for row in left)
+
+
+def _transposed(rows: Sequence[Row]) -> Matrix:
+    return tuple(zip(*rows, strict=True))
+
+
+def _difference(left: Sequence[Row], right: Sequence[Row]) -> list[Any]:
+    return [x - y for a, b in zip(left, right, strict=True) for x, y in zip(a, b, strict=True)]

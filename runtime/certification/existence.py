@@ -6,10 +6,11 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.chain import Equations, Flows, Passage
+from nonsmooth.runtime.certification.models import matrix
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
-    from flint import arb, arb_mat
+    from flint import arb
 
 __all__ = ["Contraction", "krawczyk", "newton"]
 
@@ -22,9 +23,8 @@ class Contraction(NamedTuple):
 
     Attributes
     ----------
-    box : list of arb
-    image : list of arb
-        Contains every root of the box.
+    box, image : list of arb or Model
+        The image contains every root of the box.
     unique : bool
         The image lies inside: the box contains exactly one root, and that is regular.
     empty : bool
@@ -33,8 +33,8 @@ class Contraction(NamedTuple):
         Near the box's middle.
     """
 
-    box: list[arb]
-    image: list[arb]
+    box: list[Any]
+    image: list[Any]
     unique: bool
     empty: bool
     flows: Flows
@@ -72,7 +72,7 @@ def newton(
     return point
 
 
-def krawczyk(equations: Equations, centre: Sequence[arb], radii: Sequence[arb]) -> Contraction:
+def krawczyk(equations: Equations, centre: Sequence[Any], radii: Sequence[arb]) -> Contraction:
     """K(X) = x - Y F(x) + (I - Y F'(X)) (X - x), with the box X around x.
 
     Y is an approximate inverse of F'(x), its rounding errors are forgotten: K contains all
@@ -80,8 +80,10 @@ def krawczyk(equations: Equations, centre: Sequence[arb], radii: Sequence[arb]) 
 
     Parameters
     ----------
-    centre, radii : sequence of arb
-        Balls around the exact numbers that they stand for.
+    centre : sequence of arb or Model
+        Balls around the exact numbers that they stand for, or polynomials of parameters:
+        then all is shown for each of their values, with boxes around those of the polynomials.
+    radii : sequence of arb
     """
     from flint import arb
 
@@ -107,23 +109,23 @@ def krawczyk(equations: Equations, centre: Sequence[arb], radii: Sequence[arb]) 
 
 def _moved(
     equations: Equations,
-    inverse: arb_mat,
+    inverse: Any,
     at: Passage,
-    box: list[arb],
-    offsets: list[arb],
+    box: list[Any],
+    offsets: list[Any],
     flows: Flows,
-) -> list[arb]:
+) -> list[Any]:
     """K(X) - x; X is x and offsets around 0, so that F'(X) is known between x and all of X."""
     from flint import arb_mat
 
     over = equations.passage(box, flows)
     unit = arb_mat([[int(i == j) for j in range(len(box))] for i in range(len(box))])
-    column = arb_mat([[d] for d in offsets])
-    entries: list[arb] = ((unit - inverse * over.jacobian) * column - inverse * at.values).entries()
+    column = matrix([[d] for d in offsets])
+    entries: list[Any] = ((unit - inverse * over.jacobian) * column - inverse * at.values).entries()
     return entries
 
 
-def _flows(equations: Equations, point: Sequence[arb]) -> Flows:
+def _flows(equations: Equations, point: Sequence[Any]) -> Flows:
     return Flows(equations.chain, equations.dwell(point))
 
 

@@ -11,7 +11,7 @@ from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.existence import Contraction, krawczyk, newton
 from nonsmooth.runtime.certification.statement import decimals, rational
 from nonsmooth.runtime.certification.subject import Subject, guess_of
-from nonsmooth.runtime.certification.tables import balls, tables_of
+from nonsmooth.runtime.certification.tables import numbers, tables_of
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
@@ -147,6 +147,6 @@ def _check_dropped(closing: Closing, subject: Subject, now: Passage) -> None:
     state = first * 1
     state[k, 0] = first[k, 0].union(last[k, 0])
     energy = closing.form.energies[subject.cycle.configurations[0]]
-    slope = (balls(energy.tolist()) * state)[k, 0]
+    slope = (numbers(energy) * state)[k, 0]
     if not (slope > 0 or slope < 0):
         raise Missing("undecided", "the energy does not give the coordinate that is left out")

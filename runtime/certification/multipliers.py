@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.known import Known
+from nonsmooth.runtime.certification.models import matrix, range_of
+from nonsmooth.runtime.certification.tables import Number, numbers
 from nonsmooth.runtime.validation.facts import Facts
 
 if TYPE_CHECKING:
     from flint import acb, arb, arb_mat, arb_poly
 
 __all__ = [
-    "Spectrum",
     "apart",
+    "eigenvalues_of",
     "inside_circle",
     "neutral_pairs",
     "product_of",
-    "spectrum_of",
+    "reduced_map",
     "trace_of",
 ]
 
@@ -25,36 +27,28 @@ _MOST_SQUARINGS = 48
 _LEAST_SLOPE = 2.0**-72
 
 
-class Spectrum(NamedTuple):
-    """Of the Poincare map, or the stroboscopic map of a forced orbit.
+def reduced_map(
+    maps: Sequence[Any],
+    known: Known | None,
+    forced: Sequence[int],
+    *,
+    timed: bool,
+    number: Number | None = None,
+) -> Any:
+    """The product of the phases' maps on the smallest section that is known.
 
-    Attributes
-    ----------
-    trace : arb
-    matrix : arb_mat
-        Its other multipliers are exactly zero.
-    multipliers : tuple of acb, or None
-        Those that are not zero for that reason; None if the balls do not tell them apart.
-    """
-
-    trace: arb
-    matrix: arb_mat
-    multipliers: tuple[acb, ...] | None
-
-
-def spectrum_of(
-    maps: Sequence[arb_mat], known: Known | None, forced: Sequence[int], *, timed: bool
-) -> Spectrum:
-    """Spectrum of the product of the phases' maps, on the smallest section that is known.
+    Its other multipliers are exactly zero.
 
     Parameters
     ----------
-    maps : sequence of arb_mat (N, N)
+    maps : sequence of matrices (N, N)
     known : Known or None
     forced : sequence of int
         States of forcings, which do not change from period to period.
     timed : bool
         Whether the maps are at fixed times: then only facts that last hold for changes.
+    number : function, optional
+        From the facts' exact entries to the maps' numbers; to balls, if not given.
     """
     size = maps[0].nrows()
     facts = (
@@ -63,23 +57,31 @@ def spectrum_of(
     tangents = [_tangent(f, forced, size) for f in facts]
     first = min(range(len(maps)), key=lambda k: len(tangents[k][0]))
     free, basis = tangents[first]
-    matrix = basis
+    found = numbers(basis, number)
     for place in range(first, first + len(maps)):
-        matrix = maps[place % len(maps)] * matrix
-    matrix = _rows(matrix, free)
-    return Spectrum(trace_of(matrix), matrix, _eigenvalues(matrix))
+        found = maps[place % len(maps)] * found
+    return matrix([[found[i, j] for j in range(len(free))] for i in free])
 
 
-def inside_circle(matrix: arb_mat) -> bool | None:
+def inside_circle(mapping: Any) -> bool | None:
     """Whether all eigenvalues lie strictly inside the unit circle; None if undecided.
 
-    Some power has a norm below 1, or a trace above its dimension in absolute value.
+    Of two, trace and determinant tell. Else some power has a norm below 1, or a trace above
+    its dimension in absolute value.
     """
     from flint import arb
 
-    size, power = matrix.nrows(), matrix
+    size, power = mapping.nrows(), mapping
+    if size == 2:
+        trace = trace_of(mapping)
+        product = mapping[0, 0] * mapping[1, 1] - mapping[0, 1] * mapping[1, 0]
+        ahead, behind = 1 - trace + product, 1 + trace + product
+        if ahead > 0 and behind > 0 and product < 1:
+            return True
+        if ahead < 0 or behind < 0 or abs(product) > 1:
+            return False
     for _ in range(_MOST_SQUARINGS):
-        entries = power.entries()
+        entries = range_of(power).entries()
         if not all(x.is_finite() for x in entries):
             return None
         rows = [
@@ -184,60 +186,51 @@ def _of_sums(polynomial: arb_poly) -> arb_poly:
     return total
 
 
-def _tangent(facts: Facts, forced: Sequence[int], size: int) -> tuple[list[int], arb_mat]:
+def _tangent(facts: Facts, forced: Sequence[int], size: int) -> tuple[list[int], list[list[Any]]]:
     """Free coordinates of a section, and how a change moves along it by theirs: (N, free)."""
-    from flint import arb, arb_mat, fmpq
+    from flint import fmpq
 
     rows = [(*row[:-1], fmpq(0)) for row in facts.rows]
     rows += [tuple(fmpq(int(j == k)) for j in range(size + 1)) for k in forced]
     kept = Facts.of(rows)
     free = [k for k in range(size) if k not in kept.pivots]
-    basis = arb_mat(size, len(free))
-    for place, k in enumerate(free):
-        basis[k, place] = 1
-        for row, pivot in zip(kept.rows, kept.pivots, strict=True):
-            basis[pivot, place] = arb(-row[k])
+    basis = [[fmpq(int(i == k)) for k in free] for i in range(size)]
+    for row, pivot in zip(kept.rows, kept.pivots, strict=True):
+        basis[pivot] = [-row[k] for k in free]
     return free, basis
 
 
-def _rows(matrix: arb_mat, kept: Sequence[int]) -> arb_mat:
-    from flint import arb_mat
-
-    columns = matrix.ncols()
-    flat = [matrix[i, j] for i in kept for j in range(columns)]
-    return arb_mat(len(kept), columns, flat)
-
-
-def product_of(maps: Sequence[arb_mat]) -> arb_mat:
+def product_of(maps: Sequence[Any]) -> Any:
     """The maps one after the other."""
     product = maps[0]
-    for matrix in maps[1:]:
-        product = matrix * product
+    for behind in maps[1:]:
+        product = behind * product
     return product
 
 
-def trace_of(matrix: arb_mat) -> arb:
+def trace_of(square: Any) -> Any:
     """Sum of the diagonal."""
     from flint import arb
 
-    return sum((matrix[k, k] for k in range(matrix.nrows())), arb(0))
+    return sum((square[k, k] for k in range(square.nrows())), arb(0))
 
 
-def _eigenvalues(matrix: arb_mat) -> tuple[acb, ...] | None:
+def eigenvalues_of(square: arb_mat) -> tuple[acb, ...] | None:
+    """Eigenvalues; None if the balls do not tell them apart."""
     from flint import acb, acb_mat
 
-    if matrix.nrows() == 1:
-        return (acb(matrix[0, 0]),)
-    if matrix.nrows() == 2:
-        half, product = trace_of(matrix) / 2, matrix.det()
-        square = half * half - product
-        if square > 0:
-            return acb(half + square.sqrt()), acb(half - square.sqrt())
-        if square < 0:
-            height = (-square).sqrt()
+    if square.nrows() == 1:
+        return (acb(square[0, 0]),)
+    if square.nrows() == 2:
+        half, product = trace_of(square) / 2, square.det()
+        apart = half * half - product
+        if apart > 0:
+            return acb(half + apart.sqrt()), acb(half - apart.sqrt())
+        if apart < 0:
+            height = (-apart).sqrt()
             return acb(half, height), acb(half, -height)
         return None
     try:
-        return tuple(acb_mat(matrix).eig())
+        return tuple(acb_mat(square).eig())
     except ValueError:
         return None

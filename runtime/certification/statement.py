@@ -104,7 +104,7 @@ def closing_json(closing: Closing, cycle: Cycle, bits: int) -> dict[str, Any]:
         told["turns"] = closing.turns
     if closing.form is not None:
         told["period"] = value_json(closing.period, bits)
-        told["form"] = [[str(x) for x in row] for row in closing.form.omega.tolist()]
+        told["form"] = [[str(x) for x in row] for row in closing.form.omega]
         names = cycle.structure.configurations
         told["constants"] = {names[c]: str(x) for c, x in closing.form.constants.items()}
     return told

@@ -227,7 +227,7 @@ def closing_of(subject: Subject, tables: Tables, centre: Any) -> Closing:
     energy = form.energies[cycle.configurations[0]]
     size = len(centre)
     slopes = [
-        sum(float(energy[i, j]) * centre[j] for j in range(size)) + float(energy[i, size])
+        sum(float(energy[i][j]) * centre[j] for j in range(size)) + float(energy[i][size])
         for i in range(size)
     ]
     largest = max(range(size), key=lambda i: abs(slopes[i]))

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.arithmetic import Balls
+from nonsmooth.runtime.certification.models import matrix
+from nonsmooth.runtime.certification.quotients import Quotient
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.validation.facts import Row
 from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
-    from flint import arb_mat
+    from flint import fmpq
 
-__all__ = ["Matrix", "Tables", "balls", "tables_of"]
+__all__ = ["Matrix", "Number", "Tables", "numbers", "tables_of", "tables_over"]
 
 Matrix = tuple[Row, ...]  # acts on (y, 1)
+Number = Callable[[Any], Any]  # from an exact entry to a ball or a model
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +32,7 @@ class Tables:
     fields, resets : tuple of Matrix
     rows : tuple of Row
     exact : bool
-        Whether the entries are rational numbers; else they are balls.
+        Whether the entries are rational numbers or functions; else they are balls.
     """
 
     fields: tuple[Matrix, ...]
@@ -63,6 +66,17 @@ def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tab
     return _tables(kernels, [value.ball(bits) for value in values], Balls(), exact=False)
 
 
+def tables_over(kernels: SystemKernels, values: Sequence[fmpq | Quotient]) -> Tables:
+    """Tables of a system where some of its parameters stand for all their values.
+
+    Raises
+    ------
+    AttributeError
+        If the declaration has a root or a sine.
+    """
+    return _tables(kernels, values, _Rationals(), exact=True)
+
+
 @lru_cache(maxsize=64)
 def _exact(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
     from flint import fmpq
@@ -91,8 +105,8 @@ def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bo
     return Tables(cut(fields, 0), tuple(rows), cut(resets, 1), exact)
 
 
-def balls(rows: Sequence[Sequence[Any]]) -> arb_mat:
-    """A matrix of balls, at the working precision."""
-    from flint import arb, arb_mat
+def numbers(rows: Sequence[Sequence[Any]], number: Number | None = None) -> Any:
+    """A matrix of balls, or of models where numbers are, at the working precision."""
+    from flint import arb
 
-    return arb_mat([[arb(entry) for entry in row] for row in rows])
+    return matrix([list(map(number or arb, row)) for row in rows])

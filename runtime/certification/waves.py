@@ -10,8 +10,10 @@ sign of its first derivative that is not.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from nonsmooth.runtime.certification.models import matrix, middle_of, range_of
 from nonsmooth.runtime.validation.enclosures import Undecided
 
 if TYPE_CHECKING:
@@ -67,13 +69,9 @@ class Waves:
         from flint import arb
 
         self.dwell = dwell
-        size = field.nrows()
-        self.scales, norm = scales_of(field)
-        self.field = field * 1
-        for i in range(size):
-            for j in range(size):
-                self.field[i, j] = field[i, j] * (self.scales[j] / self.scales[i])
-        self.end = dwell.upper()
+        self.scales, norm = scales_of(middle_of(field))
+        self.field = _diagonal([1 / s for s in self.scales]) * field * _diagonal(self.scales)
+        self.end = range_of(dwell).upper()
         half = arb(2) ** (-math.ceil(math.log2(norm)) - 1) if norm else self.end
         self.half = half
         count = float(self.end / (2 * half))
@@ -84,10 +82,7 @@ class Waves:
             self.count += 1
         over = (self.field * arb(0, half)).exp()
         first, step = (self.field * half).exp(), (self.field * (2 * half)).exp()
-        state = start * 1
-        for i in range(size):
-            state[i, 0] = start[i, 0] / self.scales[i]
-        state = first * state
+        state = first * (_diagonal([1 / s for s in self.scales]) * start)
         self.middles = [(state, over * state)]
         for _ in range(self.count - 1):
             state = step * state
@@ -95,18 +90,16 @@ class Waves:
 
     def function(self, row: arb_mat) -> list[arb_poly]:
         """An affine function on each segment, as a polynomial of u in [-1, 1]."""
-        from flint import arb_mat, arb_poly
+        from flint import arb_poly
 
-        last = row * 1
-        for j in range(row.ncols()):
-            last[0, j] = row[0, j] * self.scales[j]
+        last = row * _diagonal(self.scales)
         unit, rows = self.field * self.half, [last.entries()]
         for k in range(1, _ORDER + 1):
             last = last * unit / k
             rows.append(last.entries())
-        below = arb_mat(rows[:-1])
+        below = matrix(rows[:-1])
         return [
-            arb_poly([*(below * middle).entries(), (last * over)[0, 0]])
+            arb_poly([*range_of(below * middle).entries(), range_of(last * over)[0, 0]])
             for middle, over in self.middles
         ]
 
@@ -174,6 +167,15 @@ class Waves:
             if depth == _DEEPEST:
                 raise Undecided("it comes closer to zero than the digits tell")
             windows += [(middle, end, depth + 1), (begin, middle, depth + 1)]
+
+
+def _diagonal(entries: Sequence[float]) -> arb_mat:
+    from flint import arb_mat
+
+    found = arb_mat(len(entries), len(entries))
+    for k, entry in enumerate(entries):
+        found[k, k] = entry
+    return found
 
 
 def scales_of(field: arb_mat) -> tuple[list[float], float]:

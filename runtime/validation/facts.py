@@ -76,18 +76,40 @@ class Facts:
         """Balls around the coordinates, smaller where a fact gives one by the others."""
         found = list(state)
         for row, pivot in zip(self.rows, self.pivots, strict=True):
-            given = evaluate(tuple(-x if j != pivot else 0 * x for j, x in enumerate(row)), state)
+            given = evaluate(tuple(-x if j != pivot else 0 for j, x in enumerate(row)), state)
             if given.rad() <= found[pivot].rad():
                 found[pivot] = given
         return found
 
 
 def _echelon(rows: Sequence[Sequence[Any]]) -> list[Row]:
-    from flint import fmpq_mat
+    from flint import fmpq, fmpq_mat
 
     flat = [entry for row in rows for entry in row]
+    if not all(isinstance(entry, int | fmpq) for entry in flat):
+        return _eliminated(rows)
     reduced, rank = fmpq_mat(len(rows), len(rows[0]), flat).rref()
     return [tuple(row) for row in reduced.tolist()[:rank]]
+
+
+def _eliminated(rows: Sequence[Sequence[Any]]) -> list[Row]:
+    """The same in any field."""
+    from flint import fmpq
+
+    left = [[fmpq(x) if isinstance(x, int) else x for x in row] for row in rows]
+    found: list[list[Any]] = []
+    for column in range(len(rows[0])):
+        place = next((k for k, row in enumerate(left) if row[column]), None)
+        if place is None:
+            continue
+        taken = left.pop(place)
+        unit = 1 / taken[column]
+        taken = [x * unit if x else x for x in taken]
+        for row in (*left, *found):
+            if factor := row[column]:
+                row[:] = [x - factor * y if y else x for x, y in zip(row, taken, strict=True)]
+        found.append(taken)
+    return [tuple(row) for row in found]
 
 
 def left_kernel(matrix: Sequence[Sequence[Any]]) -> list[Row]:
@@ -106,11 +128,11 @@ def product(row: Sequence[Any], matrix: Sequence[Sequence[Any]]) -> Row:
     )
 
 
-def evaluate(row: Sequence[Any], state: Sequence[arb]) -> arb:
-    """An affine function of a state."""
+def evaluate(row: Sequence[Any], state: Sequence[Any]) -> Any:
+    """An affine function of a state, in its arithmetic."""
     from flint import arb
 
-    total = arb(row[-1])
+    total = row[-1] + arb(0)
     for x, y in zip(row, state, strict=False):
         if x:
             total += y * x

@@ -1,0 +1,334 @@
+"""Taylor models: functions of a few variables in [-1, 1] as polynomials with ball coefficients.
+
+A model encloses a number or a matrix for all values of the variables: what is cut off at the
+order goes into the radii of the constant term, so that sums, products, quotients and
+exponentials keep what depends on the variables in common (Makino & Berz, 1996). Plain balls
+lose that: their trace of a Poincare map over one percent of a parameter decides nothing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from flint import arb, arb_mat
+
+__all__ = ["Model", "Space", "matrix", "middle_of", "range_of", "space_of"]
+
+_SMALL = 0.25  # norm to which an exponent is halved
+_BLOCK = 4  # powers that are kept for an exponential
+
+
+@dataclass(frozen=True, eq=False)
+class Space:
+    """Polynomials of some variables up to an order.
+
+    Attributes
+    ----------
+    variables, order : int
+    exponents : tuple of tuple of int
+        Of the monomials, by degree; the constant is the first.
+    products : tuple of tuple of (int, int)
+        For each monomial the pairs of monomials whose product it is.
+    even : tuple of bool
+        Whether a monomial is a square: it lies in [0, 1].
+    """
+
+    variables: int
+    order: int
+    exponents: tuple[tuple[int, ...], ...]
+    products: tuple[tuple[tuple[int, int], ...], ...]
+    even: tuple[bool, ...]
+
+    def constant(self, value: Any) -> Model:
+        """A number or matrix that does not depend on the variables."""
+        return Model(self, (value, *(None,) * (len(self.exponents) - 1)))
+
+    def variable(self, number: int, middle: arb, half: arb) -> Model:
+        """The number middle + half * variable."""
+        parts: list[Any] = [middle, *(None,) * (len(self.exponents) - 1)]
+        wanted = tuple(int(k == number) for k in range(self.variables))
+        parts[self.exponents.index(wanted)] = half
+        return Model(self, tuple(parts))
+
+
+@cache
+def space_of(variables: int, order: int) -> Space:
+    """The polynomials of so many variables, up to a positive order."""
+    exponents = sorted(
+        (e for e in product(range(order + 1), repeat=variables) if sum(e) <= order),
+        key=lambda e: (sum(e), [-k for k in e]),
+    )
+    place = {e: k for k, e in enumerate(exponents)}
+    pairs: list[list[tuple[int, int]]] = [[] for _ in exponents]
+    for i, left in enumerate(exponents):
+        for j, right in enumerate(exponents):
+            total = tuple(a + b for a, b in zip(left, right, strict=True))
+            if sum(total) <= order:
+                pairs[place[total]].append((i, j))
+    even = tuple(all(k % 2 == 0 for k in e) for e in exponents)
+    return Space(variables, order, tuple(exponents), tuple(map(tuple, pairs)), even)
+
+
+class Model:
+    """A number (arb) or a matrix (arb_mat) for all values of a space's variables.
+
+    Mixes with numbers and matrices of balls. Comparisons hold for all values of the variables;
+    like those of balls they may be false together with their contraries.
+    """
+
+    __slots__ = ("parts", "space")
+
+    def __init__(self, space: Space, parts: tuple[Any, ...]) -> None:
+        self.space, self.parts = space, parts
+
+    def __add__(self, other: Any) -> Model:
+        if not isinstance(other, Model):
+            return Model(self.space, (_sum(self.parts[0], other), *self.parts[1:]))
+        return Model(self.space, tuple(map(_sum, self.parts, other.parts)))
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Model:
+        return Model(self.space, tuple(None if p is None else -p for p in self.parts))
+
+    def __sub__(self, other: Any) -> Model:
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> Model:
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> Model:
+        if not isinstance(other, Model):
+            return Model(self.space, tuple(None if p is None else p * other for p in self.parts))
+        left, right = self.parts, other.parts
+        found = []
+        for pairs in self.space.products:
+            total = None
+            for i, j in pairs:
+                if left[i] is not None and right[j] is not None:
+                    total = _sum(total, left[i] * right[j])
+            found.append(total)
+        found[0] = _sum(found[0], _cut(self, other))
+        return Model(self.space, tuple(found))
+
+    def __rmul__(self, other: Any) -> Model:
+        return Model(self.space, tuple(None if p is None else other * p for p in self.parts))
+
+    def __truediv__(self, other: Any) -> Model:
+        if isinstance(other, Model):
+            return self * other.reciprocal()
+        return Model(self.space, tuple(None if p is None else p / other for p in self.parts))
+
+    def __rtruediv__(self, other: Any) -> Model:
+        return self.reciprocal().__mul__(other)
+
+    def __pow__(self, exponent: int) -> Model:
+        if exponent < 0:
+            return self.reciprocal() ** -exponent
+        power = self.space.constant(_one())
+        for _ in range(exponent):
+            power = power * self
+        return power
+
+    def __getitem__(self, place: tuple[int, int]) -> Model:
+        return Model(self.space, tuple(None if p is None else p[place] for p in self.parts))
+
+    def __abs__(self) -> Any:
+        return abs(self.range())
+
+    def __lt__(self, other: Any) -> bool:
+        return bool(range_of(self - other) < 0)
+
+    def __gt__(self, other: Any) -> bool:
+        return bool(range_of(self - other) > 0)
+
+    def nrows(self) -> int:
+        """Rows of a matrix."""
+        return int(self.parts[0].nrows())
+
+    def ncols(self) -> int:
+        """Columns of a matrix."""
+        return int(self.parts[0].ncols())
+
+    def entries(self) -> list[Model]:
+        """Entries of a matrix, row by row."""
+        return [self[i, j] for i in range(self.nrows()) for j in range(self.ncols())]
+
+    def transpose(self) -> Model:
+        """Of a matrix."""
+        return Model(self.space, tuple(None if p is None else p.transpose() for p in self.parts))
+
+    def rad(self) -> Any:
+        """Radius of a number's constant term: what is not known of the polynomial, as a rule."""
+        return self.parts[0].rad()
+
+    def mid(self) -> Model:
+        """The same polynomial with its middles as exact coefficients."""
+        return Model(self.space, tuple(None if p is None else p.mid() for p in self.parts))
+
+    def range(self) -> Any:
+        """Ball, or matrix of balls, that contains all values."""
+        from flint import arb
+
+        total = self.parts[0]
+        square, either = arb("0.5 +/- 0.5"), arb(0, 1)
+        for part, even in zip(self.parts[1:], self.space.even[1:], strict=True):
+            if part is not None:
+                total = _sum(total, part * (square if even else either))
+        return total
+
+    def reciprocal(self) -> Model:
+        """One over a number; balls without bounds where that may be zero."""
+        guess = self.space.constant(1 / self.parts[0].mid())
+        for _ in range(self.space.order.bit_length()):
+            guess = (guess * (2 - self * guess)).mid()
+        missed = 1 - self * guess
+        # 1 / q = y / (1 - e) with e = 1 - q y, whatever y is
+        return guess.__add__(guess * missed * (1 / (1 - range_of(missed))))
+
+    def inv(self) -> Model:
+        """About the inverse of a matrix; nothing is proved of it.
+
+        Raises
+        ------
+        ZeroDivisionError
+            If the constant term is singular.
+        """
+        found = self.space.constant(self.parts[0].mid().inv().mid())
+        unit = _unit(self.nrows())
+        for _ in range(self.space.order.bit_length()):
+            found = (found * (2 * unit - self * found)).mid()
+        return found
+
+    def sin_cos(self) -> tuple[Model, Model]:
+        """Sine and cosine of a number."""
+        turned = matrix([[0, -self], [self, 0]]).exp()
+        return turned[1, 0], turned[0, 0]
+
+    def exp(self) -> Any:
+        """Exponential of a matrix: Taylor's polynomial of it halved often, then squared."""
+        from flint import arb, ctx
+
+        size = self.nrows()
+        norm = _norm(self.range())
+        if not norm.is_finite():
+            return self.space.constant(_everywhere(size, arb("nan")))
+        halvings = max(0, math.ceil(math.log2(float(norm) / _SMALL))) if norm > 0 else 0
+        unit = arb(2) ** -halvings
+        small, norm = self * unit, norm * unit
+        degree, rest = 1, norm
+        # the terms behind the degree are less than twice the first of them, the norm being < 1
+        while not 2 * rest * norm / (degree + 1) < arb(2) ** -ctx.prec:
+            degree += 1
+            rest = rest * norm / degree
+            if degree > ctx.prec:
+                break
+        tail = (2 * rest * norm / (degree + 1)).upper()
+        powers = [self.space.constant(_unit(size)), small]
+        while len(powers) <= min(degree, _BLOCK):
+            powers.append(powers[-1] * small)
+        total: Any = None
+        for begin in reversed(range(0, degree + 1, _BLOCK)):
+            block: Any = None
+            for k in range(begin, min(begin + _BLOCK, degree + 1)):
+                block = _sum(block, powers[k - begin] * (1 / arb(math.factorial(k))))
+            total = block if total is None else total * powers[_BLOCK] + block
+        total = total + _everywhere(size, arb(0, tail))
+        for _ in range(halvings):
+            total = total * total
+        return total
+
+
+def range_of(number: Any) -> Any:
+    """All values of a model, or of what is a ball already."""
+    return number.range() if isinstance(number, Model) else number
+
+
+def middle_of(number: Any) -> Any:
+    """The middle of a number or matrix, of a model at the origin of its variables."""
+    return (number.parts[0] if isinstance(number, Model) else number).mid()
+
+
+def matrix(rows: Sequence[Sequence[Any]]) -> Any:
+    """A matrix of balls and models: a model if any entry is one."""
+    from flint import arb_mat
+
+    space = next((x.space for row in rows for x in row if isinstance(x, Model)), None)
+    if space is None:
+        return arb_mat([list(row) for row in rows])
+    return Model(space, tuple(_stacked(space, rows)))
+
+
+def _stacked(space: Space, rows: Sequence[Sequence[Any]]) -> Iterator[arb_mat | None]:
+    from flint import arb_mat
+
+    for k in range(len(space.exponents)):
+        part = [
+            [(x.parts[k] if isinstance(x, Model) else x if k == 0 else None) or 0 for x in row]
+            for row in rows
+        ]
+        empty = k > 0 and not any(
+            isinstance(x, Model) and x.parts[k] is not None for row in rows for x in row
+        )
+        yield None if empty else arb_mat(part)
+
+
+def _sum(left: Any, right: Any) -> Any:
+    return right if left is None else left if right is None else left + right
+
+
+def _cut(left: Model, right: Model) -> Any:
+    """What a product has beyond the order."""
+    from flint import arb
+
+    space, either = left.space, arb(0, 1)
+    sums: list[list[Any]] = []
+    for model in (left, right):
+        by_degree: list[Any] = [None] * (space.order + 1)
+        for part, exponents in zip(model.parts[1:], space.exponents[1:], strict=True):
+            if part is not None:
+                degree = sum(exponents)
+                by_degree[degree] = _sum(by_degree[degree], part * either)
+        sums.append(by_degree)
+    total = above = None
+    for degree in range(1, space.order + 1):
+        above = _sum(above, sums[1][space.order + 1 - degree])
+        if above is not None and sums[0][degree] is not None:
+            total = _sum(total, sums[0][degree] * above)
+    return total
+
+
+def _one() -> arb:
+    from flint import arb
+
+    return arb(1)
+
+
+def _unit(size: int) -> arb_mat:
+    from flint import arb_mat
+
+    return arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
+
+
+def _everywhere(size: int, value: arb) -> arb_mat:
+    from flint import arb_mat
+
+    return arb_mat(size, size, [value] * size**2)
+
+
+def _norm(balls: arb_mat) -> arb:
+    """Largest row sum of absolute values, from above."""
+    from flint import arb
+
+    width = balls.ncols()
+    entries = [abs(x).upper() for x in balls.entries()]
+    largest = arb(0)
+    for i in range(0, len(entries), width):
+        largest = largest.max(sum(entries[i : i + width], arb(0)))
+    return largest.upper()

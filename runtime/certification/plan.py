@@ -1,0 +1,189 @@
+"""What has to be shown of a cycle for it to be a motion, phase by phase.
+
+Exact arithmetic tells which functions are zero; the signs of the others are left to balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from nonsmooth.runtime.certification.known import Known
+from nonsmooth.runtime.certification.tables import Matrix, Tables
+from nonsmooth.runtime.composition.passage import Cycle
+from nonsmooth.runtime.validation.facts import Facts, Row, product
+
+__all__ = ["Condition", "Derivative", "Follower", "Plan", "Watched", "plan_of"]
+
+
+class Derivative(NamedTuple):
+    """The first derivative of an affine function along a field that is not known to be zero.
+
+    Attributes
+    ----------
+    order : int
+        Those below it are zero.
+    row : Row
+        Its value at a state.
+    """
+
+    order: int
+    row: Row
+
+
+class Watched(NamedTuple):
+    """A boundary of a phase.
+
+    Attributes
+    ----------
+    name : str
+    row : Row
+    begins : Derivative or None
+        Where the phase begins; None if it stays exactly zero.
+    still : bool
+        Whether the function does not change along the phase.
+    reached : bool
+        Whether it ends the phase.
+    ends, speed : Row
+        Value and rate where the phase ends.
+    """
+
+    name: str
+    row: Row
+    begins: Derivative | None
+    still: bool
+    reached: bool
+    ends: Row
+    speed: Row
+
+
+class Condition(NamedTuple):
+    """A condition of a transition: the sign of a derivative behind the end; None is no sign."""
+
+    behind: Derivative | None
+    expected: bool
+
+
+class Follower(NamedTuple):
+    """A transition that is declared for what is reached where a phase ends."""
+
+    target: str
+    wanted: bool
+    conditions: tuple[Condition, ...]
+
+
+class Plan(NamedTuple):
+    """A phase; the followers up to the itinerary's, which is the last of them.
+
+    Attributes
+    ----------
+    place : int
+    configuration : str
+    starts, ends : Facts
+    held : tuple of Row
+        What the configuration holds, as far as it is not known to be zero.
+    watched : tuple of Watched
+    followers : tuple of Follower
+    """
+
+    place: int
+    configuration: str
+    starts: Facts
+    ends: Facts
+    held: tuple[Row, ...]
+    watched: tuple[Watched, ...]
+    followers: tuple[Follower, ...]
+
+    def at(self, number: Callable[[Any], Any]) -> Plan:
+        """The same with numbers in place of exact entries, but for exact zeros."""
+
+        def numbers(row: Row) -> Any:
+            return tuple(number(x) if x else 0 for x in row)
+
+        def derivative(found: Derivative | None) -> Derivative | None:
+            return found and Derivative(found.order, numbers(found.row))
+
+        def facts(found: Facts) -> Facts:
+            return Facts(tuple(map(numbers, found.rows)), found.pivots)
+
+        return self._replace(
+            starts=facts(self.starts),
+            ends=facts(self.ends),
+            held=tuple(map(numbers, self.held)),
+            watched=tuple(
+                w._replace(
+                    row=numbers(w.row),
+                    begins=derivative(w.begins),
+                    ends=numbers(w.ends),
+                    speed=numbers(w.speed),
+                )
+                for w in self.watched
+            ),
+            followers=tuple(
+                f._replace(
+                    conditions=tuple(Condition(derivative(c), holds) for c, holds in f.conditions)
+                )
+                for f in self.followers
+            ),
+        )
+
+
+def plan_of(tables: Tables, cycle: Cycle, known: Known) -> tuple[Plan, ...]:
+    """What has to be shown, for each phase of a cycle of a system whose numbers are exact."""
+    return tuple(_plan(tables, cycle, known, place) for place in range(len(cycle)))
+
+
+def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
+    structure = cycle.structure
+    configuration = cycle.configurations[place]
+    wanted = cycle.transitions[place]
+    field = tables.fields[configuration]
+    starts, lasting, ends = (part[place] for part in known)
+    boundaries = structure.boundaries[configuration]
+    watched = []
+    for index, boundary in enumerate(boundaries):
+        row = tables.rows[boundary.row]
+        rate = product(row, field)
+        watched.append(
+            Watched(
+                boundary.name,
+                row,
+                _first(row, field, starts),
+                not any(lasting.reduce(rate)),
+                index in wanted.boundaries,
+                ends.reduce(row),
+                ends.reduce(rate),
+            )
+        )
+    own = {boundaries[index].row for index in wanted.boundaries}
+    followers = []
+    for transition in structure.transitions[configuration]:
+        if transition.boundaries != wanted.boundaries:
+            continue
+        conditions = tuple(
+            Condition(_first(tables.rows[row], tables.fields[along], ends, int(row in own)), holds)
+            for row, along, holds in transition.conditions
+        )
+        target = structure.configurations[transition.target]
+        followers.append(Follower(target, transition is wanted, conditions))
+        if transition is wanted:
+            break
+    held = (starts.reduce(tables.rows[row]) for row in structure.constraints[configuration])
+    return Plan(
+        place,
+        structure.configurations[configuration],
+        starts,
+        ends,
+        tuple(row for row in held if any(row)),
+        tuple(watched),
+        tuple(followers),
+    )
+
+
+def _first(row: Row, field: Matrix, facts: Facts, order: int = 0) -> Derivative | None:
+    """The first derivative from an order on that is not known to be zero."""
+    for k in range(len(row) + 1):
+        if k >= order and any(reduced := facts.reduce(row)):
+            return Derivative(k, reduced)
+        row = product(row, field)
+    return None

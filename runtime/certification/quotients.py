@@ -1,0 +1,139 @@
+"""Exact arithmetic of rational functions of parameters: what is zero for all their values.
+
+They take the place of rational numbers where parameters are not points: a velocity that a
+reset sets to the belt's is then the belt's whatever the belt's velocity is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+__all__ = ["Quotient", "symbols"]
+
+
+def symbols(names: Sequence[str]) -> list[Quotient]:
+    """The parameters as rational functions of themselves."""
+    from flint import Ordering, fmpq_mpoly_ctx
+
+    context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
+    one = context.constant(1)
+    return [Quotient(variable, one) for variable in context.gens()]
+
+
+class Quotient:
+    """A quotient of polynomials without common factor; the denominator's first coefficient is 1."""
+
+    __slots__ = ("above", "below")
+
+    def __init__(self, above: fmpq_mpoly, below: fmpq_mpoly) -> None:
+        self.above, self.below = above, below
+
+    @property
+    def context(self) -> fmpq_mpoly_ctx:
+        """The parameters."""
+        return self.above.context()
+
+    def __bool__(self) -> bool:
+        return not self.above.is_zero()
+
+    def __hash__(self) -> int:
+        return hash((str(self.above), str(self.below)))
+
+    def __eq__(self, other: object) -> bool:
+        other = self._like(other)
+        return bool(self.above * other.below == other.above * self.below)
+
+    def __neg__(self) -> Quotient:
+        return Quotient(-self.above, self.below)
+
+    def __add__(self, other: Any) -> Quotient:
+        other = self._like(other)
+        if self.below == other.below:
+            return _reduced(self.above + other.above, self.below)
+        above = self.above * other.below + other.above * self.below
+        return _reduced(above, self.below * other.below)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Quotient:
+        return self + -self._like(other)
+
+    def __rsub__(self, other: Any) -> Quotient:
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> Quotient:
+        other = self._like(other)
+        return _reduced(self.above * other.above, self.below * other.below)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Quotient:
+        other = self._like(other)
+        return _reduced(self.above * other.below, self.below * other.above)
+
+    def __rtruediv__(self, other: Any) -> Quotient:
+        return self._like(other).__truediv__(self)
+
+    def __pow__(self, exponent: int) -> Quotient:
+        if exponent < 0:
+            return self._like(1) / self**-exponent
+        return Quotient(self.above**exponent, self.below**exponent)
+
+    def __str__(self) -> str:
+        return str(self.above) if self.below.is_one() else f"({self.above})/({self.below})"
+
+    def __call__(self, values: Sequence[Any]) -> Any:
+        """The value at numbers of any arithmetic, the parameters in their order."""
+        above = _evaluated(self.above, values)
+        return above if self.below.is_one() else above / _evaluated(self.below, values)
+
+    def _like(self, other: Any) -> Quotient:
+        if isinstance(other, Quotient):
+            return other
+        from flint import fmpq
+
+        context = self.context
+        return Quotient(context.constant(fmpq(other)), context.constant(1))
+
+
+def _reduced(above: fmpq_mpoly, below: fmpq_mpoly) -> Quotient:
+    if below.is_zero():
+        raise ZeroDivisionError("a denominator is zero for all values of the parameters")
+    common = above.gcd(below)
+    if not common.is_one():
+        above, below = above / common, below / common
+    leading = below.leading_coefficient()
+    return Quotient(above / leading, below / leading)
+
+
+def _evaluated(polynomial: fmpq_mpoly, values: Sequence[Any]) -> Any:
+    """Horner's scheme by the first parameter, its coefficients by the next one, and so on."""
+    terms: dict[tuple[int, ...], fmpq] = polynomial.to_dict()
+    return _horner({tuple(map(int, e)): c for e, c in terms.items()}, values)
+
+
+def _horner(terms: dict[tuple[int, ...], fmpq], values: Sequence[Any]) -> Any:
+    from flint import arb
+
+    if not terms:
+        return arb(0)
+    if not values:
+        return arb(terms[()])
+    by_power: dict[int, dict[tuple[int, ...], fmpq]] = {}
+    for (power, *rest), coefficient in terms.items():
+        by_power.setdefault(power, {})[tuple(rest)] = coefficient
+    total: Any = None
+    highest = max(by_power)
+    for power in range(highest, -1, -1):
+        part = _horner(by_power[power], values[1:]) if power in by_power else None
+        if total is None:
+            total = part
+            continue
+        total = total * values[0]
+        if part is not None:
+            total = total + part
+    return total
