@@ -37,6 +37,7 @@ __all__ = [
     "VERSION",
     "bits_of",
     "check_counts",
+    "check_entries",
     "check_fields",
     "checksum_of",
     "given_value",
@@ -206,6 +207,14 @@ def _content(content: Any) -> dict[str, Any]:
 
 
 def check_fields(content: Mapping[str, Any], version: int, fields: Mapping[str, type]) -> None:
+    """As `check_entries`, for content in which every mapping is one to decimal strings."""
+    check_entries(content, version, fields)
+    for name, kind in fields.items():
+        if kind is dict and not all(isinstance(text, str) for text in content[name].values()):
+            raise InputError(f"{name!r} holds something else than decimal strings")
+
+
+def check_entries(content: Mapping[str, Any], version: int, fields: Mapping[str, type]) -> None:
     """Refuse content of another version, with other entries, or with another checksum."""
     if content.get("version") != version:
         raise InputError(
@@ -217,8 +226,6 @@ def check_fields(content: Mapping[str, Any], version: int, fields: Mapping[str, 
     for name, kind in fields.items():
         if type(content[name]) is not kind:
             raise InputError(f"{name!r} is of the wrong type")
-        if kind is dict and not all(isinstance(text, str) for text in content[name].values()):
-            raise InputError(f"{name!r} holds something else than decimal strings")
     if content["sha256"] != checksum_of(content):
         raise InputError("edited or damaged: the checksum differs")
 

@@ -16,9 +16,10 @@ from hypothesis import strategies as st
 import nonsmooth as ns
 from nonsmooth.runtime.arithmetic import exact_ball
 from nonsmooth.runtime.certification.certify import MOST_BITS
-from nonsmooth.runtime.certification.chain import Equations, chain_of
+from nonsmooth.runtime.certification.chain import Equations
 from nonsmooth.runtime.certification.closing import symplectic_form
 from nonsmooth.runtime.certification.existence import krawczyk, newton
+from nonsmooth.runtime.certification.location import equations_of
 from nonsmooth.runtime.certification.multipliers import inside_circle, neutral_pairs
 from nonsmooth.runtime.certification.subject import (
     Subject,
@@ -208,13 +209,7 @@ def problem(subject: Subject, bits: int) -> tuple[Equations, list[arb]]:
     closing = closing_of(subject, tables, [float(x) for x in subject.start])
 
     def equations(precision: int) -> Equations:
-        period = None
-        if closing.kind == "period":
-            period = closing.period.ball(precision)
-        elif closing.kind == "forcing":
-            period = 2 * arb.pi() * closing.turns / arb(closing.speeds[0])
-        chain = chain_of(tables_of(subject.kernels, values, precision), subject.cycle)
-        return Equations(chain, closing, period)
+        return equations_of(subject, closing, precision)
 
     point = newton(equations, guess_of(subject, closing), bits)
     assert point is not None

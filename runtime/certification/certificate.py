@@ -5,11 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.certification.statement import rational
+from nonsmooth.runtime.certification.statement import decimals, rational
 from nonsmooth.runtime.validation.proof import Enclosure
 from nonsmooth.runtime.values import Value, flint_precision
+
+if TYPE_CHECKING:
+    from flint import arb
 
 __all__ = ["CLAIMS", "FORMAT", "GUARD", "VERSION", "Certificate", "Stated", "Unknown"]
 
@@ -42,6 +45,11 @@ class Stated(Enclosure):
         with flint_precision(2 * bits + 64):
             ball = arb(rational(middle)) + arb(0, arb(rational(radius)))
         return Stated(ball, bits, (middle, radius))
+
+    @staticmethod
+    def around(ball: arb, bits: int) -> Stated:
+        """An enclosure that decimal texts state: a little wider than a ball."""
+        return Stated.of(*decimals(ball, bits), bits)
 
     def _decimals(self) -> tuple[str, str]:
         return self.texts

@@ -252,7 +252,7 @@ def _stated(ball: arb, bits: int, size: int = 0) -> Stated:
 
     unit = arb(2) ** -bits
     wide = ball.mid() + arb(0, _SLACK * (ball.rad() + (abs(ball) + size) * unit) + unit * unit)
-    return Stated.of(*decimals(wide, bits), bits)
+    return Stated.around(wide, bits)
 
 
 def _margin(margin: Any) -> dict[str, Any]:

@@ -26,10 +26,6 @@ class Chain(NamedTuple):
     rows: tuple[Any, ...]
     resets: tuple[Any, ...]
 
-    def middle(self) -> Chain:
-        """The chain in the middle of its numbers, in balls."""
-        return Chain(*(tuple(map(middle_of, part)) for part in self))
-
 
 def chain_of(tables: Tables, cycle: Cycle, number: Number | None = None) -> Chain:
     """The chain of a cycle, at the working precision."""
@@ -86,8 +82,8 @@ class Equations:
     closing : Closing
     period : arb, Model or None
         What the dwell times sum up to, where the closing says so.
-    number : function, optional
-        From the closing's exact entries to the chain's numbers; to balls, if not given.
+    speeds : sequence of arb or Model
+        Of the closing's forcings, in the chain's numbers.
     """
 
     def __init__(
@@ -95,18 +91,17 @@ class Equations:
         chain: Chain,
         closing: Closing,
         period: Any = None,
-        number: Number | None = None,
+        speeds: Sequence[Any] = (),
     ) -> None:
-        from flint import arb, arb_mat
+        from flint import arb_mat
 
-        self.chain, self.closing, self.period = chain, closing, period
+        self.chain, self.closing, self.period, self.speeds = chain, closing, period, speeds
         self.size = chain.fields[0].nrows() - 1
         forced = {state for pair in closing.pairs for state in pair}
         self.free = [k for k in range(self.size) if k not in forced]
         self.closed = [k for k in self.free if k != closing.dropped]
         self.first = len(self.free) + bool(closing.pairs)
         self.count = self.first + len(chain.fields)
-        self.speeds = list(map(number or arb, closing.speeds))
         self._marks = []
         for place in range(self.first, self.count):
             mark = arb_mat(1, self.count)

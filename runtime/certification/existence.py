@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.chain import Equations, Flows, Passage
@@ -12,7 +13,7 @@ from nonsmooth.runtime.values import flint_precision
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Contraction", "krawczyk", "newton"]
+__all__ = ["Contraction", "Krawczyk", "krawczyk", "newton"]
 
 _DOUBLE = 40  # bits that a root in double precision has at least, as a rule
 _MOST_STEPS = 6  # at the last precision
@@ -72,57 +73,72 @@ def newton(
     return point
 
 
-def krawczyk(equations: Equations, centre: Sequence[Any], radii: Sequence[arb]) -> Contraction:
-    """K(X) = x - Y F(x) + (I - Y F'(X)) (X - x), with the box X around x.
+def krawczyk(equations: Equations, centre: Sequence[arb], radii: Sequence[arb]) -> Contraction:
+    """Test a box, and make the image of one that has a root as small as rounding lets it be."""
+    test = Krawczyk(equations, centre)
+    found = test(radii)
+    return test.sharpened(found) if found.unique else found
+
+
+class Krawczyk:
+    """K(X) = x - Y F(x) + (I - Y F'(X)) (X - x), with boxes X around x.
 
     Y is an approximate inverse of F'(x), its rounding errors are forgotten: K contains all
     roots of X whatever Y is, and if K is inside X then Y and all of F'(X) are regular.
 
     Parameters
     ----------
+    equations : Equations
     centre : sequence of arb or Model
         Balls around the exact numbers that they stand for, or polynomials of parameters:
         then all is shown for each of their values, with boxes around those of the polynomials.
-    radii : sequence of arb
     """
-    from flint import arb
 
-    flows = _flows(equations, centre)
-    at = equations.passage(centre, flows)
-    box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
-    try:
-        inverse = at.jacobian.mid().inv().mid()
-    except ZeroDivisionError:
-        return Contraction(box, box, False, False, flows)
-    moved = _moved(equations, inverse, at, box, [arb(0, r) for r in radii], flows)
-    image = [x + d for x, d in zip(centre, moved, strict=True)]
-    unique = all(abs(d) < r for d, r in zip(moved, radii, strict=True))
-    empty = any(abs(d) > r for d, r in zip(moved, radii, strict=True))
-    if unique:  # once more, from the middle of the image: its radii shrink to rounding
-        points = [x.mid() for x in image]
-        offsets = [x - point for x, point in zip(image, points, strict=True)]
-        again = equations.passage(points, flows)
-        moved = _moved(equations, inverse, again, image, offsets, flows)
-        image = [x + d for x, d in zip(points, moved, strict=True)]
-    return Contraction(box, image, unique, empty, flows)
+    def __init__(self, equations: Equations, centre: Sequence[Any]) -> None:
+        self.equations, self.centre = equations, centre
+        self.flows = Flows(equations.chain, equations.dwell(centre))
+        self.at = equations.passage(centre, self.flows)
+        self.inverse: Any = None
+        with suppress(ZeroDivisionError):
+            self.inverse = self.at.jacobian.mid().inv().mid()
 
+    @property
+    def missed(self) -> list[Any]:
+        """How far the middles are from the root, about: -Y F(x)."""
+        return [] if self.inverse is None else list((-(self.inverse * self.at.values)).entries())
 
-def _moved(
-    equations: Equations,
-    inverse: Any,
-    at: Passage,
-    box: list[Any],
-    offsets: list[Any],
-    flows: Flows,
-) -> list[Any]:
-    """K(X) - x; X is x and offsets around 0, so that F'(X) is known between x and all of X."""
-    from flint import arb_mat
+    def __call__(self, radii: Sequence[arb]) -> Contraction:
+        """Test the box with these radii."""
+        from flint import arb
 
-    over = equations.passage(box, flows)
-    unit = arb_mat([[int(i == j) for j in range(len(box))] for i in range(len(box))])
-    column = matrix([[d] for d in offsets])
-    entries: list[Any] = ((unit - inverse * over.jacobian) * column - inverse * at.values).entries()
-    return entries
+        centre = self.centre
+        box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
+        if self.inverse is None:
+            return Contraction(box, box, False, False, self.flows)
+        moved = self._moved(self.at, box, [arb(0, r) for r in radii])
+        image = [x + d for x, d in zip(centre, moved, strict=True)]
+        unique = all(abs(d) < r for d, r in zip(moved, radii, strict=True))
+        empty = any(abs(d) > r for d, r in zip(moved, radii, strict=True))
+        return Contraction(box, image, unique, empty, self.flows)
+
+    def sharpened(self, found: Contraction) -> Contraction:
+        """The same with a smaller image: once more, from the middle of it."""
+        points = [x.mid() for x in found.image]
+        offsets = [x - point for x, point in zip(found.image, points, strict=True)]
+        at = self.equations.passage(points, self.flows)
+        moved = self._moved(at, found.image, offsets)
+        return found._replace(image=[x + d for x, d in zip(points, moved, strict=True)])
+
+    def _moved(self, at: Passage, box: list[Any], offsets: list[Any]) -> list[Any]:
+        """K(X) - x; X is x and offsets around 0, so that F'(X) is known between x and all of X."""
+        from flint import arb_mat
+
+        over = self.equations.passage(box, self.flows)
+        unit = arb_mat([[int(i == j) for j in range(len(box))] for i in range(len(box))])
+        column = matrix([[d] for d in offsets])
+        inside = (unit - self.inverse * over.jacobian) * column
+        entries: list[Any] = (inside - self.inverse * at.values).entries()
+        return entries
 
 
 def _flows(equations: Equations, point: Sequence[Any]) -> Flows:

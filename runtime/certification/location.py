@@ -51,7 +51,8 @@ def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
         period = closing.period.ball(bits)
     elif closing.kind == "forcing":
         period = 2 * arb.pi() * closing.turns / arb(closing.speeds[0])
-    return Equations(chain_of(tables, subject.cycle), closing, period)
+    speeds = [arb(speed) for speed in closing.speeds]
+    return Equations(chain_of(tables, subject.cycle), closing, period, speeds)
 
 
 def locate(subject: Subject, closing: Closing, bits: int) -> Root:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["Model", "Space", "matrix", "middle_of", "range_of", "space_of"]
 
 _SMALL = 0.25  # norm to which an exponent is halved
+_LARGEST = 2.0**40  # norm of an exponent about whose exponential anything is said
 _BLOCK = 4  # powers that are kept for an exponential
 
 
@@ -172,6 +173,22 @@ class Model:
         """The same polynomial with its middles as exact coefficients."""
         return Model(self.space, tuple(None if p is None else p.mid() for p in self.parts))
 
+    def cast(self, space: Space) -> Model:
+        """The polynomial in a space of another order: what is cut off is forgotten."""
+        count = len(space.exponents)
+        return Model(space, (*self.parts[:count], *(None,) * (count - len(self.parts))))
+
+    def at(self, point: Sequence[Any]) -> Any:
+        """The value where the variables have these values in [-1, 1]."""
+        total = self.parts[0]
+        for part, exponents in zip(self.parts[1:], self.space.exponents[1:], strict=True):
+            if part is not None:
+                factor = _one()
+                for value, exponent in zip(point, exponents, strict=True):
+                    factor = factor * value**exponent
+                total = total + part * factor
+        return total
+
     def range(self) -> Any:
         """Ball, or matrix of balls, that contains all values."""
         from flint import arb
@@ -217,7 +234,7 @@ class Model:
 
         size = self.nrows()
         norm = _norm(self.range())
-        if not norm.is_finite():
+        if not norm < _LARGEST:
             return self.space.constant(_everywhere(size, arb("nan")))
         halvings = max(0, math.ceil(math.log2(float(norm) / _SMALL))) if norm > 0 else 0
         unit = arb(2) ** -halvings

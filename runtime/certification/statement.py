@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.closing import Closing
+from nonsmooth.runtime.certification.quotients import Quotient
 from nonsmooth.runtime.certification.tables import Tables
 from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.values import Value
@@ -14,7 +15,7 @@ from nonsmooth.runtime.values import Value
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["closing_json", "decimals", "declaration_json", "rational", "value_json"]
+__all__ = ["closing_json", "decimals", "declaration_json", "entry", "rational", "value_json"]
 
 _RADIUS = 3  # digits that a radius needs
 
@@ -103,24 +104,33 @@ def closing_json(closing: Closing, cycle: Cycle, bits: int) -> dict[str, Any]:
     if closing.kind == "forcing":
         told["turns"] = closing.turns
     if closing.form is not None:
-        told["period"] = value_json(closing.period, bits)
-        told["form"] = [[str(x) for x in row] for row in closing.form.omega]
+        period = closing.period
+        told["period"] = value_json(period, bits) if isinstance(period, Value) else entry(period)
+        told["form"] = [_row(row) for row in closing.form.omega]
         names = cycle.structure.configurations
-        told["constants"] = {names[c]: str(x) for c, x in closing.form.constants.items()}
+        told["constants"] = {names[c]: entry(x) for c, x in closing.form.constants.items()}
     return told
 
 
 def value_json(value: Value, bits: int) -> Any:
     """A value exactly, or a ball around it."""
-    return _entry(value.ball(bits + 32)) if value.exact is None else str(value.exact)
+    return entry(value.ball(bits + 32)) if value.exact is None else str(value.exact)
+
+
+def _terms(polynomial: Any) -> list[list[Any]]:
+    """Coefficients and exponents."""
+    terms = polynomial.to_dict().items()
+    return [[str(c), [int(e) for e in exponents]] for exponents, c in terms]
 
 
 def _row(row: Sequence[Any]) -> list[Any]:
-    return [_entry(entry) for entry in row]
+    return [entry(number) for number in row]
 
 
-def _entry(number: Any) -> Any:
-    """A fraction as text, a ball by middle and radius."""
+def entry(number: Any) -> Any:
+    """A fraction as text, a rational function by its polynomials, a ball by middle and radius."""
+    if isinstance(number, Quotient):
+        return {"above": _terms(number.above), "below": _terms(number.below)}
     if not hasattr(number, "rad"):
         return str(number)
     if number.is_exact():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +27,16 @@ from nonsmooth.runtime.values import Value, as_value
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["NotCovered", "Subject", "closing_of", "guess_of", "subject_of"]
+__all__ = [
+    "NotCovered",
+    "Subject",
+    "chosen_of",
+    "closing_of",
+    "guess_of",
+    "period_name",
+    "physical_values",
+    "subject_of",
+]
 
 _MOST_TURNS = 1000
 
@@ -110,7 +119,8 @@ def _derived(orbit: Orbit) -> Subject:
     exchanged = [name for name in orbit.unknowns if name not in kernels.unknowns]
     if exchanged:
         raise NotCovered(f"{', '.join(exchanged)} was solved for and has no exact value")
-    values, chosen = _physical(orbit)
+    chosen = chosen_of(orbit)
+    values = physical_values(kernels, {**orbit.given, **orbit.opened, **chosen})
     structure = structure_of(kernels.system)
     cycle = cycle_of(structure, [(c, b) for c, b, _ in kernels.table["phases"]])
     dwell = list(orbit.dwell_times.values())
@@ -123,9 +133,9 @@ def _derived(orbit: Orbit) -> Subject:
         orbit.name,
         kernels.system,
         values,
-        chosen,
+        tuple(chosen),
         cycle,
-        _period(kernels, orbit.given),
+        None if period_name(kernels) is None else orbit.given.get(str(period_name(kernels))),
         [exact_ball(x) for x in start.tolist()],
         [exact_ball(x) for x in dwell],
         start_names(structure.states, {*names, *values}),
@@ -133,42 +143,57 @@ def _derived(orbit: Orbit) -> Subject:
     )
 
 
-def _period(kernels: OrbitKernels, given: Mapping[str, Value]) -> Value | None:
+def period_name(kernels: OrbitKernels) -> str | None:
     """The parameter that the dwell times sum up to, of a conservative orbit."""
     total: dict[str, int] = {}
     for terms in kernels.table["durations"]:
         for name, factor in terms.items():
             total[name] = total.get(name, 0) + factor
     left = [name for name, factor in total.items() if factor]
-    if len(left) == 1 and total[left[0]] == 1 and left[0] in given:
-        return given[left[0]]
-    return None
+    return left[0] if len(left) == 1 and total[left[0]] == 1 else None
 
 
-def _physical(orbit: Orbit) -> tuple[dict[str, Value], tuple[str, ...]]:
-    """All parameters of the system, and which of them were left open and are chosen here."""
+def chosen_of(orbit: Orbit) -> dict[str, Value]:
+    """Values of the system's parameters that an orbit leaves open, where they were not given."""
     kernels = orbit.kernels
-    values = {name: as_value(text) for name, text in kernels.required.items()}
-    values |= {**orbit.given, **orbit.opened}
+    values = _with_required(kernels, {**orbit.given, **orbit.opened})
     bounds = {}
     if kernels.open_parameters:
         admissibility = orbit.admissibility
         bounds = {r.parameter: r.greater_than for r in admissibility.requires}
-    chosen = []
+    chosen: dict[str, Value] = {}
     for table in kernels.system.parameters:
         name = table.name
         if name in values or _completed(kernels, name, values):
             continue
         least = bounds.get(name, 0.0)
         # a simple number well above the bound, which double precision gives
-        values[name] = as_value("1" if least < 0.9 else f"{math.ceil(11 * least)}/10")
-        chosen.append(name)
+        chosen[name] = as_value("1" if least < 0.9 else f"{math.ceil(11 * least)}/10")
+        values[name] = chosen[name]
+    return chosen
+
+
+def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:
+    """All parameters of the system from those of an orbit and the ones that it leaves open.
+
+    Raises
+    ------
+    NotCovered
+        If they are not values that the system takes.
+    """
+    values = _with_required(kernels, given)
+    for table in kernels.system.parameters:
+        if table.name not in values:
+            _completed(kernels, table.name, values)
     wanted = [p.name for p in kernels.system.parameters]
     try:
-        found = system_parameters(kernels.system, {name: values[name] for name in wanted})
+        return system_parameters(kernels.system, {name: values[name] for name in wanted})
     except InputError as problem:
-        raise NotCovered(f"no values were found for {', '.join(chosen)}: {problem}") from None
-    return found, tuple(chosen)
+        raise NotCovered(f"no values were found for {', '.join(wanted)}: {problem}") from None
+
+
+def _with_required(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:
+    return {**{name: as_value(text) for name, text in kernels.required.items()}, **given}
 
 
 def _completed(kernels: OrbitKernels, name: str, values: dict[str, Value]) -> bool:
@@ -190,13 +215,20 @@ def _completed(kernels: OrbitKernels, name: str, values: dict[str, Value]) -> bo
     return False
 
 
-def closing_of(subject: Subject, tables: Tables, centre: Any) -> Closing:
+def closing_of(
+    subject: Subject,
+    tables: Tables,
+    centre: Any,
+    near: Callable[[Any], float] = float,
+) -> Closing:
     """How the subject's cycle closes.
 
     Parameters
     ----------
     centre : floats (N)
         About where it starts: the coordinate whose closure the energy gives is chosen by it.
+    near : function
+        Gives an exact entry at the orbit, about.
 
     Raises
     ------
@@ -209,12 +241,13 @@ def closing_of(subject: Subject, tables: Tables, centre: Any) -> Closing:
         speeds = forcing_speeds(tables, cycle)
         if isinstance(speeds, str):
             raise NotCovered(speeds)
-        if not speeds[0] > 0:
+        if not near(speeds[0]) > 0:
             raise NotCovered("the first forcing does not turn forwards")
         total = float(sum(float(t) for t in subject.dwell))
-        turns = max(1, round(float(speeds[0]) * total / (2 * math.pi)))
+        turns = max(1, round(near(speeds[0]) * total / (2 * math.pi)))
         for speed in speeds[1:]:
-            if (speed * turns / speeds[0]).q != 1:
+            ratio = speed * turns / speeds[0]
+            if ratio != round(near(ratio)):
                 raise NotCovered("the forcings have no common period that is the orbit's")
         return Closing("forcing", speeds=speeds, turns=turns, pairs=cycle.structure.forcing)
     if subject.period is None:
@@ -227,14 +260,14 @@ def closing_of(subject: Subject, tables: Tables, centre: Any) -> Closing:
     energy = form.energies[cycle.configurations[0]]
     size = len(centre)
     slopes = [
-        sum(float(energy[i][j]) * centre[j] for j in range(size)) + float(energy[i][size])
+        sum(near(energy[i][j]) * centre[j] for j in range(size)) + near(energy[i][size])
         for i in range(size)
     ]
     largest = max(range(size), key=lambda i: abs(slopes[i]))
     return Closing("period", period=subject.period, dropped=largest, form=form)
 
 
-def guess_of(subject: Subject, closing: Closing) -> list[arb]:
+def guess_of(subject: Subject, closing: Closing, near: Callable[[Any], float] = float) -> list[arb]:
     """Unknowns of the equations, about."""
     if closing.kind != "forcing":
         return [*subject.start, *subject.dwell]
@@ -242,7 +275,7 @@ def guess_of(subject: Subject, closing: Closing) -> list[arb]:
 
     forced = {state for pair in closing.pairs for state in pair}
     start = [float(x) for x in subject.start]
-    speeds = [float(speed) for speed in closing.speeds]
+    speeds = [near(speed) for speed in closing.speeds]
     angles = [math.atan2(start[s], start[c]) for c, s in closing.pairs]
 
     def missed(time: float) -> float:

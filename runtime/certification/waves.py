@@ -3,7 +3,8 @@
 Time is cut into segments about as long as half a radian. On each the function is its Taylor
 polynomial, whose last coefficient is a ball: the derivative of that order over the segment,
 bounded by the exponential of the field over it. Windows of time are halved until each is
-decided: by value, slope and curvature, and next to an end where the function is zero by the
+decided: by value, slope and curvature; by rising towards the next window, which is decided
+too, or towards the end where the function is zero; and where it is zero at the start by the
 sign of its first derivative that is not.
 """
 
@@ -128,14 +129,16 @@ class Waves:
             final = number == self.count - 1
             last = self._place(self.end, number).upper() if final else arb(1)
             order = ends.order if number == 0 else 0
-            self._segment(polynomial, number, last, order, ends.last and final)
+            # where the last window may not rise: it has nothing negative or zero behind it
+            falling = last if final and not ends.last else None
+            self._segment(polynomial, number, last, order, falling)
 
     def _place(self, time: arb, number: int) -> arb:
         """The place u of a time in a segment."""
         return time / self.half - (2 * number + 1)
 
     def _segment(
-        self, polynomial: arb_poly, number: int, last: arb, order: int, at_end: bool
+        self, polynomial: arb_poly, number: int, last: arb, order: int, falling: arb | None
     ) -> None:
         from flint import arb
 
@@ -147,12 +150,11 @@ class Waves:
         windows = [(arb(-1), last, 0)]
         while windows:
             begin, end, depth = windows.pop()
-            begins, ending = order > 0 and begin == -1, at_end and end == last
             middle, window = ((begin + end) / 2).mid(), begin.union(end)
-            if begins or ending:
-                done = begins != ending and bool(
-                    leading(window) < 0 if begins else slope(window) > 0
-                )
+            if order and begin == -1:
+                done = bool(leading(window) < 0)
+            elif (falling is None or end < falling) and slope(window) > 0:
+                done = True
             else:
                 value, away = polynomial(middle), window - middle
                 bound = value + slope(middle) * away

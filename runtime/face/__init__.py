@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.batch import Orbits, solve_many
+    from nonsmooth.runtime.certification.boxes.certify import certify_box
+    from nonsmooth.runtime.certification.boxes.record import BoxCertificate
+    from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
     from nonsmooth.runtime.certification.certificate import Certificate
     from nonsmooth.runtime.certification.certify import certify
     from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
@@ -39,6 +42,7 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "BoxCertificate",
     "Branch",
     "Certificate",
     "ComposedOrbit",
@@ -59,6 +63,7 @@ __all__ = [
     "Trajectory",
     "__version__",
     "certify",
+    "certify_box",
     "chart",
     "check_certificate",
     "compose",
@@ -68,6 +73,7 @@ __all__ = [
     "find_orbits",
     "itinerary_of",
     "load",
+    "load_box_certificate",
     "load_branch",
     "load_certificate",
     "load_chart",
@@ -85,6 +91,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "BoxCertificate": "certification.boxes.record",
     "Certificate": "certification.certificate",
     "Branch": "continuation.branch",
     "ComposedOrbit": "composition.composed",
@@ -104,6 +111,7 @@ _HOMES = {
     "Trajectories": "simulation.simulate",
     "Trajectory": "simulation.trajectory",
     "certify": "certification.certify",
+    "certify_box": "certification.boxes.certify",
     "check_certificate": "certification.saved",
     "chart": "charting.chart",
     "compose": "composition.composed",
@@ -113,6 +121,7 @@ _HOMES = {
     "find_orbits": "finding.find",
     "itinerary_of": "composition.recurring",
     "load": "saved:load_orbit_file",
+    "load_box_certificate": "certification.boxes.saved",
     "load_certificate": "certification.saved",
     "load_chart": "charting.chart",
     "load_branch": "continuation.saved",

@@ -1,0 +1,11 @@
+"""Proofs for all parameters of a box.
+
+==============  ==============================================================
+`region`        an orbit over a box of parameters: its system in rational functions of them
+`tile`          the proof on one tile, in Taylor models
+`certify`       tile after tile, halved until they are decided
+`record`        the proven map: tiles with their claims; JSON
+`saved`         maps in files
+`drawing`       maps in pictures
+==============  ==============================================================
+"""

@@ -1,0 +1,230 @@
+"""An orbit over a box of parameters: the system's numbers are rational functions of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.certification.boxes.place import Interval
+from nonsmooth.runtime.certification.closing import Closing
+from nonsmooth.runtime.certification.known import Known, known_of
+from nonsmooth.runtime.certification.models import middle_of
+from nonsmooth.runtime.certification.plan import Plan, plan_of
+from nonsmooth.runtime.certification.quotients import Quotient, symbols
+from nonsmooth.runtime.certification.subject import (
+    NotCovered,
+    Subject,
+    chosen_of,
+    closing_of,
+    guess_of,
+    period_name,
+    physical_values,
+    subject_of,
+)
+from nonsmooth.runtime.certification.tables import Tables, tables_over
+from nonsmooth.runtime.composition.passage import Cycle
+from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.values import Value, as_value, flint_precision
+
+if TYPE_CHECKING:
+    from flint import arb, fmpq
+
+__all__ = ["BITS", "Region", "checked_box", "region_of"]
+
+BITS = 64  # working precision on tiles: their size is what makes the balls wide
+
+
+@dataclass(frozen=True, eq=False)
+class Region:
+    """What is to be proved of an orbit for all parameters of a box.
+
+    Attributes
+    ----------
+    subject : Subject
+        The orbit at one point of the box.
+    names : tuple of str
+        Of the box's parameters.
+    box : tuple of (Fraction, Fraction)
+    constants : tuple of Value
+        Irrational parameters; they follow the box's in the rational functions.
+    tables : Tables
+    closing : Closing
+        Its period is a fmpq or a Quotient.
+    known : Known
+    plans : tuple of Plan
+    guess : list of arb
+        Unknowns of the equations at the subject's point, about.
+    """
+
+    subject: Subject
+    names: tuple[str, ...]
+    box: tuple[Interval, ...]
+    constants: tuple[Value, ...]
+    tables: Tables
+    closing: Closing
+    known: Known
+    plans: tuple[Plan, ...]
+    guess: Sequence[arb]
+
+    @property
+    def cycle(self) -> Cycle:
+        """The orbit's cycle."""
+        return self.subject.cycle
+
+    def number(self, values: Sequence[Any]) -> Callable[[Any], Any]:
+        """The map from exact entries to numbers, at values of the box's parameters."""
+        from flint import arb
+
+        point = [*values, *(value.ball(BITS) for value in self.constants)]
+        found: dict[Quotient, Any] = {}
+
+        def number(entry: Any) -> Any:
+            if not isinstance(entry, Quotient):
+                return arb(entry)
+            if entry not in found:
+                found[entry] = entry(point)
+            return found[entry]
+
+        return number
+
+
+def checked_box(
+    orbit: Orbit | ComposedOrbit, box: Mapping[str, tuple[object, object]]
+) -> dict[str, Interval]:
+    """The box with exact ends.
+
+    Raises
+    ------
+    InputError
+        For names that were not given for the orbit, ends that are not rational or in the
+        wrong order, or a box without the orbit's own parameters.
+    """
+    given = {**orbit.given, **orbit.opened}
+    found: dict[str, Interval] = {}
+    if not box:
+        raise InputError("the box has no parameter: give one, as in V=0.99:1.01")
+    for name, ends in box.items():
+        if name not in given:
+            raise unknown_name("given parameter", name, given)
+        exact = [as_value(end).exact for end in ends]
+        lower, upper = exact
+        if lower is None or upper is None:
+            raise InputError(f"the ends of {name} have to be rational numbers")
+        if not lower < upper:
+            raise InputError(f"{name}={ends[0]}:{ends[1]}: the lower end has to be below the upper")
+        own = given[name].exact
+        if own is None or not lower <= own <= upper:
+            raise InputError(f"{name} = {given[name]} of the orbit is not in {ends[0]}:{ends[1]}")
+        found[name] = (lower, upper)
+    return found
+
+
+def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Region:
+    """The region of an orbit and a box that holds its parameters.
+
+    Raises
+    ------
+    InputError
+        For an orbit that has not converged.
+    NotCovered
+        If a declaration takes roots, or what `subject_of` and `closing_of` say.
+    """
+    subject = subject_of(orbit)
+    values, period, at = _dependence(orbit, subject, box)
+    irrational = [v for v in (*values.values(), period) if isinstance(v, Value)]
+    constants = tuple(dict.fromkeys(irrational))
+    found = symbols([*box, *(f"constant{k}" for k in range(len(constants)))])
+    place = dict(zip(box, found, strict=False))
+    constant = dict(zip(constants, found[len(box) :], strict=True))
+
+    def entry(value: Any) -> Any:
+        if isinstance(value, Value):
+            return constant[value]
+        if isinstance(value, Fraction):
+            return _fmpq(value)
+        return sum((place[n] * _fmpq(slope) for n, slope in value[1].items()), _fmpq(value[0]))
+
+    try:
+        tables = tables_over(subject.kernels, [entry(value) for value in values.values()])
+    except AttributeError:
+        raise NotCovered("the declaration takes a root or a sine of its parameters") from None
+    known = known_of(tables, subject.cycle)
+    region = Region(
+        subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
+        plan_of(tables, subject.cycle, known), (),
+    )  # fmt: skip
+    with flint_precision(BITS):
+        number = region.number([_fmpq(at[name]) + 0 * subject.dwell[0] for name in box])
+
+        def near(quantity: Any) -> float:
+            return float(middle_of(number(quantity)))
+
+        closing = closing_of(subject, tables, [float(x) for x in subject.start], near)
+        guess = guess_of(subject, closing, near)
+    if closing.kind == "period":
+        closing = replace(closing, period=entry(period))
+    return replace(region, closing=closing, guess=guess)
+
+
+def _dependence(
+    orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, Interval]
+) -> tuple[dict[str, Any], Any, dict[str, Fraction]]:
+    """Parameters of the system, the period, and the orbit's own point of the box.
+
+    A number is a Fraction, an irrational Value, or (constant, slopes by the box's parameters).
+    """
+    given = {**orbit.given, **orbit.opened}
+    at = {name: _exact(name, given[name]) for name in box}
+    if isinstance(orbit, Orbit):
+        fixed = {**given, **chosen_of(orbit)}
+
+        def physical(point: Mapping[str, Fraction]) -> dict[str, Value]:
+            told = {name: as_value(value) for name, value in point.items()}
+            return physical_values(orbit.kernels, {**fixed, **told})
+
+        own = period_name(orbit.kernels)
+    else:
+
+        def physical(point: Mapping[str, Fraction]) -> dict[str, Value]:
+            told = {n: as_value(value) for n, value in point.items() if n != "period"}
+            return {**subject.values, **told}
+
+        own = "period"
+    lower = {name: ends[0] for name, ends in box.items()}
+    base = physical(lower)
+    # parameters are sums of given ones: two points tell the slope
+    moved = {name: physical({**lower, name: box[name][1]}) for name in box}
+    values: dict[str, Any] = {}
+    for name, value in base.items():
+        slopes = {
+            n: (_exact(name, m[name]) - _exact(name, value)) / (box[n][1] - box[n][0])
+            for n, m in moved.items()
+            if m[name] != value
+        }
+        if slopes:
+            constant = _exact(name, value) - sum(lower[n] * s for n, s in slopes.items())
+            values[name] = (constant, slopes)
+        else:
+            values[name] = value if value.exact is None else value.exact
+    period: Any = subject.period
+    if period is not None and own in box:
+        period = (Fraction(0), {own: Fraction(1)})
+    elif period is not None and period.exact is not None:
+        period = period.exact
+    return values, period, at
+
+
+def _exact(name: str, value: Value) -> Fraction:
+    if value.exact is None:
+        raise NotCovered(f"{name} = {value} is irrational, and so are its sums with the box")
+    return value.exact
+
+
+def _fmpq(value: Fraction) -> fmpq:
+    from flint import fmpq
+
+    return fmpq(value.numerator, value.denominator)

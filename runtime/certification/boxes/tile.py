@@ -1,0 +1,227 @@
+"""The proof on one tile of a box of parameters, in Taylor models of them.
+
+The orbit is followed over the tile by polynomials of the parameters, Krawczyk's test shows
+that there is exactly one next to them, and everything else is computed along these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.certification.admissibility import judge
+from nonsmooth.runtime.certification.boxes.place import Place
+from nonsmooth.runtime.certification.boxes.region import BITS, Region
+from nonsmooth.runtime.certification.chain import Chain, Equations, Passage, chain_of
+from nonsmooth.runtime.certification.closing import Closing
+from nonsmooth.runtime.certification.existence import Contraction, Krawczyk, newton
+from nonsmooth.runtime.certification.models import (
+    Model,
+    Space,
+    matrix,
+    middle_of,
+    range_of,
+    space_of,
+)
+from nonsmooth.runtime.certification.multipliers import (
+    inside_circle,
+    neutral_pairs,
+    product_of,
+    reduced_map,
+    trace_of,
+)
+from nonsmooth.runtime.certification.tables import Number, numbers
+from nonsmooth.runtime.values import flint_precision
+
+if TYPE_CHECKING:
+    from flint import arb, fmpq
+
+__all__ = ["Follow", "Proof", "prove"]
+
+Follow = Callable[[Sequence[float]], list["arb"]]
+_ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
+_ORDER = 2
+_CLOSE = 50  # bits of the orbit in the middle of a tile
+_TRIES = 4  # sizes of Krawczyk's box
+
+
+@dataclass(frozen=True, eq=False)
+class Proof:
+    """What is proved on a tile.
+
+    Attributes
+    ----------
+    existence, admissibility, stability : {"proved", "refuted", "undecided"}
+    reason : str
+        Why the first undecided or refuted claim is not proved.
+    enclosures : dict of str to arb
+        Trace, period, dwell times and start, for all parameters of the tile.
+    follow : function or None
+        Unknowns near a point of the tile, given by numbers in [-1, 1].
+    """
+
+    existence: str
+    admissibility: str
+    stability: str
+    reason: str
+    enclosures: dict[str, arb]
+    follow: Follow | None
+
+
+def prove(region: Region, place: Place, guess: Sequence[arb]) -> Proof:
+    """Prove what can be proved on a tile.
+
+    Parameters
+    ----------
+    region : Region
+    place : Place
+    guess : sequence of arb
+        Unknowns in its middle, about.
+    """
+    with flint_precision(BITS):
+        return _prove(region, place, guess)
+
+
+def _prove(region: Region, place: Place, guess: Sequence[arb]) -> Proof:
+    count = len(region.names)
+    space = space_of(count, _ORDERS.get(count, _ORDER))
+    number = region.number(_variables(region, place, space))
+    chain = chain_of(region.tables, region.cycle, number)
+    closing = region.closing
+    speeds = [number(speed) for speed in closing.speeds]
+    equations = Equations(chain, closing, _period(closing, number), speeds)
+    start = _followed(equations, guess, space)
+    if start is None:
+        return _undecided("Newton's method finds no orbit in the middle", None)
+    follow = _follower(start)
+    found = _contracted(Krawczyk(equations, start))
+    if found is None:
+        return _undecided("Krawczyk's test fails", follow)
+    now = equations.passage(found.image, found.flows)
+    dwell = equations.dwell(found.image)
+    if closing.form is not None and not _conserved(region, number, now):
+        return _undecided("the energy does not give the coordinate that is left out", follow)
+    timed = closing.kind == "forcing"
+    maps = equations.timed_maps(now) if timed else equations.section_maps(now)
+    forced = [state for pair in closing.pairs for state in pair]
+    square = reduced_map(maps, region.known, forced, timed=timed, number=number)
+    trace = range_of(trace_of(square))
+    inside: bool | None = None
+    if trace.is_finite() and not any(len(t.boundaries) > 1 for t in region.cycle.transitions):
+        if closing.form is not None:
+            inside, _ = neutral_pairs(range_of(product_of(maps)), trace)
+        else:
+            inside = inside_circle(square)
+    stability = {True: "proved", False: "refuted", None: "undecided"}[inside]
+    judgement = judge([plan.at(number) for plan in region.plans], chain, now, dwell)
+    subject = region.subject
+    enclosures = {"trace": trace, "period": range_of(sum(dwell[1:], dwell[0]))}
+    enclosures |= dict(zip(subject.dwell_names, map(range_of, dwell), strict=True))
+    states = range_of(now.starts[0]).entries()[:-1]
+    enclosures |= dict(zip(subject.start_names, states, strict=True))
+    reason = judgement.reason or ("" if inside else "a multiplier may lie on the unit circle")
+    if inside is False and not judgement.reason:
+        reason = "a multiplier lies outside the unit circle"
+    return Proof("proved", judgement.verdict, stability, reason, enclosures, follow)
+
+
+def _undecided(reason: str, follow: Any) -> Proof:
+    return Proof("undecided", "undecided", "undecided", reason, {}, follow)
+
+
+def _variables(region: Region, place: Place, space: Space) -> list[Model]:
+    """The parameters on a tile."""
+    from flint import arb
+
+    found = []
+    for axis in range(len(region.names)):
+        lower, upper = (_fmpq(end) for end in place.interval(axis, region.box))
+        found.append(space.variable(axis, arb((lower + upper) / 2), arb((upper - lower) / 2)))
+    return found
+
+
+def _fmpq(value: Fraction) -> fmpq:
+    from flint import fmpq
+
+    return fmpq(value.numerator, value.denominator)
+
+
+def _period(closing: Closing, number: Number) -> Any:
+    from flint import arb
+
+    if closing.kind == "forcing":
+        return 2 * arb.pi() * closing.turns / number(closing.speeds[0])
+    return None if closing.period is None else number(closing.period)
+
+
+def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[Any] | None:
+    """Polynomials near the orbit, by Newton's method; nothing is proved of them."""
+    middle = _mapped(equations, middle_of)
+    found = newton(lambda precision: middle, guess, _CLOSE)
+    if found is None:
+        return None
+    for order in (1, space.order):  # each step doubles the order that is right, and more
+        rough = space_of(space.variables, order)
+
+        def cut(number: Any, rough: Space = rough) -> Model:
+            middle = number.mid()
+            return middle.cast(rough) if isinstance(number, Model) else rough.constant(middle)
+
+        centre = list(map(cut, found))
+        missed = Krawczyk(_mapped(equations, cut), centre).missed
+        if not missed or not all(range_of(d).is_finite() for d in missed):
+            return None
+        found = [(x + d).mid() for x, d in zip(centre, missed, strict=True)]
+    return found
+
+
+def _mapped(equations: Equations, change: Callable[[Any], Any]) -> Equations:
+    """The same equations in other numbers."""
+    chain, period = equations.chain, equations.period
+    return Equations(
+        Chain(*(tuple(map(change, part)) for part in chain)),
+        equations.closing,
+        None if period is None else change(period),
+        list(map(change, equations.speeds)),
+    )
+
+
+def _contracted(test: Krawczyk) -> Contraction | None:
+    """A box around the polynomials that Krawczyk's map takes into itself, if there is one."""
+    from flint import arb
+
+    unit = arb(2) ** -_CLOSE
+    moved = [abs(range_of(d)) for d in test.missed]
+    for _ in range(_TRIES if moved else 0):
+        if not all(d.is_finite() for d in moved):
+            return None
+        found = test([(2 * d + unit).upper() for d in moved])
+        if found.unique:
+            return found
+        moved = [abs(range_of(x - c)) for x, c in zip(found.image, test.centre, strict=True)]
+    return None
+
+
+def _conserved(region: Region, number: Number, now: Passage) -> bool:
+    """Whether the energy returns the coordinate whose closure was dropped."""
+    closing, first, last = region.closing, now.starts[0], now.starts[-1]
+    assert closing.form is not None
+    omega = range_of(numbers(closing.form.omega, number))
+    if omega.det().contains(0):
+        return False
+    k = closing.dropped
+    between = range_of(first).entries()
+    between[k] = between[k].union(range_of(last)[k, 0])
+    energy = range_of(numbers([closing.form.energies[region.cycle.configurations[0]][k]], number))
+    slope = (energy * matrix([[x] for x in between]))[0, 0]
+    return bool(slope > 0 or slope < 0)
+
+
+def _follower(found: Sequence[Model]) -> Follow:
+    def follow(point: Sequence[float]) -> list[arb]:
+        with flint_precision(BITS):
+            return [x.at(point).mid() for x in found]
+
+    return follow
