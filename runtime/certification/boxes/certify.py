@@ -130,7 +130,8 @@ class _Work:
     def look(self) -> None:
         """Look at the largest tile that waits."""
         *_, tile = heapq.heappop(self.waiting)
-        proof = prove(self.region, tile.place, _balls(tile.guess))
+        rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
+        proof = prove(self.region, tile.place, _balls(tile.guess), rough=rough)
         self._finish(_judged(tile, proof), proof.follow)
 
     def _finish(self, tile: Tile, follow: Follow | None) -> None:

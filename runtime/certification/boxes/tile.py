@@ -42,7 +42,7 @@ __all__ = ["Follow", "Proof", "prove"]
 
 Follow = Callable[[Sequence[float]], list["arb"]]
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
-_ORDER = 2
+_LOWEST = 2
 _CLOSE = 50  # bits of the orbit in the middle of a tile
 _TRIES = 4  # sizes of Krawczyk's box
 
@@ -70,7 +70,7 @@ class Proof:
     follow: Follow | None
 
 
-def prove(region: Region, place: Place, guess: Sequence[arb]) -> Proof:
+def prove(region: Region, place: Place, guess: Sequence[arb], *, rough: bool) -> Proof:
     """Prove what can be proved on a tile.
 
     Parameters
@@ -79,14 +79,16 @@ def prove(region: Region, place: Place, guess: Sequence[arb]) -> Proof:
     place : Place
     guess : sequence of arb
         Unknowns in its middle, about.
+    rough : bool
+        Whether a low order will do, since only admissibility is left to be decided.
     """
-    with flint_precision(BITS):
-        return _prove(region, place, guess)
-
-
-def _prove(region: Region, place: Place, guess: Sequence[arb]) -> Proof:
     count = len(region.names)
-    space = space_of(count, _ORDERS.get(count, _ORDER))
+    space = space_of(count, _LOWEST if rough else _ORDERS.get(count, _LOWEST))
+    with flint_precision(BITS):
+        return _prove(region, place, guess, space)
+
+
+def _prove(region: Region, place: Place, guess: Sequence[arb], space: Space) -> Proof:
     number = region.number(_variables(region, place, space))
     chain = chain_of(region.tables, region.cycle, number)
     closing = region.closing
