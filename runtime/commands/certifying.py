@@ -21,12 +21,14 @@ from nonsmooth.runtime.commands.application import (
     print_json,
     split,
 )
+from nonsmooth.runtime.commands.certifying_boxes import certify_over, is_box
 from nonsmooth.runtime.commands.options import AsJson, Assignments, Guess
 from nonsmooth.runtime.errors import InputError
 
 __all__ = ["certify"]
 
 _BITS = 128
+_TILES = 4000
 _MORE = 8  # bits beyond those of the digits
 
 
@@ -41,6 +43,8 @@ class Proven(StrEnum):
     "nonsmooth certify dry-friction/global-stick eta=0.98\n\n"
     "nonsmooth certify rigid-stop/one-impact T=2*pi --digits 100 --require proved\n\n"
     "nonsmooth certify my_oscillator.py:loop --save certificate.json\n\n"
+    "nonsmooth certify dry-friction/global-stick V=0.9:1.1 eta=0.9:1.1 --save map.json"
+    " --plot map.png\n\n"
     "nonsmooth certify --check certificate.json"
 )
 @answering
@@ -69,6 +73,20 @@ def certify(
         Path | None,
         typer.Option("--save", metavar="FILE", help="Save the certificate, as JSON."),
     ] = None,
+    tiles: Annotated[
+        int,
+        typer.Option(
+            "--tiles", metavar="N", help="Of a box of parameters at most so many are looked at."
+        ),
+    ] = _TILES,
+    resume: Annotated[
+        Path | None,
+        typer.Option("--resume", metavar="FILE", help="Go on with a saved box."),
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option("--plot", metavar="FILE", help="Draw the box's map: .png, .svg or .pdf."),
+    ] = None,
     check: Annotated[
         Path | None,
         typer.Option(
@@ -79,14 +97,28 @@ def certify(
     ] = None,
     as_json: AsJson = False,
 ) -> int:
-    """Prove that an orbit exists, is a motion of the system, and is stable: by ball arithmetic."""
+    """Prove that an orbit exists, is a motion of the system, and is stable: by ball arithmetic.
+
+    Parameters that are ranges, V=0.99:1.01, span a box: then all is proved for each of its
+    points, tile by tile, and the exit code is 1 while more than 1 % of it is undecided.
+    """
     if check is not None:
-        options = (orbit, parameters, guess, digits, bits, save)
+        options = (orbit, parameters, guess, digits, bits, save, resume, plot)
         if any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file and nothing else to certify")
         return _check(check, require, as_json=as_json)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
+    if is_box(parameters):
+        if digits is not None or bits is not None:
+            raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
+        near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
+        found, decided = certify_over(
+            orbit, parameters or [], near, tiles, resume, save, plot, as_json=as_json
+        )
+        return _judged(found.claims, require, decided=decided)
+    if resume is not None or plot is not None:
+        raise InputError("--resume and --plot are for a box of parameters, as in V=0.99:1.01")
     if digits is not None and bits is not None:
         raise InputError("--digits and --bits say the same: give one of them")
     if digits is not None:

@@ -159,6 +159,22 @@ def counted(what: str, total: int) -> Iterator[Callable[[int], None]]:
         yield lambda done: progress.update(task, completed=done)
 
 
+@contextmanager
+def shared(what: str) -> Iterator[Callable[[float, int], None]]:
+    """Give a function that shows a share that is done and a count, on stderr if a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda share, count: None
+        return
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+    from rich.progress import TimeElapsedColumn as Elapsed
+
+    tiles = TextColumn("{task.fields[count]} tiles")
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
+    with Progress(*columns, Elapsed(), console=Console(stderr=True)) as progress:
+        task = progress.add_task(what, total=1.0, count=0)
+        yield lambda share, count: progress.update(task, completed=share, count=count)
+
+
 def _configurations(orbit: Orbit | ComposedOrbit) -> list[str]:
     """Configuration of each phase."""
     if isinstance(orbit, Orbit):

@@ -6,12 +6,17 @@ from rich import box
 from rich.table import Table
 from rich.text import Text
 
+from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.commands.display import wide_console
 
-__all__ = ["show_certificate", "show_claims"]
+__all__ = ["show_box", "show_certificate", "show_claims"]
 
 _WIDTH = 118
+_UNIFORM = {
+    "existence": "one orbit next to the one that was followed",
+    "admissibility": "a motion of the real system",
+}
 _STYLES = {"proved": "green", "refuted": "red", "undecided": "yellow"}
 
 
@@ -62,6 +67,44 @@ def show_certificate(certificate: Certificate) -> None:
             size = f"{_rounded(margin['least'])} ({margin['quantity']})"
             table.add_row(place, margin["boundary"], size)
         out.print(table)
+
+
+def show_box(found: BoxCertificate) -> None:
+    """Show what is proved for a box of parameters, and of how much of it."""
+    out = wide_console(_WIDTH)
+    ends = ", ".join(f"{name} = {low} ... {high}" for name, (low, high) in _decimal(found))
+    out.print(Text(f"{found.orbit} for all {ends}", style="bold"))
+    out.print(Text(" -> ".join([*(c for c, _ in found.itinerary), "..."])))
+    table = _table("claim", "", "")
+    reasons = found.reasons
+    for name, verdict in found.claims.items():
+        told = Text(found.stability if name == "stability" else _UNIFORM[name])
+        if name in reasons:
+            told.append(f"; {verdict} {reasons[name]}", style="dim")
+        table.add_row(name, Text(verdict, style=_STYLES[verdict]), told)
+    out.print(table)
+    table = _table("of the box", "", "tiles")
+    for verdict, share in found.shares.items():
+        tiles = sum(tile.verdict == verdict for tile in found.tiles)
+        name = f"{found.stability}, proved" if verdict == "proved" else verdict
+        if tiles:
+            table.add_row(name, f"{float(100 * share):.4g} %", str(tiles))
+    out.print(table)
+    values = {n: value for n, value in found.parameters.items() if n not in found.box}
+    if values:
+        out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if found.chosen:
+        names = ", ".join(found.chosen)
+        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    if enclosures := found.enclosures:
+        table = _table("enclosure", "from", "to")
+        for name, enclosure in enclosures.items():
+            table.add_row(name, f"{enclosure.lower:.8g}", f"{enclosure.upper:.8g}")
+        out.print(table)
+
+
+def _decimal(found: BoxCertificate) -> list[tuple[str, tuple[float, float]]]:
+    return [(name, (float(low), float(high))) for name, (low, high) in found.box.items()]
 
 
 def _table(*columns: str) -> Table:

@@ -1,4 +1,4 @@
-"""Pictures of what is in a file: an orbit, a branch, a motion, orbits that were found, a chart."""
+"""Pictures of what is in a file: orbits, a branch, a proven map, a motion, a chart."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nonsmooth.runtime.certification.boxes.record import FORMAT as BOX
 from nonsmooth.runtime.continuation.event import FORMAT as BRANCH
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding import saved as found_orbits
@@ -24,7 +25,8 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     Parameters
     ----------
     path : Path
-        JSON of an orbit, a branch or found orbits; .npz or .csv of a motion; folder of a chart.
+        JSON of an orbit, a branch, a proven map or found orbits; .npz or .csv of a motion;
+        folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and a chart only "all".
@@ -65,6 +67,14 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
         if kind != "all":
             raise InputError(f"a branch has one kind of picture, all, not {kind}")
         return {"orbit": branch.name}, branch_figure(branch)
+    if _holds(path, BOX):
+        from nonsmooth.runtime.certification.boxes.drawing import box_figure
+        from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
+
+        certificate = load_box_certificate(path)
+        if kind != "all":
+            raise InputError(f"a proven map has one kind of picture, all, not {kind}")
+        return {"orbit": certificate.orbit}, box_figure(certificate)
     if _holds(path, found_orbits.FORMAT):
         from nonsmooth.runtime.pictures.found import found_figure
 

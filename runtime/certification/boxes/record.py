@@ -12,8 +12,9 @@ from nonsmooth.runtime.certification.boxes.place import Interval, Place
 from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
 from nonsmooth.runtime.values import Value, flint_precision
 
-__all__ = ["VERDICTS", "BoxCertificate", "Tile"]
+__all__ = ["FORMAT", "VERDICTS", "BoxCertificate", "Tile"]
 
+FORMAT = "nonsmooth box certificate"
 VERDICTS = ("proved", "unstable", "not admissible", "undecided")
 
 

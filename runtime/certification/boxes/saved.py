@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.certification.boxes.place import Place
-from nonsmooth.runtime.certification.boxes.record import BoxCertificate, Tile
+from nonsmooth.runtime.certification.boxes.record import FORMAT, BoxCertificate, Tile
 from nonsmooth.runtime.certification.boxes.region import BITS
 from nonsmooth.runtime.certification.certificate import Stated
 from nonsmooth.runtime.errors import InputError
@@ -18,7 +18,6 @@ from nonsmooth.runtime.saved import check_entries, checksum_of, given_value, par
 
 __all__ = ["FORMAT", "box_content", "load_box_certificate", "save_box"]
 
-FORMAT = "nonsmooth box certificate"
 VERSION = 1
 _LARGEST_FILE = 500_000_000  # bytes
 _FIELDS: dict[str, type] = {

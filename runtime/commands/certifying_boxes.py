@@ -1,0 +1,126 @@
+"""Certifying an orbit for all parameters of a box, from the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nonsmooth.runtime.commands.application import assignments, print_json
+from nonsmooth.runtime.errors import InputError, NoConvergence
+from nonsmooth.runtime.values import Value, as_value, parse
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.certification.boxes.record import BoxCertificate
+    from nonsmooth.runtime.composition.record import ComposedOrbit
+    from nonsmooth.runtime.orbit import Orbit
+
+__all__ = ["certify_over", "is_box"]
+
+_PICTURES = (".png", ".svg", ".pdf")
+_ENOUGH = Fraction(99, 100)  # share of a box that has to be decided for an answer
+
+
+def is_box(parameters: Sequence[str] | None) -> bool:
+    """Whether some parameter is a range."""
+    return any(":" in text for text in parameters or ())
+
+
+def certify_over(
+    name: str,
+    parameters: Sequence[str],
+    near: Mapping[str, float] | None,
+    tiles: int,
+    resume: Path | None,
+    save: Path | None,
+    plot: Path | None,
+    *,
+    as_json: bool,
+) -> tuple[BoxCertificate, bool]:
+    """Prove the map, show it, and keep it; gives it, and whether enough of it is decided."""
+    from nonsmooth.runtime.certification.boxes.certify import certify_box
+    from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
+    from nonsmooth.runtime.commands.display import shared, steps
+    from nonsmooth.runtime.commands.display_certificates import show_box
+    from nonsmooth.runtime.files import check_ending, check_target
+
+    if plot is not None:
+        check_ending(plot, _PICTURES)
+    save = resume if save is None else save
+    for path in (save, plot):
+        if path is not None:
+            check_target(path)
+    known = None if resume is None else load_box_certificate(resume)
+    box = dict(map(_range, (text for text in parameters if ":" in text)))
+    if len(box) < sum(":" in text for text in parameters):
+        raise InputError("a parameter of the box is given twice")
+    fixed = assignments("parameter", [text for text in parameters if ":" not in text])
+    for repeated in fixed.keys() & box.keys():
+        raise InputError(f"parameter {repeated} is given twice")
+    with steps(f"solving {name}"):
+        orbit = _solved(name, fixed, box, near)
+    with shared(f"proving {name}") as progress:
+        found = certify_box(
+            orbit,
+            box,
+            tiles=tiles,
+            resume=known,
+            progress=progress,
+            keep=None if save is None else lambda state: state.save(save),
+        )
+    written = []
+    if save is not None:
+        found.save(save)
+        written.append(save)
+    if plot is not None:
+        from nonsmooth.runtime.certification.boxes.drawing import box_figure
+        from nonsmooth.runtime.pictures.plot import save_figure
+
+        save_figure(box_figure(found), plot)
+        written.append(plot)
+    if as_json:
+        print_json({**found.to_json(), "files": list(map(str, written))})
+    else:
+        show_box(found)
+        for path in written:
+            print(f"\n{path} written")
+    return found, found.decided >= _ENOUGH
+
+
+def _range(text: str) -> tuple[str, tuple[Value, Value]]:
+    """A range NAME=A:B of a parameter."""
+    name, _, bounds = text.partition("=")
+    ends = bounds.split(":")
+    if not name.strip() or len(ends) != 2:
+        raise InputError(f"{text}: a parameter of a box is written NAME=A:B")
+    return name.strip(), (parse(ends[0]), parse(ends[1]))
+
+
+def _solved(
+    name: str,
+    fixed: Mapping[str, Value],
+    box: Mapping[str, tuple[Value, Value]],
+    near: Mapping[str, float] | None,
+) -> Orbit | ComposedOrbit:
+    """The orbit in the middle of the box, or elsewhere in it if there is none."""
+    from nonsmooth.runtime.solve import solve
+
+    problem: NoConvergence | None = None
+    for point in _points(box):
+        try:
+            return solve(name, {**fixed, **point}, near)
+        except NoConvergence as found:
+            problem = problem or found
+    assert problem is not None
+    raise problem
+
+
+def _points(box: Mapping[str, tuple[Value, Value]]) -> Iterator[dict[str, Value]]:
+    for share in (Fraction(1, 2), Fraction(1, 4), Fraction(3, 4)):
+        point = {}
+        for name, (lower, upper) in box.items():
+            if lower.exact is None or upper.exact is None:
+                raise InputError(f"the ends of {name} have to be rational numbers")
+            point[name] = as_value(lower.exact + share * (upper.exact - lower.exact))
+        yield point
