@@ -17,7 +17,7 @@ from nonsmooth.runtime.values import flint_precision
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Missing", "Root", "equations_of", "locate"]
+__all__ = ["Missing", "Root", "equations_of", "locate", "unknown_names"]
 
 _NEAR = 1e-5  # how far from the given numbers an orbit is still theirs, in units of the states
 _ROUGH = 53  # bits that do for what nothing depends on
@@ -73,7 +73,7 @@ def locate(subject: Subject, closing: Closing, bits: int) -> Root:
     equations = equations_of(subject, closing, bits + GUARD)
     with flint_precision(_ROUGH):
         sizes = _sizes(equations_of(subject, closing, _ROUGH), guess)
-    names = _names(subject, closing)
+    names = unknown_names(subject, closing)
     # the box is much wider than this point is exact, and Krawczyk's map finds the rest
     enough = bits // 2 + 16
     point = newton(lambda precision: equations_of(subject, closing, precision), guess, enough)
@@ -134,7 +134,7 @@ def _box(
     return box, [arb(rational(x.mid)) for x in box], [arb(rational(x.rad)) for x in box]
 
 
-def _names(subject: Subject, closing: Closing) -> list[str]:
+def unknown_names(subject: Subject, closing: Closing) -> list[str]:
     """Names of the unknowns of the equations."""
     forced = {state for pair in closing.pairs for state in pair}
     free = [name for k, name in enumerate(subject.start_names) if k not in forced]

@@ -30,11 +30,13 @@ if TYPE_CHECKING:
 __all__ = [
     "NotCovered",
     "Subject",
+    "check_converged",
     "chosen_of",
     "closing_of",
     "guess_of",
     "period_name",
     "physical_values",
+    "subject_near",
     "subject_of",
 ]
 
@@ -87,8 +89,18 @@ def subject_of(orbit: Orbit | ComposedOrbit) -> Subject:
     NotCovered
         If a parameter is an unknown of it.
     """
+    check_converged(orbit)
+    return subject_near(orbit)
+
+
+def check_converged(orbit: Orbit | ComposedOrbit) -> None:
+    """Refuse what is no orbit."""
     if not orbit.converged:
         raise InputError(f"{orbit.name} cannot be certified: {orbit.message}")
+
+
+def subject_near(orbit: Orbit | ComposedOrbit) -> Subject:
+    """As `subject_of`, where the orbit's equations may be singular too."""
     return _derived(orbit) if isinstance(orbit, Orbit) else _composed(orbit)
 
 

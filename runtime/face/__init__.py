@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
     from nonsmooth.runtime.certification.certificate import Certificate
     from nonsmooth.runtime.certification.certify import certify
+    from nonsmooth.runtime.certification.events.certify import certify_event
+    from nonsmooth.runtime.certification.events.record import EventCertificate
     from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
     from nonsmooth.runtime.charting.chart import chart, load_chart
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
@@ -47,6 +49,7 @@ __all__ = [
     "Certificate",
     "ComposedOrbit",
     "Event",
+    "EventCertificate",
     "Found",
     "InputError",
     "Locus",
@@ -64,6 +67,7 @@ __all__ = [
     "__version__",
     "certify",
     "certify_box",
+    "certify_event",
     "chart",
     "check_certificate",
     "compose",
@@ -96,6 +100,7 @@ _HOMES = {
     "Branch": "continuation.branch",
     "ComposedOrbit": "composition.composed",
     "Event": "continuation.event",
+    "EventCertificate": "certification.events.record",
     "Found": "finding.find",
     "InputError": "errors",
     "Locus": "continuation.plane",
@@ -112,6 +117,7 @@ _HOMES = {
     "Trajectory": "simulation.trajectory",
     "certify": "certification.certify",
     "certify_box": "certification.boxes.certify",
+    "certify_event": "certification.events.certify",
     "check_certificate": "certification.saved",
     "chart": "charting.chart",
     "compose": "composition.composed",

@@ -16,12 +16,13 @@ from nonsmooth.runtime.certification.quotients import Quotient, symbols
 from nonsmooth.runtime.certification.subject import (
     NotCovered,
     Subject,
+    check_converged,
     chosen_of,
     closing_of,
     guess_of,
     period_name,
     physical_values,
-    subject_of,
+    subject_near,
 )
 from nonsmooth.runtime.certification.tables import Tables, tables_over
 from nonsmooth.runtime.composition.passage import Cycle
@@ -77,9 +78,9 @@ class Region:
 
     def number(self, values: Sequence[Any]) -> Callable[[Any], Any]:
         """The map from exact entries to numbers, at values of the box's parameters."""
-        from flint import arb
+        from flint import arb, ctx
 
-        point = [*values, *(value.ball(BITS) for value in self.constants)]
+        point = [*values, *(value.ball(ctx.prec) for value in self.constants)]
         found: dict[Quotient, Any] = {}
 
         def number(entry: Any) -> Any:
@@ -100,9 +101,10 @@ def checked_box(
     Raises
     ------
     InputError
-        For names that were not given for the orbit, ends that are not rational or in the
-        wrong order, or a box without the orbit's own parameters.
+        For an orbit that has not converged, names that were not given for it, ends that are
+        not rational or in the wrong order, or a box without the orbit's own parameters.
     """
+    check_converged(orbit)
     given = {**orbit.given, **orbit.opened}
     found: dict[str, Interval] = {}
     if not box:
@@ -128,12 +130,10 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
 
     Raises
     ------
-    InputError
-        For an orbit that has not converged.
     NotCovered
-        If a declaration takes roots, or what `subject_of` and `closing_of` say.
+        If a declaration takes roots, or what `subject_near` and `closing_of` say.
     """
-    subject = subject_of(orbit)
+    subject = subject_near(orbit)
     values, period, at = _dependence(orbit, subject, box)
     irrational = [v for v in (*values.values(), period) if isinstance(v, Value)]
     constants = tuple(dict.fromkeys(irrational))

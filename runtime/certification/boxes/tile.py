@@ -38,7 +38,7 @@ from nonsmooth.runtime.values import flint_precision
 if TYPE_CHECKING:
     from flint import arb, fmpq
 
-__all__ = ["Follow", "Proof", "prove"]
+__all__ = ["Follow", "Proof", "given_period", "prove"]
 
 Follow = Callable[[Sequence[float]], list["arb"]]
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
@@ -93,7 +93,7 @@ def _prove(region: Region, place: Place, guess: Sequence[arb], space: Space) -> 
     chain = chain_of(region.tables, region.cycle, number)
     closing = region.closing
     speeds = [number(speed) for speed in closing.speeds]
-    equations = Equations(chain, closing, _period(closing, number), speeds)
+    equations = Equations(chain, closing, given_period(closing, number), speeds)
     start = _followed(equations, guess, space)
     if start is None:
         return _undecided("Newton's method finds no orbit in the middle", None)
@@ -150,7 +150,8 @@ def _fmpq(value: Fraction) -> fmpq:
     return fmpq(value.numerator, value.denominator)
 
 
-def _period(closing: Closing, number: Number) -> Any:
+def given_period(closing: Closing, number: Number) -> Any:
+    """What the dwell times sum up to, or None."""
     from flint import arb
 
     if closing.kind == "forcing":

@@ -1,0 +1,221 @@
+"""An orbit's equations joined by what holds at an event; the parameter is an unknown too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.certification.boxes.region import Region
+from nonsmooth.runtime.certification.boxes.tile import given_period
+from nonsmooth.runtime.certification.chain import Equations, Flows, Passage, chain_of
+from nonsmooth.runtime.certification.models import matrix, range_of, space_of
+from nonsmooth.runtime.certification.multipliers import reduced_map, trace_of
+from nonsmooth.runtime.certification.plan import Plan, Watched
+from nonsmooth.runtime.certification.subject import NotCovered
+from nonsmooth.runtime.certification.tables import Number
+from nonsmooth.runtime.continuation.event import Event
+from nonsmooth.runtime.validation.facts import evaluate
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["Augmented", "augmented"]
+
+_LARGEST_MAP = 6  # multipliers
+
+
+class _Here(NamedTuple):
+    """The orbit near the event."""
+
+    region: Region
+    number: Number
+    equations: Equations
+    now: Passage
+    unknowns: Sequence[Any]
+    more: Sequence[Any]
+
+
+class Augmented(NamedTuple):
+    """Equations of an event.
+
+    Attributes
+    ----------
+    region : Region
+        Over one parameter.
+    own : int
+        How many unknowns the orbit's equations have.
+    names : tuple of str
+        These, the parameter, and what else there is.
+    values : function of an orbit near the event
+        What vanishes there beside the orbit's equations.
+    """
+
+    region: Region
+    own: int
+    names: tuple[str, ...]
+    values: Callable[[_Here], list[Any]]
+
+    def __call__(self, middles: Sequence[arb], halves: Sequence[arb]) -> list[Any]:
+        """The left-hand sides as models over a box, of the first order in its coordinates."""
+        region, closing = self.region, self.region.closing
+        space = space_of(len(middles), 1)
+        box = [
+            space.variable(k, x, r) for k, (x, r) in enumerate(zip(middles, halves, strict=True))
+        ]
+        count = self.own
+        number = region.number([box[count]])
+        chain = chain_of(region.tables, region.cycle, number)
+        speeds = [number(speed) for speed in closing.speeds]
+        equations = Equations(chain, closing, given_period(closing, number), speeds)
+        flows = Flows(chain, equations.dwell(box[:count]))
+        now = equations.passage(box[:count], flows)
+        here = _Here(region, number, equations, now, box[:count], box[count + 1 :])
+        return [*now.values.entries(), *self.values(here)]
+
+
+def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
+    """The equations of an event.
+
+    Parameters
+    ----------
+    region : Region
+        Over the event's parameter.
+    event : Event
+    names : sequence of str
+        Unknowns of the orbit's equations.
+
+    Raises
+    ------
+    NotCovered
+        For kinds of events that are no regular roots of such equations.
+    """
+    more: tuple[str, ...] = ()
+    conservative = region.closing.form is not None
+    if event.kind == "flip" or (event.kind == "fold" and not conservative):
+        sign = 1 if event.kind == "flip" else -1
+        values = _multiplier(sign)
+    elif event.kind == "neimark-sacker":
+        values = _pair
+    elif event.kind == "vanishing-phase":
+        values = _vanishing(event)
+    elif event.kind == "grazing":
+        values, more = _grazing(event), ("time",)
+    elif event.kind in ("entry", "tangent", "simultaneous"):
+        values = _ending(event)
+    elif event.kind == "condition":
+        values = _condition(event)
+    else:
+        raise NotCovered(f"{event.kind}: it is no regular root of the equations of the whole orbit")
+    return Augmented(region, len(names), (*names, *region.names, *more), values)
+
+
+def _map(here: _Here) -> Any:
+    closing = here.region.closing
+    timed = closing.kind == "forcing"
+    equations = here.equations
+    maps = equations.timed_maps(here.now) if timed else equations.section_maps(here.now)
+    forced = [state for pair in closing.pairs for state in pair]
+    found = reduced_map(maps, here.region.known, forced, timed=timed, number=here.number)
+    if found.nrows() > _LARGEST_MAP:
+        raise NotCovered(f"more than {_LARGEST_MAP} multipliers")
+    return found
+
+
+def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
+    """det(M + 1) = 0 or det(M - 1) = 0."""
+
+    def values(here: _Here) -> list[Any]:
+        found = _map(here)
+        size = found.nrows()
+        return [_determinant([[found[i, j] + sign * (i == j) for j in range(size)]
+                              for i in range(size)])]  # fmt: skip
+
+    return values
+
+
+def _pair(here: _Here) -> list[Any]:
+    """Two multipliers with the product 1 that are not real."""
+    found = _map(here)
+    if found.nrows() != 2:
+        raise NotCovered("neimark-sacker: more than two multipliers")
+    if not abs(range_of(trace_of(found))) < 2:
+        raise NotCovered("neimark-sacker: the pair may be real")
+    return [_determinant([[found[i, j] for j in range(2)] for i in range(2)]) - 1]
+
+
+def _determinant(rows: Sequence[Sequence[Any]]) -> Any:
+    """By its first row: there are few of them, and models cannot be divided safely."""
+    if len(rows) == 1:
+        return rows[0][0]
+    total: Any = None
+    for place, entry in enumerate(rows[0]):
+        rest = [[*row[:place], *row[place + 1 :]] for row in rows[1:]]
+        term = entry * _determinant(rest) * (-1) ** place
+        total = term if total is None else total + term
+    return total
+
+
+def _place(event: Event) -> int:
+    if event.phase is None:
+        raise NotCovered(f"{event.kind}: no phase is named")
+    return event.phase
+
+
+def _watched(here: _Here, event: Event) -> tuple[Plan, Watched]:
+    plan = here.region.plans[_place(event)].at(here.number)
+    for watched in plan.watched:
+        if watched.name == event.boundary:
+            return plan, watched
+    raise NotCovered(f"{event.boundary} is no boundary of phase {event.phase}")
+
+
+def _vanishing(event: Event) -> Callable[[_Here], list[Any]]:
+    return lambda here: [here.equations.dwell(here.unknowns)[_place(event)]]
+
+
+def _grazing(event: Event) -> Callable[[_Here], list[Any]]:
+    """A time inside the phase at which the boundary function and its rate are zero."""
+
+    def values(here: _Here) -> list[Any]:
+        plan, watched = _watched(here, event)
+        (time,) = here.more
+        field = here.equations.chain.fields[plan.place]
+        state = (field * time).exp() * here.now.starts[plan.place]
+        row = matrix([watched.row])
+        return [(row * state)[0, 0], (row * (field * state))[0, 0]]
+
+    return values
+
+
+def _ending(event: Event) -> Callable[[_Here], list[Any]]:
+    """What is zero where the phase begins or ends."""
+
+    def values(here: _Here) -> list[Any]:
+        plan, watched = _watched(here, event)
+        if event.kind == "simultaneous" or (event.kind == "tangent" and event.time):
+            row = watched.ends if event.kind == "simultaneous" else watched.speed
+            return [evaluate(row, here.now.ends[plan.place].entries()[:-1])]
+        if watched.begins is None:
+            raise NotCovered(f"{event.boundary} stays reached")
+        return [evaluate(watched.begins.row, here.now.starts[plan.place].entries()[:-1])]
+
+    return values
+
+
+def _condition(event: Event) -> Callable[[_Here], list[Any]]:
+    """Of the conditions of a phase's transitions the one that is nearest to zero."""
+
+    def values(here: _Here) -> list[Any]:
+        plan = here.region.plans[_place(event)].at(here.number)
+        state = here.now.ends[plan.place].entries()[:-1]
+        found = [
+            evaluate(behind.row, state)
+            for follower in plan.followers
+            for behind, _ in follower.conditions
+            if behind is not None
+        ]
+        if not found:
+            raise NotCovered("no condition of the transition depends on the state")
+        return [min(found, key=lambda value: abs(float(range_of(value).mid())))]
+
+    return values

@@ -1,0 +1,173 @@
+"""Enclose an event of a branch: the bifurcation or the limit of admissibility near a computed one.
+
+Over a box around it the augmented equations are H(z + r e) = c(e) + L e, with e in [-1, 1]
+and all that is not linear in the balls c. Whatever L is, if -c(e)/L lies in [-1, 1] for
+all e, then e -> -c(e)/L has a fixed point by Brouwer's theorem, which is a root; and every
+root of the box lies in -c/L.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.certification.boxes.region import region_of
+from nonsmooth.runtime.certification.certificate import GUARD, Stated, Unknown
+from nonsmooth.runtime.certification.certify import FEWEST_BITS, MOST_BITS
+from nonsmooth.runtime.certification.events.augmented import Augmented, augmented
+from nonsmooth.runtime.certification.events.record import EventCertificate
+from nonsmooth.runtime.certification.location import unknown_names
+from nonsmooth.runtime.certification.statement import decimals, rational
+from nonsmooth.runtime.certification.subject import NotCovered
+from nonsmooth.runtime.continuation.branch import Branch
+from nonsmooth.runtime.continuation.event import Event
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.values import flint_precision
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["certify_event"]
+
+_ROUGH = 96  # bits of the first steps
+_STEPS = 5
+_KNOWN = 1e-6  # residual of the orbit at the computed event
+_NEAR = 1e-3  # how far from the computed event it is still that, in units of the unknowns
+_SHARES = (0.6, 0.75, 0.9)  # of the bits: halves of the boxes that are tried
+
+
+def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertificate:
+    """Prove that there is an event of a branch near a computed one, and enclose it.
+
+    The orbit's equations in physical coordinates are joined by what holds at the event: a
+    multiplier that is -1 or 1, a boundary function that is zero where it is touched, a
+    dwell time that is zero. Their unknowns are the orbit and the branch's parameter.
+
+    Parameters
+    ----------
+    branch : Branch
+    event : Event
+        One of its events.
+    bits : int
+        The enclosures have about so many bits.
+
+    Returns
+    -------
+    EventCertificate
+
+    Raises
+    ------
+    InputError
+        For an event that is not the branch's, or bits outside 53 ... 400000.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
+    >>> found = ns.certify_event(branch, flip)
+    >>> found.proved, abs(float(found.value) - flip.value) < 1e-9
+    (True, True)
+    """
+    if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
+        raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
+    if event not in branch.events:
+        raise InputError(f"{event.text}: this is no event of the branch")
+    empty = EventCertificate(
+        branch.name, event.kind, event.text, event.parameter, event.phase,
+        event.configuration, event.boundary, "undecided", "", {}, (), bits,
+    )  # fmt: skip
+    try:
+        system, guess = _problem(branch, event)
+        names, enclosures, box = _enclosed(system, guess, bits)
+    except NotCovered as reason:
+        return replace(empty, reason=str(reason))
+    with flint_precision(bits + GUARD):
+        stated = {n: Stated.around(x, bits) for n, x in zip(names, enclosures, strict=True)}
+    return replace(empty, claim="proved", enclosures=stated, box=box)
+
+
+def _problem(branch: Branch, event: Event) -> tuple[Augmented, list[arb]]:
+    """The event's equations, and their unknowns about."""
+    from flint import arb
+
+    orbit = branch.orbit_at(event)
+    if not float(orbit.residual) < _KNOWN:
+        raise NotCovered(f"the orbit at the event is not known well enough: {orbit.message}")
+    value = orbit.given[event.parameter].exact
+    assert value is not None  # a double
+    width = max(abs(value), Fraction(1)) / 1000
+    region = region_of(orbit, {event.parameter: (value - width, value + width)})
+    system = augmented(region, event, unknown_names(region.subject, region.closing))
+    guess = [*region.guess, arb(event.value)]
+    if event.kind == "grazing":
+        guess.append(arb(float(event.time or 0.0)))
+    return system, guess
+
+
+def _enclosed(
+    system: Augmented, guess: Sequence[arb], bits: int
+) -> tuple[tuple[str, ...], list[arb], tuple[Unknown, ...]]:
+    """Names, enclosures and box of the root.
+
+    Raises
+    ------
+    NotCovered
+        If none is proved to be there.
+    """
+    from flint import arb
+
+    sizes = [abs(x).mid() if abs(x) > 2.0**-10 else arb(1) for x in guess]
+    point = _newton(system, guess, sizes, bits)
+    if not all(abs(x - g) < _NEAR * size for x, g, size in zip(point, guess, sizes, strict=True)):
+        raise NotCovered("Newton's method leaves the computed event")
+    with flint_precision(bits + GUARD):
+        for share in _SHARES:
+            unit = arb(2) ** -int(bits * share)
+            box = tuple(
+                Unknown(name, *decimals(x.mid() + arb(0, unit * size), bits + GUARD))
+                for name, x, size in zip(system.names, point, sizes, strict=True)
+            )
+            middles = [arb(rational(side.mid)) for side in box]
+            halves = [arb(rational(side.rad)) for side in box]
+            inside = _solved(system, middles, halves)
+            if inside is not None and all(abs(e) < 1 for e in inside):
+                moved = zip(middles, halves, inside, strict=True)
+                return system.names, [x + r * e for x, r, e in moved], box
+    raise NotCovered("the equations of the event are singular there, or nearly so")
+
+
+def _newton(system: Augmented, guess: Sequence[arb], sizes: Sequence[arb], bits: int) -> list[arb]:
+    """A point near the root; nothing is proved of it."""
+    from flint import arb
+
+    precisions = [bits + GUARD]
+    while precisions[-1] > 2 * _ROUGH:
+        precisions.append(precisions[-1] // 2 + GUARD)
+    point = list(guess)
+    for precision in [*(_ROUGH,) * _STEPS, *reversed(precisions)]:
+        with flint_precision(precision):
+            halves = [size * arb(2) ** -(precision // 2) for size in sizes]
+            middles = [x.mid() for x in point]
+            change = _solved(system, middles, halves)
+            if change is None:
+                raise NotCovered("the equations of the event are singular there, or nearly so")
+            moved = zip(middles, halves, change, strict=True)
+            point = [(x + (r * e).mid()).mid() for x, r, e in moved]
+    return point
+
+
+def _solved(system: Augmented, middles: Sequence[arb], halves: Sequence[arb]) -> list[arb] | None:
+    """-c/L over a box; None where that is not known."""
+    from flint import arb_mat
+
+    values: list[Any] = system(middles, halves)
+    constants = arb_mat([[value.parts[0]] for value in values])
+    slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
+    try:
+        found = (-slopes.solve(constants)).entries()
+    except ZeroDivisionError:
+        return None
+    return list(found) if all(x.is_finite() for x in found) else None
