@@ -92,6 +92,16 @@ class Region:
 
         return number
 
+    def near(self, point: Sequence[Fraction]) -> Callable[[Any], float]:
+        """The map from exact entries to floats, at a point of the box."""
+        from flint import arb
+
+        def near(entry: Any) -> float:
+            with flint_precision(BITS):
+                return float(middle_of(self.number([arb(_fmpq(x)) for x in point])(entry)))
+
+        return near
+
 
 def checked_box(
     orbit: Orbit | ComposedOrbit, box: Mapping[str, tuple[object, object]]
@@ -157,14 +167,9 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
         subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
         plan_of(tables, subject.cycle, known), (),
     )  # fmt: skip
-    with flint_precision(BITS):
-        number = region.number([_fmpq(at[name]) + 0 * subject.dwell[0] for name in box])
-
-        def near(quantity: Any) -> float:
-            return float(middle_of(number(quantity)))
-
-        closing = closing_of(subject, tables, [float(x) for x in subject.start], near)
-        guess = guess_of(subject, closing, near)
+    near = region.near([at[name] for name in box])
+    closing = closing_of(subject, tables, [float(x) for x in subject.start], near)
+    guess = guess_of(subject, closing, near)
     if closing.kind == "period":
         closing = replace(closing, period=entry(period))
     return replace(region, closing=closing, guess=guess)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.boxes.region import Region
 from nonsmooth.runtime.certification.boxes.tile import given_period
 from nonsmooth.runtime.certification.chain import Equations, Flows, Passage, chain_of
-from nonsmooth.runtime.certification.models import matrix, range_of, space_of
-from nonsmooth.runtime.certification.multipliers import reduced_map, trace_of
+from nonsmooth.runtime.certification.models import matrix, middle_of, range_of, space_of
+from nonsmooth.runtime.certification.multipliers import reduced_map
 from nonsmooth.runtime.certification.plan import Plan, Watched
 from nonsmooth.runtime.certification.subject import NotCovered
 from nonsmooth.runtime.certification.tables import Number
@@ -17,7 +18,7 @@ from nonsmooth.runtime.continuation.event import Event
 from nonsmooth.runtime.validation.facts import evaluate
 
 if TYPE_CHECKING:
-    from flint import arb
+    from flint import arb, arb_mat
 
 __all__ = ["Augmented", "augmented"]
 
@@ -134,25 +135,49 @@ def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
 
 
 def _pair(here: _Here) -> list[Any]:
-    """Two multipliers with the product 1 that are not real."""
+    """Two multipliers with the product 1 that are not real, by the bialternate product."""
     found = _map(here)
-    if found.nrows() != 2:
-        raise NotCovered("neimark-sacker: more than two multipliers")
-    if not abs(range_of(trace_of(found))) < 2:
-        raise NotCovered("neimark-sacker: the pair may be real")
-    return [_determinant([[found[i, j] for j in range(2)] for i in range(2)]) - 1]
+    _check_pair(range_of(found))
+    pairs = list(combinations(range(found.nrows()), 2))
+
+    def entry(p: int, q: int, r: int, s: int) -> Any:
+        return found[p, r] * found[q, s] - found[p, s] * found[q, r] - int((p, q) == (r, s))
+
+    return [_determinant([[entry(*left, *right) for right in pairs] for left in pairs])]
+
+
+def _check_pair(found: arb_mat) -> None:
+    """Refuse a product 1 of real multipliers: every pair that may have it is not real."""
+    from flint import acb_mat
+
+    try:
+        multipliers = acb_mat(found).eig()
+    except ValueError:
+        raise NotCovered("neimark-sacker: the multipliers cannot be told apart") from None
+    for first, second in combinations(multipliers, 2):
+        real = first.imag.contains(0) or second.imag.contains(0)
+        if real and (first * second).contains(1):
+            raise NotCovered("neimark-sacker: the pair may be real")
 
 
 def _determinant(rows: Sequence[Sequence[Any]]) -> Any:
-    """By its first row: there are few of them, and models cannot be divided safely."""
-    if len(rows) == 1:
-        return rows[0][0]
-    total: Any = None
-    for place, entry in enumerate(rows[0]):
-        rest = [[*row[:place], *row[place + 1 :]] for row in rows[1:]]
-        term = entry * _determinant(rest) * (-1) ** place
-        total = term if total is None else total + term
-    return total
+    """By elimination, the largest pivot first: at an event only the last one is zero."""
+    left = [list(row) for row in rows]
+    found: Any = None
+    while left:
+        sizes = {
+            (i, j): abs(float(middle_of(x)))
+            for i, row in enumerate(left)
+            for j, x in enumerate(row)
+        }
+        i, j = max(sizes, key=lambda place: sizes[place])
+        taken = left.pop(i)
+        pivot = taken.pop(j) * (-1) ** (i + j)
+        found = pivot if found is None else found * pivot
+        for row in left:
+            factor = row.pop(j) / (pivot * (-1) ** (i + j))
+            row[:] = [x - factor * y for x, y in zip(row, taken, strict=True)]
+    return found
 
 
 def _place(event: Event) -> int:

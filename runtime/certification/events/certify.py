@@ -20,10 +20,12 @@ from nonsmooth.runtime.certification.events.augmented import Augmented, augmente
 from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.certification.location import unknown_names
 from nonsmooth.runtime.certification.statement import decimals, rational
-from nonsmooth.runtime.certification.subject import NotCovered
+from nonsmooth.runtime.certification.subject import NotCovered, guess_of
+from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.continuation.branch import Branch
 from nonsmooth.runtime.continuation.event import Event
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
@@ -33,8 +35,11 @@ __all__ = ["certify_event"]
 
 _ROUGH = 96  # bits of the first steps
 _STEPS = 5
+_NEIGHBOURS = 4
 _KNOWN = 1e-6  # residual of the orbit at the computed event
-_NEAR = 1e-3  # how far from the computed event it is still that, in units of the unknowns
+# how far from the computed event it is still that, in units of the unknowns
+_NEAR = 1e-6  # the parameter
+_ALIKE = 0.05  # the orbit, of which a neighbour may be all that is known
 _SHARES = (0.6, 0.75, 0.9)  # of the bits: halves of the boxes that are tried
 
 
@@ -93,18 +98,36 @@ def _problem(branch: Branch, event: Event) -> tuple[Augmented, list[arb]]:
     """The event's equations, and their unknowns about."""
     from flint import arb
 
-    orbit = branch.orbit_at(event)
+    orbit = _orbit_near(branch, event)
     if not float(orbit.residual) < _KNOWN:
         raise NotCovered(f"the orbit at the event is not known well enough: {orbit.message}")
-    value = orbit.given[event.parameter].exact
-    assert value is not None  # a double
-    width = max(abs(value), Fraction(1)) / 1000
-    region = region_of(orbit, {event.parameter: (value - width, value + width)})
-    system = augmented(region, event, unknown_names(region.subject, region.closing))
-    guess = [*region.guess, arb(event.value)]
+    value, own = Fraction(event.value), orbit.given[event.parameter].exact
+    assert own is not None  # a double
+    width = (abs(value) or Fraction(1)) / 10**6
+    region = region_of(orbit, {event.parameter: (min(value, own) - width, max(value, own) + width)})
+    subject, known = region.subject, event.unknowns
+    if known.keys() >= {*subject.start_names, *subject.dwell_names}:
+        subject = replace(
+            subject,
+            start=[arb(known[name]) for name in subject.start_names],
+            dwell=[arb(known[name]) for name in subject.dwell_names],
+        )
+    system = augmented(region, event, unknown_names(subject, region.closing))
+    guess = [*guess_of(subject, region.closing, region.near([value])), arb(event.value)]
     if event.kind == "grazing":
         guess.append(arb(float(event.time or 0.0)))
     return system, guess
+
+
+def _orbit_near(branch: Branch, event: Event) -> Orbit | ComposedOrbit:
+    """The orbit at an event; where it has a phase of no duration, the next one of the branch."""
+    places: list[Any] = sorted(range(len(branch)), key=lambda k: abs(k - event.place))
+    for place in (event, *places[:_NEIGHBOURS]):
+        try:
+            return branch.orbit_at(place)
+        except InputError:
+            continue
+    raise NotCovered("no orbit is known near the event")
 
 
 def _enclosed(
@@ -121,7 +144,12 @@ def _enclosed(
 
     sizes = [abs(x).mid() if abs(x) > 2.0**-10 else arb(1) for x in guess]
     point = _newton(system, guess, sizes, bits)
-    if not all(abs(x - g) < _NEAR * size for x, g, size in zip(point, guess, sizes, strict=True)):
+    near = [_ALIKE] * len(sizes)
+    near[system.own] = _NEAR
+    if not all(
+        abs(x - g) < share * size
+        for x, g, share, size in zip(point, guess, near, sizes, strict=True)
+    ):
         raise NotCovered("Newton's method leaves the computed event")
     with flint_precision(bits + GUARD):
         for share in _SHARES:
