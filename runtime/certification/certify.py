@@ -41,7 +41,7 @@ from nonsmooth.runtime.values import flint_precision
 if TYPE_CHECKING:
     from flint import acb, arb
 
-__all__ = ["FEWEST_BITS", "MOST_BITS", "certify"]
+__all__ = ["FEWEST_BITS", "MOST_BITS", "certify", "stated"]
 
 FEWEST_BITS, MOST_BITS = 53, 400_000
 _SLACK = 8  # radii are stated so much larger than they are found
@@ -205,7 +205,7 @@ def _certificate(
         reasons = {name: reason for name, reason in told if reason}
         enclosures = _enclosures(subject, root, stability.trace, bits)
         multipliers = tuple(
-            (_stated(m.real, bits, 1), _stated(m.imag, bits, 1)) for m in stability.multipliers
+            (stated(m.real, bits, 1), stated(m.imag, bits, 1)) for m in stability.multipliers
         )
         margins = tuple(_margin(m) for m in judgement.margins)
     return Certificate(
@@ -240,10 +240,10 @@ def _enclosures(subject: Subject, root: Root, trace: arb | None, bits: int) -> d
     found |= dict(zip(subject.dwell_names, dwell, strict=True))
     start = root.passage.starts[0].entries()[:-1]
     found |= dict(zip(subject.start_names, start, strict=True))
-    return {name: _stated(ball, bits, int(name == "trace")) for name, ball in found.items()}
+    return {name: stated(ball, bits, int(name == "trace")) for name, ball in found.items()}
 
 
-def _stated(ball: arb, bits: int, size: int = 0) -> Stated:
+def stated(ball: arb, bits: int, size: int = 0) -> Stated:
     """A wider ball than was found: the check computes it anew, with other roundings.
 
     A number that is computed from others of a size may be much smaller than these.

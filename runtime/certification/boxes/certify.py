@@ -29,7 +29,6 @@ __all__ = ["MOST_TILES", "certify_box"]
 
 MOST_TILES = 4000
 _DEEPEST = 12  # halvings along each axis
-_SLACK = 1.25  # radii are stated so much larger than they are found
 _EVERY = 10.0  # seconds between states that are kept
 _NOT_TRIED = "not looked at yet"
 
@@ -171,13 +170,6 @@ def _judged(tile: Tile, proof: Proof) -> Tile:
             n: Stated.around(b, BITS) for n, b in proof.enclosures.items() if b.is_finite()
         }
     return Tile(tile.place, claims, proof.reason, enclosures, guess, True)
-
-
-def _wider(ball: arb) -> arb:
-    """A wider ball: the check computes it anew, in its own way."""
-    from flint import arb
-
-    return ball.mid() + arb(0, _SLACK * ball.rad() + (1 + abs(ball)) * arb(2) ** (16 - BITS))
 
 
 def _balls(guess: Sequence[float]) -> list[arb]:

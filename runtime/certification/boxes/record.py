@@ -10,7 +10,7 @@ from typing import Any
 
 from nonsmooth.runtime.certification.boxes.place import Interval, Place
 from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
-from nonsmooth.runtime.values import Value, flint_precision
+from nonsmooth.runtime.values import Value, as_value, flint_precision
 
 __all__ = ["FORMAT", "VERDICTS", "BoxCertificate", "Tile"]
 
@@ -152,16 +152,18 @@ class BoxCertificate:
         ends = tuple(self.box.values())
         return {name: tile.place.interval(k, ends) for k, name in enumerate(self.box)}
 
-    def tile_at(self, point: Mapping[str, float | Fraction]) -> Tile:
-        """The first tile that holds a point of the box.
+    def tile_at(self, point: Mapping[str, object]) -> Tile:
+        """The first tile that holds a point of the box; a float means its shortest decimal.
 
         Raises
         ------
         KeyError
             If a parameter of the box is missing, or the point is outside.
         """
+        exact = {name: as_value(point[name]).exact for name in self.box}
         for tile in self.tiles:
-            if all(low <= point[name] <= high for name, (low, high) in self.where(tile).items()):
+            where = self.where(tile)
+            if all(x is not None and where[n][0] <= x <= where[n][1] for n, x in exact.items()):
                 return tile
         raise KeyError(f"{dict(point)} is not in the box")
 

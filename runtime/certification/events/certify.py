@@ -14,8 +14,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.boxes.region import region_of
-from nonsmooth.runtime.certification.certificate import GUARD, Stated, Unknown
-from nonsmooth.runtime.certification.certify import FEWEST_BITS, MOST_BITS
+from nonsmooth.runtime.certification.certificate import GUARD, Unknown
+from nonsmooth.runtime.certification.certify import FEWEST_BITS, MOST_BITS, stated
 from nonsmooth.runtime.certification.events.augmented import Augmented, augmented
 from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.certification.location import unknown_names
@@ -90,8 +90,8 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     except NotCovered as reason:
         return replace(empty, reason=str(reason))
     with flint_precision(bits + GUARD):
-        stated = {n: Stated.around(x, bits) for n, x in zip(names, enclosures, strict=True)}
-    return replace(empty, claim="proved", enclosures=stated, box=box)
+        told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
+    return replace(empty, claim="proved", enclosures=told, box=box)
 
 
 def _problem(branch: Branch, event: Event) -> tuple[Augmented, list[arb]]:
