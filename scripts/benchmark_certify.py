@@ -1,4 +1,4 @@
-"""The section of benchmark.py on certificates, at the paper's data."""
+"""The sections of benchmark.py on certificates and counted orbits, at the paper's data."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from measuring import Row, timed
 
 from nonsmooth.runtime.certification.certificate import GUARD
 from nonsmooth.runtime.certification.certify import certify
+from nonsmooth.runtime.certification.counting.count import certify_all
 from nonsmooth.runtime.certification.location import locate
 from nonsmooth.runtime.certification.multipliers import product_of, trace_of
 from nonsmooth.runtime.certification.saved import check_certificate
@@ -18,7 +19,7 @@ from nonsmooth.runtime.certification.tables import tables_of
 from nonsmooth.runtime.solve import solve
 from nonsmooth.runtime.values import flint_precision
 
-__all__ = ["certified"]
+__all__ = ["certified", "counted"]
 
 ORBIT = "dry-friction/global-stick"
 BITS = 100
@@ -63,3 +64,20 @@ def certified(quick: bool) -> Iterator[Row]:
             timed(lambda: check_certificate(path), runs=runs),
             against=whole,
         )
+
+
+def counted(quick: bool) -> Iterator[Row]:
+    """All orbits of an itinerary in a box, each certified, nothing undecided."""
+    runs = 3 if quick else 5
+
+    def reduced() -> None:
+        census = certify_all(ORBIT, box={"tau": (0, "12.6"), "tau1": (0, 20)})
+        assert census.decided
+        assert (census.count, census.admissible) == (6, 1)
+
+    def dwell() -> None:
+        box = {"tau": 6, "tau1": 6}
+        assert certify_all("dry-friction/symmetric", {"us2": 1}, box).decided
+
+    yield Row("global stick, tau to 12.6, tau1 to 20", timed(reduced, 1, runs), 5.0)
+    yield Row("slip-slip, slip-stick, dwell times to 6", timed(dwell, 1, runs))

@@ -35,7 +35,14 @@ from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import structure_of
 from nonsmooth.runtime.values import flint_precision
 
-__all__ = ["Check", "check_certificate", "load_certificate", "save_certificate"]
+__all__ = [
+    "Check",
+    "certificate_content",
+    "certificate_of",
+    "check_certificate",
+    "load_certificate",
+    "save_certificate",
+]
 
 _LARGEST_FILE = 50_000_000  # bytes
 _FIELDS: dict[str, type] = {
@@ -89,6 +96,12 @@ def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> 
     InputError
         If the file cannot be written.
     """
+    text = json.dumps(certificate_content(certificate), indent=1, allow_nan=False) + "\n"
+    write_file(Path(path), text.encode())
+
+
+def certificate_content(certificate: Certificate) -> dict[str, Any]:
+    """What is in a certificate's file."""
     from importlib.metadata import version
 
     content: dict[str, Any] = {
@@ -102,8 +115,7 @@ def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> 
         "closing": dict(certificate.closing),
     }
     content["sha256"] = checksum_of(content)
-    text = json.dumps(content, indent=1, allow_nan=False) + "\n"
-    write_file(Path(path), text.encode())
+    return content
 
 
 def load_certificate(path: str | os.PathLike[str]) -> Certificate:
@@ -115,12 +127,17 @@ def load_certificate(path: str | os.PathLike[str]) -> Certificate:
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
     try:
-        content = _content(Path(path))
-        if content["sha256"] != checksum_of(content):
-            raise InputError("edited or damaged: the checksum differs")
-        return _certificate(content)
+        return certificate_of(_content(Path(path)))
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
+
+
+def certificate_of(content: Any) -> Certificate:
+    """The certificate of which this is a file's content; InputError if it is not in order."""
+    _check_entries(content)
+    if content["sha256"] != checksum_of(content):
+        raise InputError("edited or damaged: the checksum differs")
+    return _certificate(content)
 
 
 def check_certificate(path: str | os.PathLike[str]) -> Check:
@@ -156,6 +173,11 @@ def _content(path: Path) -> dict[str, Any]:
         if isinstance(problem, InputError):
             raise
         raise InputError("cut, or not JSON") from None
+    _check_entries(content)
+    return dict(content)
+
+
+def _check_entries(content: Any) -> None:
     if not isinstance(content, dict) or content.get("format") != FORMAT:
         raise InputError("not a certificate, such as --save writes")
     if content.get("version") != VERSION:
@@ -170,7 +192,6 @@ def _content(path: Path) -> dict[str, Any]:
             raise InputError(f"{name!r} is of the wrong type")
     if set(content["claims"]) != set(CLAIMS):
         raise InputError(f"its claims are not {', '.join(CLAIMS)}")
-    return content
 
 
 def _certificate(content: Mapping[str, Any]) -> Certificate:

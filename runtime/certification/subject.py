@@ -32,9 +32,11 @@ __all__ = [
     "Subject",
     "check_converged",
     "chosen_of",
+    "chosen_values",
     "closing_of",
     "guess_of",
     "period_name",
+    "period_of",
     "physical_values",
     "subject_near",
     "subject_of",
@@ -147,7 +149,7 @@ def _derived(orbit: Orbit) -> Subject:
         values,
         tuple(chosen),
         cycle,
-        None if period_name(kernels) is None else orbit.given.get(str(period_name(kernels))),
+        period_of(kernels, orbit.given),
         [exact_ball(x) for x in start.tolist()],
         [exact_ball(x) for x in dwell],
         start_names(structure.states, {*names, *values}),
@@ -165,14 +167,25 @@ def period_name(kernels: OrbitKernels) -> str | None:
     return left[0] if len(left) == 1 and total[left[0]] == 1 else None
 
 
+def period_of(kernels: OrbitKernels, given: Mapping[str, Value]) -> Value | None:
+    """What the dwell times of a conservative orbit sum up to, if it is given."""
+    name = period_name(kernels)
+    return None if name is None else given.get(name)
+
+
 def chosen_of(orbit: Orbit) -> dict[str, Value]:
     """Values of the system's parameters that an orbit leaves open, where they were not given."""
-    kernels = orbit.kernels
-    values = _with_required(kernels, {**orbit.given, **orbit.opened})
     bounds = {}
-    if kernels.open_parameters:
-        admissibility = orbit.admissibility
-        bounds = {r.parameter: r.greater_than for r in admissibility.requires}
+    if orbit.kernels.open_parameters:
+        bounds = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
+    return chosen_values(orbit.kernels, {**orbit.given, **orbit.opened}, bounds)
+
+
+def chosen_values(
+    kernels: OrbitKernels, given: Mapping[str, Value], bounds: Mapping[str, float]
+) -> dict[str, Value]:
+    """Values of the system's parameters that are left open, above these bounds."""
+    values = _with_required(kernels, given)
     chosen: dict[str, Value] = {}
     for table in kernels.system.parameters:
         name = table.name

@@ -22,6 +22,7 @@ from nonsmooth.runtime.commands.application import (
     split,
 )
 from nonsmooth.runtime.commands.certifying_boxes import certify_over, is_box
+from nonsmooth.runtime.commands.counting import Every, count_orbits
 from nonsmooth.runtime.commands.options import AsJson, Assignments, Guess
 from nonsmooth.runtime.errors import InputError
 
@@ -45,6 +46,7 @@ class Proven(StrEnum):
     "nonsmooth certify my_oscillator.py:loop --save certificate.json\n\n"
     "nonsmooth certify dry-friction/global-stick V=0.9:1.1 eta=0.9:1.1 --save map.json"
     " --plot map.png\n\n"
+    "nonsmooth certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20\n\n"
     "nonsmooth certify --check certificate.json"
 )
 @answering
@@ -95,21 +97,23 @@ def certify(
             help="Prove a saved certificate again, from the file alone; exit with 1 if it differs.",
         ),
     ] = None,
+    every: Every = False,
     as_json: AsJson = False,
 ) -> int:
     """Prove that an orbit exists, is a motion of the system, and is stable: by ball arithmetic.
 
     Parameters that are ranges, V=0.99:1.01, span a box: then all is proved for each of its
-    points, tile by tile, and the exit code is 1 while more than 1 % of it is undecided.
+    points, tile by tile, and the exit code is 1 while more than 1 % of it is undecided. With
+    --all the ranges are of dwell times, and it is proved how many orbits there are.
     """
     if check is not None:
         options = (orbit, parameters, guess, digits, bits, save, resume, plot)
-        if any(option is not None and option != [] for option in options):
+        if every or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file and nothing else to certify")
         return _check(check, require, as_json=as_json)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
-    if is_box(parameters):
+    if is_box(parameters) and not every:
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
         near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
@@ -125,6 +129,9 @@ def certify(
         if digits < 1:
             raise InputError(f"digits = {digits} is not a positive integer")
         bits = max(53, math.ceil(digits * math.log2(10)) + _MORE)
+    if every:
+        wanted = _BITS if bits is None else bits
+        return count_orbits(orbit, parameters, guess, wanted, require, save, as_json=as_json)
     return _certify(
         orbit, parameters, guess, _BITS if bits is None else bits, require, save, as_json
     )

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
     from nonsmooth.runtime.certification.certificate import Certificate
     from nonsmooth.runtime.certification.certify import certify
+    from nonsmooth.runtime.certification.counting.census import Census
+    from nonsmooth.runtime.certification.counting.count import certify_all
+    from nonsmooth.runtime.certification.counting.saved import load_census
     from nonsmooth.runtime.certification.events.certify import certify_event
     from nonsmooth.runtime.certification.events.record import EventCertificate
     from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
@@ -46,6 +49,7 @@ if TYPE_CHECKING:
 __all__ = [
     "BoxCertificate",
     "Branch",
+    "Census",
     "Certificate",
     "ComposedOrbit",
     "Event",
@@ -66,6 +70,7 @@ __all__ = [
     "Trajectory",
     "__version__",
     "certify",
+    "certify_all",
     "certify_box",
     "certify_event",
     "chart",
@@ -79,6 +84,7 @@ __all__ = [
     "load",
     "load_box_certificate",
     "load_branch",
+    "load_census",
     "load_certificate",
     "load_chart",
     "load_found",
@@ -96,6 +102,7 @@ __all__ = [
 
 _HOMES = {
     "BoxCertificate": "certification.boxes.record",
+    "Census": "certification.counting.census",
     "Certificate": "certification.certificate",
     "Branch": "continuation.branch",
     "ComposedOrbit": "composition.composed",
@@ -118,6 +125,7 @@ _HOMES = {
     "certify": "certification.certify",
     "certify_box": "certification.boxes.certify",
     "certify_event": "certification.events.certify",
+    "certify_all": "certification.counting.count",
     "check_certificate": "certification.saved",
     "chart": "charting.chart",
     "compose": "composition.composed",
@@ -128,6 +136,7 @@ _HOMES = {
     "itinerary_of": "composition.recurring",
     "load": "saved:load_orbit_file",
     "load_box_certificate": "certification.boxes.saved",
+    "load_census": "certification.counting.saved",
     "load_certificate": "certification.saved",
     "load_chart": "charting.chart",
     "load_branch": "continuation.saved",
