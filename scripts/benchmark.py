@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
-from benchmark_certify import certified, counted
+from benchmark_certify import boxed, certified, counted
 from benchmark_chart import chart
 from benchmark_continuation import branch
 from benchmark_declared import declared
@@ -310,7 +310,18 @@ SECTIONS = {
     f.__name__: f
     for f in (
         *(batch, kernel, single, refine, derive, process),
-        *(simulation, many, sequences, composed, declared, certified, counted, chart, branch),
+        *(
+            simulation,
+            many,
+            sequences,
+            composed,
+            declared,
+            certified,
+            boxed,
+            counted,
+            chart,
+            branch,
+        ),
     )
 }
 

@@ -8,18 +8,21 @@ from pathlib import Path
 
 from measuring import Row, timed
 
+from nonsmooth.runtime.certification.boxes.certify import certify_box
 from nonsmooth.runtime.certification.certificate import GUARD
 from nonsmooth.runtime.certification.certify import certify
 from nonsmooth.runtime.certification.counting.count import certify_all
+from nonsmooth.runtime.certification.events.certify import certify_event
 from nonsmooth.runtime.certification.location import locate
 from nonsmooth.runtime.certification.multipliers import product_of, trace_of
 from nonsmooth.runtime.certification.saved import check_certificate
 from nonsmooth.runtime.certification.subject import closing_of, subject_of
 from nonsmooth.runtime.certification.tables import tables_of
+from nonsmooth.runtime.continuation.branch import continue_orbit
 from nonsmooth.runtime.solve import solve
 from nonsmooth.runtime.values import flint_precision
 
-__all__ = ["certified", "counted"]
+__all__ = ["boxed", "certified", "counted"]
 
 ORBIT = "dry-friction/global-stick"
 BITS = 100
@@ -64,6 +67,24 @@ def certified(quick: bool) -> Iterator[Row]:
             timed(lambda: check_certificate(path), runs=runs),
             against=whole,
         )
+
+
+def boxed(quick: bool) -> Iterator[Row]:
+    """Boxes of parameters around the paper's data, and an event to 30 and 300 digits."""
+    orbit = solve(ORBIT)
+    runs = 3 if quick else 7
+
+    def around(low: str, high: str) -> None:
+        assert certify_box(orbit, {"V": (low, high), "eta": (low, high)}).proved
+
+    within = "V and eta within {}, proved whole"
+    yield Row(within.format("1 %"), timed(lambda: around("0.99", "1.01"), 1, runs), 2)
+    yield Row(within.format("10 %"), timed(lambda: around("0.9", "1.1"), 1, runs), 60)
+    branch = continue_orbit(solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    (flip,) = [event for event in branch.events if event.kind == "flip"]
+    for bits in (100, 1000):
+        told = f"a flip enclosed, {bits} bits"
+        yield Row(told, timed(lambda bits=bits: certify_event(branch, flip, bits), 1, runs))
 
 
 def counted(quick: bool) -> Iterator[Row]:

@@ -1,5 +1,7 @@
 """The chapter on proofs of the reproduced paper."""
 
+import mpmath
+
 from nonsmooth.runtime.refine import refine
 from nonsmooth.runtime.reproduce.proofs import with_certificates
 from nonsmooth.runtime.reproduce.records import Chapter, Report, Table, Text
@@ -24,3 +26,10 @@ def test_claims_and_reasons_stand_before_the_last_chapter() -> None:
     (table,) = (block for block in report.chapters[1].blocks if isinstance(block, Table))
     assert [row[0] for row in table.rows] == list(NAMES)
     assert f"proof of {NAMES[1]}" in steps
+    collision = report.results["collisions"][NAMES[1]]
+    assert collision["claim"] == "proved"
+    with mpmath.workdps(60):
+        middle, radius = (mpmath.mpf(collision["enclosures"]["e1"][k]) for k in ("mid", "rad"))
+        assert abs(orbits[NAMES[1]].unknowns["e1"] - middle) < radius + mpmath.mpf(10) ** -29
+    texts = [block.text for block in report.chapters[1].blocks if isinstance(block, Text)]
+    assert any("shrinks to zero" in text for text in texts)

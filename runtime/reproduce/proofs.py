@@ -7,10 +7,16 @@ from dataclasses import replace
 
 from nonsmooth.runtime.certification.certificate import CLAIMS, Certificate
 from nonsmooth.runtime.certification.certify import certify
+from nonsmooth.runtime.certification.events.certify import certify_event
+from nonsmooth.runtime.certification.events.record import EventCertificate
+from nonsmooth.runtime.continuation.branch import continue_orbit
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.reproduce.records import Chapter, Report, Table, Text
+from nonsmooth.runtime.solve import solve
 
 __all__ = ["with_certificates"]
+
+_BESIDE = 0.05  # of the parameter: from a border collision to an orbit that has all phases
 
 
 def with_certificates(
@@ -24,11 +30,22 @@ def with_certificates(
     rows = tuple(
         (name, *(c.claims[claim] for claim in CLAIMS), _enclosed(c)) for name, c in found.items()
     )
+    collisions = {
+        name: _collision(orbit)
+        for name, orbit in orbits.items()
+        if orbit.kernels.table["vanishing"]
+    }
     reasons = [
         f"*{name}*, {claim}: {reason}."
         for name, certificate in found.items()
         for claim, reason in certificate.reasons.items()
     ]
+    for name, event in collisions.items():
+        told = f"{event.value.mid} +/- {event.value.rad}" if event.proved else event.reason
+        reasons.append(
+            f"*{name}* is where a dwell time of *{event.orbit}* shrinks to zero; that it does is"
+            f" {event.claim}, at {event.parameter} = {told}."
+        )
     chapter = Chapter(
         "proofs",
         "Proofs",
@@ -54,8 +71,29 @@ def with_certificates(
     return replace(
         report,
         chapters=(*report.chapters[:-1], chapter, report.chapters[-1]),
-        results={**report.results, "certificates": certificates},
+        results={
+            **report.results,
+            "certificates": certificates,
+            "collisions": {name: event.to_json() for name, event in collisions.items()},
+        },
     )
+
+
+def _collision(orbit: Orbit) -> EventCertificate:
+    """The border collision that an orbit with a vanishing phase is, on the branch beside it."""
+    kernels = orbit.kernels
+    (parameter,) = kernels.solved_for
+    (host,) = [
+        name
+        for name, table in kernels.system.module.ORBITS.items()
+        if table["phases"] == kernels.table["phases"] and not table["vanishing"]
+    ]
+    given = {name: str(value) for name, value in orbit.given.items()}
+    value = float(orbit.unknowns[parameter])
+    beside = solve(f"{kernels.system.name}/{host}", {**given, parameter: value + _BESIDE})
+    branch = continue_orbit(beside, parameter, (value - _BESIDE, value + 2 * _BESIDE))
+    (event,) = [event for event in branch.events if event.kind == "vanishing-phase"]
+    return certify_event(branch, event)
 
 
 def _enclosed(certificate: Certificate) -> str:
