@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from numbers import Integral
 from typing import Any
@@ -18,9 +18,10 @@ from nonsmooth.runtime.newton import CONVERGED, NEGATIVE, OUTSIDE, Solved, solve
 from nonsmooth.runtime.orbit import STATUS
 from nonsmooth.runtime.parameters import check_arrays, in_domains
 
-__all__ = ["Orbits", "solve_many"]
+__all__ = ["Orbits", "solve_from", "solve_many"]
 
 CHUNK = 1 << 15  # points that one thread takes at a time
+_SAME = 1e-6  # difference of one orbit found twice, in units of max(1, |x|)
 
 
 @dataclass(frozen=True)
@@ -124,15 +125,47 @@ def solve_many(
         return solve_declared_many(kernels, parameters, **options)
     arrays = check_arrays(kernels, parameters)
     try:
-        shape = np.broadcast_shapes(*(a.shape for a in arrays.values()))
+        np.broadcast_shapes(*(a.shape for a in arrays.values()))
     except ValueError as error:
         raise InputError(f"the parameter arrays do not broadcast: {error}") from None
+    found = _solve_arrays(kernels, arrays, None, admissibility, threads, chunk)
+    return replace(found, name=orbit)
+
+
+def solve_from(
+    kernels: OrbitKernels, parameters: Mapping[str, np.ndarray], start: np.ndarray | None
+) -> Orbits:
+    """Find orbits from one start each, in this thread, with admissibility decided.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+        Of an orbit that is derived.
+    parameters : mapping of str to array
+        All parameters of the equations; they broadcast against each other.
+    start : array (..., m) or None
+        Reduced unknowns; None starts as `solve_many` does.
+    """
+    return _solve_arrays(kernels, dict(parameters), start, True, 1, CHUNK)
+
+
+def _solve_arrays(
+    kernels: OrbitKernels,
+    arrays: dict[str, np.ndarray],
+    start: np.ndarray | None,
+    admissibility: bool,
+    threads: int | None,
+    chunk: int,
+) -> Orbits:
+    shape = np.broadcast_shapes(*(np.shape(a) for a in arrays.values()))
     count = int(np.prod(shape, dtype=np.int64))
     results = _Results.empty(kernels, count, admissibility)
     broadcast = [np.broadcast_to(arrays[name], shape) for name in kernels.parameter_names]
+    flat = None if start is None else start.reshape(count, len(kernels.reduced))
 
     def work(part: slice) -> None:
-        _fill(kernels, np.stack([b.flat[part] for b in broadcast], axis=-1), results, part)
+        points = np.stack([b.flat[part] for b in broadcast], axis=-1)
+        _fill(kernels, points, None if flat is None else flat[part], results, part)
 
     if count > chunk and threads != 1:
         with ThreadPoolExecutor(threads) as pool:
@@ -140,7 +173,7 @@ def solve_many(
     else:
         for part in _parts(count, chunk):
             work(part)
-    return results.shaped(orbit, kernels, arrays, shape)
+    return results.shaped(kernels.name, kernels, arrays, shape)
 
 
 def _check_positive(name: str, number: object) -> None:
@@ -208,10 +241,17 @@ def _parts(count: int, chunk: int) -> Iterator[slice]:
     return (slice(begin, min(begin + chunk, count)) for begin in range(0, count, chunk))
 
 
-def _fill(kernels: OrbitKernels, points: np.ndarray, results: _Results, part: slice) -> None:
-    solved = _solve_points(kernels, points)
+def _fill(
+    kernels: OrbitKernels,
+    points: np.ndarray,
+    start: np.ndarray | None,
+    results: _Results,
+    part: slice,
+) -> None:
+    starts = _starts(kernels, points) if start is None else [start]
+    solved = _solve_points(kernels, points, starts)
     if results.admissible is not None and results.bounds is not None:
-        allowed, bounds = _admissible_ones(kernels, points, solved)
+        allowed, bounds = _admissible_ones(kernels, points, starts, solved)
         results.admissible[part], results.bounds[part] = allowed, bounds
     lost = solved.status != CONVERGED
     for array, found in zip(
@@ -222,34 +262,10 @@ def _fill(kernels: OrbitKernels, points: np.ndarray, results: _Results, part: sl
     results.iterations[part], results.status[part] = solved.iterations, solved.status
 
 
-def _admissible_ones(
-    kernels: OrbitKernels, points: np.ndarray, solved: Solved
-) -> tuple[np.ndarray, np.ndarray]:
-    """Check the orbits, and put an admissible one, if a further start leads to it, in place."""
-    allowed, bounds = admissible_points(kernels, points, solved.unknowns)
-    allowed &= solved.status == CONVERGED
-    bounds[~allowed] = np.nan
-    for start in _predictor(kernels).starts if kernels.reduced else ():
-        rest = np.flatnonzero(~allowed & (solved.status == CONVERGED))
-        if not len(rest):
-            break
-        again = solve_reduced(kernels, points[rest], start)
-        found = np.flatnonzero(again.status == CONVERGED)
-        fit, least = admissible_points(kernels, points[rest[found]], again.unknowns[found])
-        fit &= _allowed(kernels.other_parameters, kernels.unknowns, again.unknowns[found])
-        better = rest[found[fit]]
-        for array, values in zip(solved, again, strict=True):
-            array[better] = values[found[fit]]
-        allowed[better], bounds[better] = True, least[fit]
-    return allowed, bounds
-
-
-def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
-    """Solve from the prediction, and what is lost from each further start in turn."""
-    valid = _inside(kernels, points)
-    sound = np.where(valid[:, None], points, np.nan)
+def _starts(kernels: OrbitKernels, points: np.ndarray) -> list[np.ndarray]:
+    """Reduced unknowns (count, m) to start from: the prediction, then further ones."""
     if not kernels.reduced:
-        return solve_reduced(kernels, sound, np.empty((len(points), 0)))
+        return [np.empty((len(points), 0))]
     predictor = _predictor(kernels)
     # summed in a fixed order: a matrix product rounds differently for other numbers of points
     distances = (points - predictor.parameters).T
@@ -259,12 +275,49 @@ def _solve_points(kernels: OrbitKernels, points: np.ndarray) -> Solved:
     ]
     guess = np.stack(columns, axis=-1)
     guess = np.clip(guess, *np.sort([0.25 * predictor.reduced, 4.0 * predictor.reduced], axis=0))
-    solved = solve_reduced(kernels, sound, guess)
-    for start in predictor.starts:
+    further = [np.broadcast_to(start, guess.shape) for start in predictor.starts]
+    return [guess, *further]
+
+
+def _admissible_ones(
+    kernels: OrbitKernels, points: np.ndarray, starts: Sequence[np.ndarray], solved: Solved
+) -> tuple[np.ndarray, np.ndarray]:
+    """Check the orbits, and put an admissible one, if a further start leads to it, in place."""
+    allowed, bounds = admissible_points(kernels, points, solved.unknowns)
+    allowed &= solved.status == CONVERGED
+    bounds[~allowed] = np.nan
+    for start in starts[1:]:
+        rest = np.flatnonzero(~allowed & (solved.status == CONVERGED))
+        if not len(rest):
+            break
+        again = solve_reduced(kernels, points[rest], start[rest])
+        # the same orbit again is no motion either
+        moved = np.abs(again.unknowns - solved.unknowns[rest])
+        other = (moved > _SAME * np.maximum(1, np.abs(again.unknowns))).any(axis=-1)
+        found = np.flatnonzero((again.status == CONVERGED) & other)
+        fit, least = admissible_points(kernels, points[rest[found]], again.unknowns[found])
+        fit &= _allowed(kernels.other_parameters, kernels.unknowns, again.unknowns[found])
+        better = rest[found[fit]]
+        for array, values in zip(solved, again, strict=True):
+            array[better] = values[found[fit]]
+        allowed[better], bounds[better] = True, least[fit]
+    return allowed, bounds
+
+
+def _solve_points(
+    kernels: OrbitKernels, points: np.ndarray, starts: Sequence[np.ndarray]
+) -> Solved:
+    """Solve from the first start, and what is lost from each further one in turn."""
+    valid = _inside(kernels, points)
+    sound = np.where(valid[:, None], points, np.nan)
+    solved = solve_reduced(kernels, sound, starts[0])
+    if not kernels.reduced:
+        return solved
+    for start in starts[1:]:
         lost = np.flatnonzero(valid & (solved.status != CONVERGED))
         if not len(lost):
             break
-        again = solve_reduced(kernels, points[lost], start)
+        again = solve_reduced(kernels, points[lost], start[lost])
         # a root with a negative dwell time says more than none at all
         better = (again.status == CONVERGED) | (
             (again.status == NEGATIVE) & (solved.status[lost] != NEGATIVE)

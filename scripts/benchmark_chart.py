@@ -53,6 +53,8 @@ def chart(quick: bool) -> Iterator[Row]:
     points = f"{count**2:,} points"
     with tempfile.TemporaryDirectory() as folder:
         yield from _computed(Path(folder) / "F.zarr", count, points, 3 if quick else 5)
+        yield from _found(count, points)
+        yield from _composed(40 if quick else 200)
         sizes = {count: 10**9, (1000 if quick else 3162): 10**9, 31623: MOST_CHUNKS}
         for side, most in sizes.items():
             store = Path(folder) / f"{side}.zarr"
@@ -65,6 +67,56 @@ def chart(quick: bool) -> Iterator[Row]:
             label += f", {float(used):.3g} s of processors, store {size / 2**20:.0f} MiB"
             yield Row(label, [float(seconds)])
             shutil.rmtree(store)
+
+
+def _found(count: int, points: str) -> Iterator[Row]:
+    """What starts at anchors find, and what each point finds alone."""
+    import nonsmooth as ns
+
+    planes = {
+        "near": {"V": (0.8, 1.3), "eta": (0.8, 1.3)},
+        "wide": {"V": (0.3, 2), "eta": (0.3, 3)},
+    }
+    for name, plane in planes.items():
+        (first, rows), (second, columns) = (
+            (label, np.linspace(*ends, count)) for label, ends in plane.items()
+        )
+        begin = time.perf_counter()
+        chart = ns.chart(NAME, threads=2, **{first: rows, second: columns})
+        middle = time.perf_counter()
+        alone = ns.solve_many(NAME, threads=2, **{first: rows[:, None], second: columns})
+        end = time.perf_counter()
+        for way, seconds, status, period in (
+            ("by anchors", middle - begin, chart.status.values, chart.period.values),
+            ("point by point", end - middle, alone.status, alone.period),
+        ):
+            label = f"{points}, {name}, {way}: {np.sum(status != 0):,} not found"
+            yield Row(f"{label}, {_speckles(period):,} speckles", [seconds])
+
+
+def _speckles(period: np.ndarray) -> int:
+    """Points whose period is 5 % off all four neighbours, which agree with each other."""
+    inner = period[1:-1, 1:-1]
+    beside = np.stack([period[:-2, 1:-1], period[2:, 1:-1], period[1:-1, :-2], period[1:-1, 2:]])
+    mean = beside.mean(axis=0)
+    agree = (np.abs(beside - mean) < 0.05 * mean).all(axis=0)
+    return int((agree & (np.abs(inner - beside) > 0.05 * mean).all(axis=0)).sum())
+
+
+def _composed(count: int) -> Iterator[Row]:
+    """Orbits without equations of their own: flows in closed form, and with eigenvalues."""
+    import nonsmooth as ns
+
+    folder = Path(__file__).resolve().parents[1] / "docs" / "gallery"
+    for orbit, plane in (
+        ("impact_oscillator.py:one-period", {"sigma": (-0.6, 0.6), "w": (1.6, 3.2)}),
+        ("piecewise_stiffness.py:subharmonic", {"w": (2, 4), "gap": (-0.2, 0.6)}),
+    ):
+        axes = {name: np.linspace(*ends, count) for name, ends in plane.items()}
+        begin = time.perf_counter()
+        ns.chart(str(folder / orbit), threads=1, **axes)
+        seconds = time.perf_counter() - begin
+        yield Row(f"composed, {count**2:,} points of {orbit}, one thread", [seconds])
 
 
 def _computed(store: Path, count: int, points: str, runs: int) -> Iterator[Row]:

@@ -80,7 +80,7 @@ def test_workers_that_see_another_folder(
 def test_worker_that_sees_no_folder(tmp_path: Path) -> None:
     problem, axes = chart_problem(ORBIT, PLANE, False, None, 0)
     grid = Grid(axes, (10, 10))
-    task = (problem, problem.identity(), grid.region(0), grid.values(0))
+    task = (problem, problem.identity(), grid.region(0), grid.block(0), problem.prepare(grid))
     with pytest.raises(InputError, match=r"do not see .*absent"):
         clusters._work(0, str(tmp_path / "absent"), *task)
 

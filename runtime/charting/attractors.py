@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.charting.grid import Block, Grid
 from nonsmooth.runtime.charting.problem import MISSING, Variable, fixed_values, table_hash
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, load_system
@@ -96,11 +97,15 @@ class AttractorProblem:
             ),
         )
 
-    def compute(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """All variables at points whose parameters broadcast against each other."""
+    def prepare(self, grid: Grid) -> np.ndarray:
+        """Nothing: each point is on its own."""
+        return np.empty(0)
+
+    def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
+        """All variables at the points of a chunk."""
         motions = simulate_many(
             self.system,
-            {**dict(self.fixed), **values},
+            {**dict(self.fixed), **block.values},
             np.array(self.start),
             transitions=self.transitions,
             keep=2 * LONGEST + 1,

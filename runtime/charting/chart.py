@@ -81,6 +81,10 @@ def chart(
     computes what is missing or damaged, and the result is the same to the last bit, whatever
     `chunk`, `threads` or `scheduler`.
 
+    Orbits are found from those near by: on a coarse lattice in the whole grid first, then
+    between. Where an itinerary has several orbits a stable or neutral motion comes before
+    another motion, and a motion before an orbit that is none.
+
     Parameters
     ----------
     orbit : str
@@ -106,7 +110,8 @@ def chart(
         Told how many chunks are done, and of how many.
     **parameters : array_like or number
         Rows of values become the dimensions, in their order; numbers are fixed; absent ones
-        take the reference point's values.
+        take the reference point's values. Parameters that the orbit leaves open (us1) may be
+        given too: admissibility is then judged for them.
 
     Returns
     -------
@@ -200,7 +205,8 @@ def chart_problem(
     for variable in problem.variables():
         if variable.name in swept:
             raise InputError(f"{variable.name} is computed: it cannot be swept")
-    problem.compute(Grid(axes, (1,) * len(axes)).first_point())
+    corner = Grid(axes, (1,) * len(axes)).corner()
+    problem.compute(corner.block(0), problem.prepare(corner))
     return problem, axes
 
 
@@ -233,14 +239,16 @@ def work_on(
 
         arrays = open_arrays(folder, problem)
 
+        prepared = problem.prepare(grid) if missing else np.empty(0)
+
         def work(number: int) -> None:
-            values = problem.compute(grid.values(number))
+            values = problem.compute(grid.block(number), prepared)
             write_chunk(folder, arrays, grid.region(number), values)
 
         if not missing:
             pass
         elif scheduler is not None:
-            run_cluster(scheduler, store, missing, told)
+            run_cluster(scheduler, store, missing, prepared, told)
             leftovers += store.purge()  # what lost workers had begun
         else:
             run_threads(work, missing, threads, told)
@@ -255,9 +263,11 @@ def _in_memory(problem: Problem, grid: Grid, threads: int | None, progress: Prog
         raise InputError(f"{grid.points} points are for a store, not for memory")
     arrays = {v.name: np.full(grid.shape, v.fill, v.dtype) for v in problem.variables()}
 
+    prepared = problem.prepare(grid)
+
     def work(number: int) -> None:
         region = grid.region(number)
-        for name, part in problem.compute(grid.values(number)).items():
+        for name, part in problem.compute(grid.block(number), prepared).items():
             arrays[name][region] = part
 
     run_threads(work, range(grid.chunks), threads, lambda done: progress(done, grid.chunks))

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.charting.orbits import NEITHER
-from nonsmooth.runtime.charting.problem import MISSING
+from nonsmooth.runtime.charting.problem import MISSING, NEITHER
 from nonsmooth.runtime.charting.store import ATTRIBUTE
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.newton import CONVERGED

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.charting.grid import Block
 from nonsmooth.runtime.charting.problem import Problem
 from nonsmooth.runtime.charting.store import Store, open_arrays, write_chunk
 from nonsmooth.runtime.errors import InputError, NoConvergence, NonsmoothError, missing_extra
@@ -31,6 +32,7 @@ def run_cluster(
     address: str,
     store: Store,
     chunks: Iterable[int],
+    prepared: np.ndarray,
     progress: Callable[[int], None],
 ) -> None:
     """Give chunks to the workers of a scheduler; what lost workers had goes to others.
@@ -41,6 +43,8 @@ def run_cluster(
         ``tcp://host:port`` of a scheduler whose workers see the store under the same path.
     store : Store
     chunks : iterable of int
+    prepared : array
+        What all chunks need to know of the whole grid.
     progress : callable
         Told how many chunks are done.
 
@@ -61,8 +65,8 @@ def run_cluster(
 
     def submit(number: int) -> Any:
         grid = store.grid
-        task = (str(store.path), store.problem, told, grid.region(number), grid.values(number))
-        return client.submit(_work, number, *task, pure=False)
+        place = (str(store.path), store.problem, told, grid.region(number))
+        return client.submit(_work, number, *place, grid.block(number), prepared, pure=False)
 
     with client:
         workers = max(1, sum(client.nthreads().values()))
@@ -85,7 +89,8 @@ def _work(
     problem: Problem,
     told: Mapping[str, Any],
     region: tuple[slice, ...],
-    values: Mapping[str, np.ndarray],
+    block: Block,
+    prepared: np.ndarray,
 ) -> int:
     """Compute and write one chunk, in a worker."""
     if problem.identity() != told:
@@ -95,7 +100,7 @@ def _work(
         arrays = open_arrays(folder, problem)
     except OSError:
         raise InputError(_UNSEEN.format(folder)) from None
-    write_chunk(folder, arrays, region, problem.compute(values))
+    write_chunk(folder, arrays, region, problem.compute(block, prepared))
     return number
 
 

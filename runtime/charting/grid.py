@@ -1,9 +1,14 @@
-"""A grid of parameter points, and how it is cut into chunks."""
+"""A grid of parameter points, how it is cut into chunks, and its anchors.
+
+Anchors are the points of a coarse lattice in the whole grid, ends included. Points between
+them start from the orbits found there; since the lattice knows nothing of chunks, these are
+the same whatever the chunks.
+"""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,9 +16,12 @@ import numpy as np
 
 from nonsmooth.runtime.errors import InputError
 
-__all__ = ["Axis", "Grid", "axis_of", "chunk_shape", "linear_axis"]
+__all__ = ["LATTICE", "Axis", "Block", "Grid", "axis_of", "chunk_shape", "linear_axis"]
 
 BLOCK = 1 << 16  # coordinates that are made or stored at a time
+_CELLS = {1: 128, 2: 32, 3: 12}  # between anchors along each axis, by the number of axes
+_FEWEST_CELLS = 6
+LATTICE = f"cells along an axis: {_CELLS[1]}, {_CELLS[2]}, {_CELLS[3]}, {_FEWEST_CELLS}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,6 +108,50 @@ def axis_of(name: str, values: Any) -> Axis:
 
 
 @dataclass(frozen=True, eq=False)
+class Block:
+    """A chunk of a grid, the points next to it, and where they are between the anchors.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Of the axes.
+    points : tuple of array
+        Values along each axis, of one more point on either side where the grid goes on.
+    margins : tuple of (bool, bool)
+        Whether there is one more, before and behind.
+    cells : tuple of array of int
+        Number of the anchor along each axis at or before each point.
+    fractions : tuple of array
+        Of the way from there to the next one.
+    """
+
+    names: tuple[str, ...]
+    points: tuple[np.ndarray, ...]
+    margins: tuple[tuple[bool, bool], ...]
+    cells: tuple[np.ndarray, ...]
+    fractions: tuple[np.ndarray, ...]
+
+    @property
+    def values(self) -> dict[str, np.ndarray]:
+        """Values of the axes in the chunk: arrays that broadcast to its shape."""
+        inner = zip(self.points, self.inner, strict=True)
+        return dict(zip(self.names, np.ix_(*(row[here] for row, here in inner)), strict=True))
+
+    @property
+    def wide_values(self) -> dict[str, np.ndarray]:
+        """The same for all points."""
+        return dict(zip(self.names, np.ix_(*self.points), strict=True))
+
+    @property
+    def inner(self) -> tuple[slice, ...]:
+        """Which of the points are those of the chunk."""
+        return tuple(
+            slice(int(before), len(row) - int(behind))
+            for row, (before, behind) in zip(self.points, self.margins, strict=True)
+        )
+
+
+@dataclass(frozen=True, eq=False)
 class Grid:
     """All combinations of the values of some axes, in chunks.
 
@@ -149,18 +201,52 @@ class Grid:
             for i, c, n in zip(self.place(number), self.chunk, self.shape, strict=True)
         )
 
-    def values(self, number: int) -> dict[str, np.ndarray]:
-        """Values of the axes in a chunk: arrays that broadcast to its shape."""
-        parts = [
-            axis.part(here.start, here.stop)
-            for axis, here in zip(self.axes, self.region(number), strict=True)
-        ]
-        return dict(zip(self.names, np.ix_(*parts), strict=True))
+    @property
+    def anchors(self) -> tuple[np.ndarray, ...]:
+        """Places of the anchors along each axis: evenly spaced but for the last one."""
+        dimensions = sum(axis.count > 1 for axis in self.axes)
+        cells = _CELLS.get(dimensions, _FEWEST_CELLS)
+        found = []
+        for axis in self.axes:
+            step = max(1, -(-(axis.count - 1) // cells))
+            number = -(-(axis.count - 1) // step) + 1
+            found.append(np.minimum(np.arange(number) * step, axis.count - 1))
+        return tuple(found)
 
-    def first_point(self) -> Mapping[str, np.ndarray]:
-        """Values at one corner, as those of a chunk of one point."""
-        ones = (1,) * len(self.axes)
-        return {axis.name: np.full(ones, axis.first) for axis in self.axes}
+    @property
+    def anchor_values(self) -> dict[str, np.ndarray]:
+        """Values of the axes at the anchors: arrays that broadcast to the lattice's shape."""
+        rows = [_values_at(axis, row) for axis, row in zip(self.axes, self.anchors, strict=True)]
+        return dict(zip(self.names, np.ix_(*rows), strict=True))
+
+    def block(self, number: int) -> Block:
+        """A chunk with the points next to it."""
+        points, margins, cells, fractions = [], [], [], []
+        region = self.region(number)
+        for axis, here, anchors in zip(self.axes, region, self.anchors, strict=True):
+            start, stop = max(here.start - 1, 0), min(here.stop + 1, axis.count)
+            last = max(len(anchors) - 2, 0)
+            cell = np.clip(np.searchsorted(anchors, np.arange(start, stop), "right") - 1, 0, last)
+            lower = _values_at(axis, anchors[cell])
+            upper = _values_at(axis, anchors[np.minimum(cell + 1, len(anchors) - 1)])
+            row = axis.part(start, stop)
+            width = np.where(upper > lower, upper - lower, 1.0)
+            points.append(row)
+            margins.append((start < here.start, stop > here.stop))
+            cells.append(cell)
+            fractions.append((row - lower) / width)
+        return Block(self.names, tuple(points), tuple(margins), tuple(cells), tuple(fractions))
+
+    def corner(self) -> Grid:
+        """One corner as a grid of its own."""
+        axes = tuple(linear_axis(axis.name, axis.first, axis.first, 1) for axis in self.axes)
+        return Grid(axes, (1,) * len(axes))
+
+
+def _values_at(axis: Axis, places: np.ndarray) -> np.ndarray:
+    """Values of an axis at some places, each as any part of the axis has it."""
+    distinct, which = np.unique(places, return_inverse=True)
+    return np.concatenate([axis.part(int(k), int(k) + 1) for k in distinct])[which]
 
 
 def chunk_shape(counts: Sequence[int], points: int) -> tuple[int, ...]:

@@ -10,12 +10,23 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from nonsmooth.runtime.charting.grid import Block, Grid
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import ParameterTable
 from nonsmooth.runtime.parameters import value_of
 
-__all__ = ["MISSING", "Problem", "Variable", "fixed_values", "table_hash"]
+__all__ = [
+    "MISSING",
+    "NEITHER",
+    "NO_ORBIT",
+    "UNTOLD",
+    "Problem",
+    "Variable",
+    "fixed_values",
+    "table_hash",
+]
 
+NEITHER, NO_ORBIT, UNTOLD = -1, -2, -3  # limits: none fails, there is no orbit, it is not told
 MISSING = -128  # status of a point that is not computed yet
 
 
@@ -40,7 +51,7 @@ class Variable:
 
 
 class Problem(Protocol):
-    """What is computed at each point, from nothing but the point's own parameters."""
+    """What is computed at each point, from nothing but the grid and the fixed parameters."""
 
     @property
     def points(self) -> int:
@@ -52,8 +63,11 @@ class Problem(Protocol):
     def variables(self) -> tuple[Variable, ...]:
         """What is computed."""
 
-    def compute(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """All variables at points whose parameters broadcast against each other."""
+    def prepare(self, grid: Grid) -> np.ndarray:
+        """What all chunks need to know of the whole grid."""
+
+    def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
+        """All variables at the points of a chunk."""
 
 
 def fixed_values(

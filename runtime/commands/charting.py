@@ -129,7 +129,7 @@ def _show(told: dict[str, Any]) -> None:
         print(f"  {_KINDS[kind]:28} {count:>12,}")
     repaired = f", {told['damaged']} of them damaged before" if told["damaged"] else ""
     print(f"{told['computed']} of {told['chunks']} chunks computed{repaired}")
-    print(f"{told['file']} written")
+    print(f"{told['file']} written; nonsmooth plot {told['file']} draws it")
 
 
 _KINDS = {
