@@ -336,3 +336,15 @@ def test_maps_are_drawn(tmp_path: Path) -> None:
     names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
     with pytest.raises(InputError, match="two parameters"):
         ns.certify_box(loop(), names).plot()
+
+
+@pytest.mark.parametrize("parameter", ["V", "eta", "chi"])
+def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> None:
+    orbit = ns.solve(STICK)
+    width = Fraction(1, 10**5)
+    middle = orbit.given[parameter].exact
+    assert middle is not None
+    found = ns.certify_box(orbit, {parameter: (middle - width, middle + width)})
+    trace = found.enclosures["trace"]
+    slope = abs(orbit.sensitivity(parameter).trace)
+    assert (trace.upper - trace.lower) / float(2 * width) == pytest.approx(slope, rel=0.02)

@@ -92,3 +92,51 @@ def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
     code, out, _ = run("--check", str(path), "--json")
     assert code == 1
     assert json.loads(out)["same"] is False
+
+
+def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    path, picture = tmp_path / "map.json", tmp_path / "map.png"
+    box = ("dry-friction/symmetric", "V=0.6:1.3")
+    code, out, err = run(*box, "--tiles", "5", "--save", str(path), "--json")
+    assert (code, err) == (1, "")  # more than one percent is undecided
+    told = json.loads(out)
+    assert told["box"] == {"V": ["3/5", "13/10"]}
+    assert told["files"] == [str(path)]
+    assert told["shares"]["undecided"] > 0.01
+    assert float(told["enclosures"]["trace"]["rad"]) > 0
+    code, out, err = run(*box, "--resume", str(path), "--plot", str(picture))
+    assert (code, err) == (0, "")
+    assert "unstable" in out
+    assert "not admissible" in out
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert ns.load_box_certificate(path).decided > told["shares"]["proved"]
+    again = tmp_path / "again.svg"
+    drawn = CliRunner().invoke(app, ["plot", str(path), "--out", str(again)])
+    assert drawn.exit_code == 0, drawn.stderr
+    assert "svg" in again.read_text()[:300]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [
+        ([STICK, "V=0.99:1.01", "--require", "proved"], 0, ""),
+        (["dry-friction/symmetric", "V=0.7:0.71", "--require", "proved"], 3, "stability refuted"),
+        ([STICK, "V=0.99:1.01", "--digits", "30"], 2, "--digits and --bits"),
+        ([STICK, "V=0.99:1.01:5"], 2, "NAME=A:B"),
+        ([STICK, "V=1.01:0.99"], 2, "below the upper"),
+        ([STICK, "V=0.99:sqrt(2)"], 2, "rational"),
+        ([STICK, "V=0.99:1.01", "V=1"], 2, "given twice"),
+        ([STICK, "V=0.99:1.01", "V=0.9:1.1"], 2, "given twice"),
+        ([STICK, "etta=0.99:1.01"], 2, "did you mean"),
+        ([STICK, "V=30:50"], 1, "no "),
+        ([STICK, "V=1", "--plot", "x.png"], 2, "box of parameters"),
+        ([STICK, "V=0.99:1.01", "--plot", "x.bmp"], 2, "x.bmp"),
+        ([STICK, "V=0.99:1.01", "--tiles", "0"], 2, "tiles = 0"),
+        ([STICK, "V=0.99:1.01", "--resume", "nowhere.json"], 2, "nowhere.json"),
+    ],
+)
+def test_exit_codes_of_boxes(arguments: list[str], code: int, told: str) -> None:
+    found, _, err = run(*arguments)
+    assert found == code, err
+    assert told in err
