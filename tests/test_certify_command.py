@@ -140,3 +140,23 @@ def test_exit_codes_of_boxes(arguments: list[str], code: int, told: str) -> None
     found, _, err = run(*arguments)
     assert found == code, err
     assert told in err
+
+
+def test_events_over_a_range_are_enclosed() -> None:
+    code, out, err = run(
+        "dry-friction/symmetric", "V=0.6:1.3", "--events", "--digits", "40", "--json"
+    )
+    assert (code, err) == (0, "")
+    told = json.loads(out)
+    assert [event["kind"] for event in told["events"]] == ["grazing", "flip"]
+    for event in told["events"]:
+        assert event["claim"] == "proved"
+        assert 0 < float(event["enclosures"]["V"]["rad"]) < 1e-38
+    code, out, _ = run("rigid-stop/one-impact", "T=5.5:7.5", "--events")
+    assert code == 1
+    assert "no regular root" in " ".join(out.split())
+    for arguments in (["V=1"], ["V=0.9:1.1", "eta=0.9:1.1"]):
+        code, _, err = run(STICK, *arguments, "--events")
+        assert code == 2
+        assert "one range" in err
+    assert run(STICK, "V=0.9:1.1", "--events", "--save", "x.json")[0] == 2

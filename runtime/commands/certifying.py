@@ -22,6 +22,7 @@ from nonsmooth.runtime.commands.application import (
     split,
 )
 from nonsmooth.runtime.commands.certifying_boxes import certify_over, is_box
+from nonsmooth.runtime.commands.certifying_events import certify_events
 from nonsmooth.runtime.commands.counting import Every, count_orbits
 from nonsmooth.runtime.commands.options import AsJson, Assignments, Guess
 from nonsmooth.runtime.errors import InputError
@@ -47,6 +48,7 @@ class Proven(StrEnum):
     "nonsmooth certify dry-friction/global-stick V=0.9:1.1 eta=0.9:1.1 --save map.json"
     " --plot map.png\n\n"
     "nonsmooth certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20\n\n"
+    "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50\n\n"
     "nonsmooth certify --check certificate.json"
 )
 @answering
@@ -98,25 +100,34 @@ def certify(
         ),
     ] = None,
     every: Every = False,
+    events: Annotated[
+        bool,
+        typer.Option(
+            "--events", help="Enclose the bifurcations and collisions over one range, V=0.6:1.3."
+        ),
+    ] = False,
     as_json: AsJson = False,
 ) -> int:
     """Prove that an orbit exists, is a motion of the system, and is stable: by ball arithmetic.
 
-    Parameters that are ranges, V=0.99:1.01, span a box: then all is proved for each of its
-    points, tile by tile, and the exit code is 1 while more than 1 % of it is undecided. With
-    --all the ranges are of dwell times, and it is proved how many orbits there are.
+    Ranges of parameters, V=0.99:1.01, span a box: all of it is proved for each of its points.
+
+    The exit code is then 1 while more than 1 % of the box is undecided.
+
+    With --all ranges are of dwell times: how many orbits there are. With --events: what happens
+    along one range.
     """
     if check is not None:
         options = (orbit, parameters, guess, digits, bits, save, resume, plot)
-        if every or any(option is not None and option != [] for option in options):
+        if every or events or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file and nothing else to certify")
         return _check(check, require, as_json=as_json)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
-    if is_box(parameters) and not every:
+    near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
+    if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
-        near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
         found, decided = certify_over(
             orbit, parameters or [], near, tiles, resume, save, plot, as_json=as_json
         )
@@ -129,18 +140,22 @@ def certify(
         if digits < 1:
             raise InputError(f"digits = {digits} is not a positive integer")
         bits = max(53, math.ceil(digits * math.log2(10)) + _MORE)
+    wanted = _BITS if bits is None else bits
     if every:
-        wanted = _BITS if bits is None else bits
         return count_orbits(orbit, parameters, guess, wanted, require, save, as_json=as_json)
-    return _certify(
-        orbit, parameters, guess, _BITS if bits is None else bits, require, save, as_json
-    )
+    if events:
+        if save is not None:
+            raise InputError("--events writes no file: --json has every digit")
+        proved = certify_events(orbit, parameters or [], near, wanted, as_json=as_json)
+        claims = {"events": "proved" if proved else "undecided"}
+        return _judged(claims, require, decided=proved)
+    return _certify(orbit, parameters, near, wanted, require, save, as_json)
 
 
 def _certify(
     orbit: str,
     parameters: list[str] | None,
-    guess: list[str] | None,
+    near: dict[str, float] | None,
     bits: int,
     require: Proven | None,
     save: Path | None,
@@ -155,7 +170,6 @@ def _certify(
     if save is not None:
         check_target(save)
     values = assignments("parameter", parameters or [])
-    near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
     with steps(f"solving {orbit}") as begin:
         found = solve(orbit, values, near)
         certificate = prove(found, bits, begin=begin)

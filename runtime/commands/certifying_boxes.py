@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.composition.record import ComposedOrbit
     from nonsmooth.runtime.orbit import Orbit
 
-__all__ = ["certify_over", "is_box"]
+__all__ = ["box_and_values", "certify_over", "is_box", "solved_in"]
 
 _PICTURES = (".png", ".svg", ".pdf")
 _ENOUGH = Fraction(99, 100)  # share of a box that has to be decided for an answer
@@ -52,14 +52,9 @@ def certify_over(
         if path is not None:
             check_target(path)
     known = None if resume is None else load_box_certificate(resume)
-    box = dict(map(_range, (text for text in parameters if ":" in text)))
-    if len(box) < sum(":" in text for text in parameters):
-        raise InputError("a parameter of the box is given twice")
-    fixed = assignments("parameter", [text for text in parameters if ":" not in text])
-    for repeated in fixed.keys() & box.keys():
-        raise InputError(f"parameter {repeated} is given twice")
+    box, fixed = box_and_values(parameters)
     with steps(f"solving {name}"):
-        orbit = _solved(name, fixed, box, near)
+        orbit = solved_in(name, fixed, box, near)
     with shared(f"proving {name}") as progress:
         found = certify_box(
             orbit,
@@ -88,6 +83,19 @@ def certify_over(
     return found, found.decided >= _ENOUGH
 
 
+def box_and_values(
+    parameters: Sequence[str],
+) -> tuple[dict[str, tuple[Value, Value]], dict[str, Value]]:
+    """Ranges and values by name, each given once."""
+    box = dict(map(_range, (text for text in parameters if ":" in text)))
+    if len(box) < sum(":" in text for text in parameters):
+        raise InputError("a parameter of the box is given twice")
+    fixed = assignments("parameter", [text for text in parameters if ":" not in text])
+    for repeated in fixed.keys() & box.keys():
+        raise InputError(f"parameter {repeated} is given twice")
+    return box, fixed
+
+
 def _range(text: str) -> tuple[str, tuple[Value, Value]]:
     """A range NAME=A:B of a parameter."""
     name, _, bounds = text.partition("=")
@@ -97,7 +105,7 @@ def _range(text: str) -> tuple[str, tuple[Value, Value]]:
     return name.strip(), (parse(ends[0]), parse(ends[1]))
 
 
-def _solved(
+def solved_in(
     name: str,
     fixed: Mapping[str, Value],
     box: Mapping[str, tuple[Value, Value]],

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rich import box
 from rich.table import Table
 from rich.text import Text
 
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.certificate import Certificate
+from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.commands.display import wide_console
+from nonsmooth.runtime.continuation.branch import Branch
 
-__all__ = ["show_box", "show_certificate", "show_claims"]
+__all__ = ["show_box", "show_certificate", "show_claims", "show_events"]
 
 _WIDTH = 118
 _UNIFORM = {
@@ -101,6 +105,23 @@ def show_box(found: BoxCertificate) -> None:
         for name, enclosure in enclosures.items():
             table.add_row(name, f"{enclosure.lower:.8g}", f"{enclosure.upper:.8g}")
         out.print(table)
+
+
+def show_events(branch: Branch, found: Sequence[EventCertificate]) -> None:
+    """Show where the events of a branch are proved to be."""
+    out = wide_console(_WIDTH)
+    values = branch.parameter_values
+    told = f"{branch.name}, {branch.parameter} = {values.min():.6g} ... {values.max():.6g}"
+    out.print(Text(told, style="bold"))
+    table = _table("event", "where", "", branch.parameter)
+    for certificate in found:
+        where = ""
+        if certificate.phase is not None:
+            where = f"phase {certificate.phase} {certificate.configuration}: {certificate.boundary}"
+        value = str(certificate.value) if certificate.proved else certificate.reason
+        claim = Text(certificate.claim, style=_STYLES[certificate.claim])
+        table.add_row(certificate.kind, where, claim, value)
+    out.print(table if found else Text("nothing happens: no events"))
 
 
 def _decimal(found: BoxCertificate) -> list[tuple[str, tuple[float, float]]]:
