@@ -114,8 +114,7 @@ def certify(
 
     The exit code is then 1 while more than 1 % of the box is undecided.
 
-    With --all ranges are of dwell times: how many orbits there are. With --events: what happens
-    along one range.
+    With --all ranges are of dwell times, and orbits are counted; with --events: what happens.
     """
     if check is not None:
         options = (orbit, parameters, guess, digits, bits, save, resume, plot)
