@@ -11,8 +11,9 @@ from scipy.linalg import expm
 
 import nonsmooth
 from nonsmooth.runtime.admissible import boundary_sums
-from nonsmooth.runtime.continuation.branch import Branch, curve_of
+from nonsmooth.runtime.continuation.family import curve_of
 from nonsmooth.runtime.continuation.matrices import exponentials
+from nonsmooth.runtime.continuation.record import Branch
 from nonsmooth.runtime.crossing import maximum
 from nonsmooth.runtime.intervals import admissible_intervals
 

@@ -106,7 +106,7 @@ def test_command(tmp_path: Path) -> None:
         "--plot", str(picture), "--quantity", "ta", "--beyond",
     )  # fmt: skip
     assert code == 0
-    assert "vanishing phase" in out
+    assert "vanishing-phase" in out
     assert "ends: ta goes to zero" in out
     assert "beyond V = 1.20019: stick-slip > slip-slip > slip-stick > slip-slip (stable)" in out
     assert picture.stat().st_size > 5000

@@ -139,9 +139,10 @@ def test_grazing_beyond_which_the_wall_is_struck_twice() -> None:
     assert branch().admissible[before] != branch().admissible[behind]
 
 
-def test_symmetry_breaking_between_two_stops() -> None:
+@cache
+def stops() -> System:
     r, w, f = sp.symbols("r w f")
-    between = oscillator(
+    return oscillator(
         "two-stops",
         ["x"],
         mass=[[1]],
@@ -154,14 +155,22 @@ def test_symmetry_breaking_between_two_stops() -> None:
         ],
         parameters=[Parameter("w", "frequency"), Parameter("f", "force")],
     )
+
+
+@cache
+def mirrored() -> nonsmooth.ComposedOrbit:
+    """From one stop to the other, which its mirror image is."""
     data = {"r": 0.7, "w": 1.3, "f": 2}
-    motion = nonsmooth.simulate(between, data, [0, 1, 1, 0], transitions=400)
+    motion = nonsmooth.simulate(stops(), data, [0, 1, 1, 0], transitions=400)
     phases, dwell, start = nonsmooth.itinerary_of(motion)
-    mirrored = nonsmooth.compose(
-        between, data, phases[:1], dwell[:1].tolist(), start.tolist(),
+    return nonsmooth.compose(
+        stops(), data, phases[:1], dwell[:1].tolist(), start.tolist(),
         symmetry={"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"},
     )  # fmt: skip
-    found = nonsmooth.continue_orbit(mirrored, "w", (1.0, 2.0), step=0.03)
+
+
+def test_symmetry_breaking_between_two_stops() -> None:
+    found = nonsmooth.continue_orbit(mirrored(), "w", (1.0, 2.0), step=0.03)
     events = [event for event in found.events if event.kind == "symmetry-breaking"]
     assert len(events) == 2
     for event in events:

@@ -16,10 +16,17 @@ from nonsmooth.runtime.commands.application import (
     ranges,
 )
 from nonsmooth.runtime.commands.options import AsJson, OrbitName
-from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.continuation.event import KINDS, Event
+from nonsmooth.runtime.errors import InputError, unknown_name
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.continuation.branch import Branch
+    from collections.abc import Mapping
+
+    from nonsmooth.runtime.commands.display_branches import Others
+    from nonsmooth.runtime.composition.record import ComposedOrbit
+    from nonsmooth.runtime.continuation.record import Branch
+    from nonsmooth.runtime.orbit import Orbit
+    from nonsmooth.runtime.values import Value
 
 __all__ = ["follow"]
 
@@ -32,7 +39,13 @@ _PICTURES = (".png", ".svg", ".pdf")
     "nonsmooth continue dry-friction/global-stick V=0.8:1.3\n\n"
     "nonsmooth continue dry-friction/global-stick eta=0.5:2 V=1.05 --plot branch.png"
     " --quantity ta\n\n"
-    "nonsmooth continue my_oscillator.py:loop r=0.3:0.7 --save branch.json --beyond",
+    "nonsmooth continue my_oscillator.py:loop r=0.3:0.7 --save branch.json --beyond\n\n"
+    "nonsmooth continue elastic-stop/one-contact T=5.6:6.4 --quantity frequency --over energy"
+    " --plot backbone.png\n\n"
+    "nonsmooth continue dry-friction/symmetric V=0.6:1.3 us1=1 ur1=1 --switch flip"
+    " --plot doubled.png\n\n"
+    "nonsmooth continue dry-friction/symmetric V=0.6:1.3 eta=3.9:4.1 --follow flip"
+    " --save flips.json --plot flips.png",
 )
 @answering
 def follow(
@@ -41,7 +54,8 @@ def follow(
         list[str] | None,
         typer.Argument(
             metavar="NAME=VALUE|A:B",
-            help="The parameter to follow as a range: V=0.8:1.3; others in NAME=VALUE form.",
+            help="The parameter to follow as a range: V=0.8:1.3; others in NAME=VALUE form."
+            " With --follow a second range.",
             show_default=False,
         ),
     ] = None,
@@ -66,15 +80,41 @@ def follow(
         bool,
         typer.Option("--beyond", help="Find the itineraries beyond each border collision."),
     ] = False,
+    switch: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--switch",
+            metavar="KIND[:N]",
+            help="Go over to the branch that meets this one at an event, such as flip, where the"
+            " period doubles, or symmetry-breaking:2 (the second one); may be repeated.",
+        ),
+    ] = None,
+    follow_event: Annotated[
+        str | None,
+        typer.Option(
+            "--follow",
+            metavar="KIND[:N]",
+            help="Follow an event of the branch, such as flip or grazing:2 (the second one), in"
+            " the plane of both ranges; --save and --plot are of that curve.",
+        ),
+    ] = None,
     quantity: Annotated[
         str,
         typer.Option(
             "--quantity",
             metavar="NAME",
-            help="What --plot draws: period, frequency, trace, amplitude_x of a state x, or an"
-            " unknown.",
+            help="What --plot draws: period, frequency, energy, trace, amplitude_x of a state x,"
+            " or an unknown.",
         ),
     ] = "period",
+    over: Annotated[
+        str | None,
+        typer.Option(
+            "--over",
+            metavar="NAME",
+            help="Over which other quantity, such as energy, in place of the parameter.",
+        ),
+    ] = None,
     plot: Annotated[
         Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
     ] = None,
@@ -84,8 +124,7 @@ def follow(
     as_json: AsJson = False,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
-    from nonsmooth.runtime.commands.display import counted
-    from nonsmooth.runtime.continuation.branch import continue_orbit
+    from nonsmooth.runtime.commands.display_branches import branch_json, show_branch
     from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.solve import solve
 
@@ -94,29 +133,43 @@ def follow(
     for path in (plot, save):
         if path is not None:
             check_target(path)
+    if follow_event is not None and beyond:
+        raise InputError("--beyond is of a branch: leave it out with --follow")
+    wanted = 1 if follow_event is None else 2
     followed = [text for text in parameters or [] if ":" in text]
-    if len(followed) != 1:
-        raise InputError(f"one parameter has to be a range A:B, not {len(followed)}")
-    ((name, (low, high, _)),) = ranges("parameter", followed).items()
+    if len(followed) != wanted:
+        told = "one parameter has" if wanted == 1 else "with --follow two parameters have"
+        raise InputError(f"{told} to be a range A:B, not {len(followed)}")
+    (name, (low, high, _)), *others = ranges("parameter", followed).items()
     fixed = assignments("parameter", [text for text in parameters or [] if text not in followed])
     if name in fixed:
         raise InputError(f"parameter {name} is given twice")
     if at is not None:
         fixed |= assignments("parameter", [f"{name}={at}"])
     begin = solve(orbit, fixed)
-    if at is None and name in begin.given and not low <= float(begin.given[name]) <= high:
-        begin = solve(orbit, {**fixed, name: (low + high) / 2})
-    with counted(f"following {name}", 2 * points) as progress:
-        branch = continue_orbit(
-            begin,
-            name,
-            (low, high),
-            step=step,
-            points=points,
-            stop="admissible" if admissible else None,
-            progress=progress,
-        )
-    others = _beyond(branch) if beyond else {}
+    spans = {name: (low, high), **{other: span[:2] for other, span in others}}
+    middles = {
+        each: sum(span) / 2
+        for each, span in spans.items()
+        if each in begin.given and not span[0] <= float(begin.given[each]) <= span[1]
+    }
+    if middles and at is None:
+        begin = solve(orbit, {**fixed, **middles})
+    options = {"step": step, "points": points, "stop": "admissible" if admissible else None}
+    interval = low, high
+    branch = _branch(begin, name, interval, options)
+    for text in switch or ():
+        event = chosen_event(branch, text)
+        other = branch.switch(event, fixed)
+        if name not in other.parameters:  # the period that was given
+            name, times = "period", 2 if event.kind == "flip" else 1
+            interval = times * interval[0], times * interval[1]
+        branch = _branch(other, name, interval, options)
+    if follow_event is not None:
+        ((second, (lower, upper, _)),) = others
+        event = chosen_event(branch, follow_event)
+        return _in_the_plane(branch, event, second, (lower, upper), step, plot, save, as_json)
+    beyond_events = _beyond(branch, fixed) if beyond else {}
     written = []
     if save is not None:
         branch.save(save)
@@ -125,25 +178,101 @@ def follow(
         from nonsmooth.runtime.continuation.drawing import branch_figure
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        save_figure(branch_figure(branch, quantity), plot)
+        save_figure(branch_figure(branch, quantity, over), plot)
         written.append(str(plot))
     if as_json:
-        print_json({**_json(branch, others), "files": written})
+        print_json({**branch_json(branch, beyond_events), "files": written})
     else:
-        _show(branch, others)
-        for path_name in written:
-            print(f"{path_name} written")
+        show_branch(branch, beyond_events)
+        _show_written(written)
     return ANSWERED
 
 
-_Others = dict[int, list[dict[str, Any]]]
+def _branch(
+    orbit: Orbit | ComposedOrbit,
+    name: str,
+    interval: tuple[float, float],
+    options: Mapping[str, Any],
+) -> Branch:
+    """A branch, with progress."""
+    from nonsmooth.runtime.commands.display import counted
+    from nonsmooth.runtime.continuation.branch import continue_orbit
+
+    with counted(f"following {name}", 2 * options["points"]) as progress:
+        return continue_orbit(orbit, name, interval, progress=progress, **options)
 
 
-def _beyond(branch: Branch) -> _Others:
+def _show_written(written: list[str]) -> None:
+    for path in written:
+        print(f"{path} written")
+
+
+def chosen_event(branch: Branch, text: str) -> Event:
+    """The event that ``KIND`` or ``KIND:N`` names, N counted from 1.
+
+    Raises
+    ------
+    InputError
+        If the branch has no such event, or several; the message names those it has.
+    """
+    kind, _, number = text.partition(":")
+    kind = kind.strip().replace(" ", "-")
+    there = ", ".join(f"{e.kind} ({e.parameter} = {e.value:.6g})" for e in branch.events)
+    if kind not in KINDS:
+        raise unknown_name("kind of event", kind, KINDS)
+    found = [event for event in branch.events if event.kind == kind]
+    if not found:
+        raise InputError(f"no {kind} on this branch; there is {there or 'no event'}")
+    if not number:
+        if len(found) > 1:
+            raise InputError(f"which {kind}, {kind}:1 ... {kind}:{len(found)}? There is {there}")
+        return found[0]
+    if not number.strip().isdecimal() or not 1 <= int(number) <= len(found):
+        raise InputError(f"no {kind}:{number} on this branch; there is {there}")
+    return found[int(number) - 1]
+
+
+def _in_the_plane(
+    branch: Branch,
+    event: Event,
+    second: str,
+    interval: tuple[float, float],
+    step: float,
+    plot: Path | None,
+    save: Path | None,
+    as_json: bool,
+) -> int:
+    """Follow an event in the plane of two parameters."""
+    from nonsmooth.runtime.commands.display import counted
+    from nonsmooth.runtime.commands.display_branches import locus_json, show_locus
+    from nonsmooth.runtime.continuation.plane import MOST_POINTS, continue_event
+
+    what = f"following {event.kind.replace('-', ' ')}"
+    with counted(what, 2 * MOST_POINTS) as progress:
+        locus = continue_event(branch, event, second, interval, step=2 * step, progress=progress)
+    written = []
+    if save is not None:
+        locus.save(save)
+        written.append(str(save))
+    if plot is not None:
+        from nonsmooth.runtime.continuation.drawing import locus_figure
+        from nonsmooth.runtime.pictures.plot import save_figure
+
+        save_figure(locus_figure(locus), plot)
+        written.append(str(plot))
+    if as_json:
+        print_json({**locus_json(locus), "files": written})
+    else:
+        show_locus(locus)
+        _show_written(written)
+    return ANSWERED
+
+
+def _beyond(branch: Branch, fixed: Mapping[str, Value]) -> Others:
     """Itineraries beyond each border collision, by the number of the event."""
     from nonsmooth.runtime.commands.display import steps
 
-    found: _Others = {}
+    found: Others = {}
     with steps() as begin:
         for number, event in enumerate(branch.events):
             if not event.border_collision:
@@ -155,67 +284,7 @@ def _beyond(branch: Branch) -> _Others:
                     "value": float(orbit.given[branch.parameter]),
                     "stability": orbit.stability.verdict,
                 }
-                for orbit in branch.next_itineraries(event)
+                for orbit in branch.next_itineraries(event, fixed)
                 if branch.parameter in orbit.given
             ]
     return found
-
-
-def _json(branch: Branch, others: _Others) -> dict[str, Any]:
-    def told(values: Any) -> list[float | None]:
-        return [x if abs(x) < float("inf") else None for x in values.tolist()]
-
-    return {
-        "orbit": branch.name,
-        "parameter": branch.parameter,
-        "values": told(branch.parameter_values),
-        "unknowns": {name: told(branch.quantity(name)) for name in branch.unknown_names},
-        "period": told(branch.period),
-        "trace": told(branch.trace),
-        "stability": list(branch.stability),
-        "admissible": branch.admissible.tolist(),
-        "ends": list(branch.ends),
-        "events": [
-            {
-                "kind": event.kind,
-                "value": event.value,
-                "phase": event.phase,
-                "configuration": event.configuration,
-                "boundary": event.boundary,
-                "time": event.time,
-                "unknowns": dict(event.unknowns),
-                **({"beyond": others[number]} if number in others else {}),
-            }
-            for number, event in enumerate(branch.events)
-        ],
-    }
-
-
-def _show(branch: Branch, others: _Others) -> None:
-    """A table of the events, and why the branch ends."""
-    from rich import box
-    from rich.console import Console
-    from rich.table import Table
-
-    low, high = float(branch.parameter_values.min()), float(branch.parameter_values.max())
-    allowed = int(branch.admissible.sum())
-    print(
-        f"{branch.name}: {len(branch)} points, {branch.parameter} from {low:.10g} to {high:.10g},"
-        f" {allowed} of them motions of the real system"
-    )
-    if branch.events:
-        table = Table(box=box.SIMPLE)
-        for title in ("event", branch.parameter, "where", "boundary"):
-            table.add_column(title)
-        for event in branch.events:
-            where = "" if event.phase is None else f"{event.configuration} ({event.phase + 1})"
-            kind = event.kind.replace("-", " ")
-            table.add_row(kind, f"{event.value:.12g}", where, event.boundary)
-        Console().print(table)
-    for number, orbits in others.items():
-        value = branch.events[number].value
-        for orbit in orbits:
-            names = " > ".join(f"{configuration}" for configuration, _ in orbit["itinerary"])
-            print(f"beyond {branch.parameter} = {value:.6g}: {names} ({orbit['stability']})")
-    for end, reason in zip(("begins", "ends"), branch.ends, strict=True):
-        print(f"{end}: {reason}")

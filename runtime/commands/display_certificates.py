@@ -12,7 +12,7 @@ from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.commands.display import wide_console
-from nonsmooth.runtime.continuation.branch import Branch
+from nonsmooth.runtime.continuation.record import Branch
 
 __all__ = ["show_box", "show_certificate", "show_claims", "show_events"]
 

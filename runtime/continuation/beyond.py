@@ -7,13 +7,12 @@ there; what converges near the orbit and is a motion of the real system is retur
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.admissible import admissible_points
 from nonsmooth.runtime.composition.composed import compose
 from nonsmooth.runtime.composition.newton import solve_cycle
 from nonsmooth.runtime.composition.passage import Cycle, cycle_of
@@ -21,19 +20,19 @@ from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.recurring import itinerary_of
 from nonsmooth.runtime.composition.symmetry import closing, whole_cycle
 from nonsmooth.runtime.continuation.event import Event
+from nonsmooth.runtime.continuation.physical import SystemAt, composed_family
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.newton import CONVERGED
-from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.simulation.engine_layout import numbers_of
 from nonsmooth.runtime.simulation.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.structure import Structure
-from nonsmooth.runtime.values import Value, as_value
+from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.continuation.branch import Branch
+    from nonsmooth.runtime.continuation.record import Branch
 
-__all__ = ["next_itineraries", "physical_parameters"]
+__all__ = ["next_itineraries"]
 
 _DISTANCES = (1e-3, 1e-2)  # from the collision, in units of the branch's range
 _LONGER, _MOST_WAYS = 2, 300  # phases that a way may have more; ways
@@ -45,7 +44,9 @@ _TRANSITIONS = 400
 _Phases = tuple[tuple[str, str], ...]
 
 
-def next_itineraries(branch: Branch, event: Event) -> tuple[ComposedOrbit, ...]:
+def next_itineraries(
+    branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
+) -> tuple[ComposedOrbit, ...]:
     """Admissible orbits of other itineraries just beyond a border collision.
 
     Parameters
@@ -53,6 +54,8 @@ def next_itineraries(branch: Branch, event: Event) -> tuple[ComposedOrbit, ...]:
     branch : Branch
     event : Event
         One of its border collisions.
+    parameters : mapping of str to str, number or Value, optional
+        Those of the system that the orbit does not determine.
 
     Returns
     -------
@@ -68,7 +71,7 @@ def next_itineraries(branch: Branch, event: Event) -> tuple[ComposedOrbit, ...]:
     """
     if not event.border_collision:
         raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
-    base, system_at = _neighbour(branch, event)
+    base, system_at = _neighbour(branch, event, parameters)
     span = float(np.ptp(branch.parameter_values)) or max(1.0, abs(event.value))
     side = _side(branch, event)
     found: dict[_Phases, ComposedOrbit] = {}
@@ -92,89 +95,19 @@ def next_itineraries(branch: Branch, event: Event) -> tuple[ComposedOrbit, ...]:
     return tuple(found.values())
 
 
-def physical_parameters(orbit: Orbit) -> dict[str, Value]:
-    """All parameters of the system of an orbit that has kernels.
-
-    Those that it leaves open and that were not given are as large as admissibility needs, and
-    one more.
-
-    Raises
-    ------
-    InputError
-        Where the orbit does not determine all of them.
-    """
-    kernels = orbit.kernels
-    point = np.array([[float(orbit.values[name]) for name in kernels.parameter_names]])
-    unknowns = np.array([[float(orbit.values[name]) for name in kernels.unknowns]])
-    _, bounds = admissible_points(kernels, point, unknowns)
-    least = {
-        table.name: max(0.0, float(np.nan_to_num(bound))) + 1
-        for table, bound in zip(kernels.open_parameters, bounds[0], strict=True)
-    }
-    known: dict[str, Any] = {**least, **kernels.required, **orbit.unknowns}
-    known |= {**orbit.given, **orbit.opened}
-    for name, terms in kernels.combined.items():
-        missing = [term for term in terms if term not in known]
-        if name in known and len(missing) == 1:
-            rest = sum(f * float(_value(known[t])) for t, f in terms.items() if t in known)
-            known[missing[0]] = (float(_value(known[name])) - rest) / terms[missing[0]]
-    names = [p.name for p in kernels.system.parameters]
-    if undetermined := [name for name in names if name not in known]:
-        raise InputError(
-            f"{orbit.name} does not determine {', '.join(undetermined)}: compose it from its"
-            " itinerary at all physical parameters, and follow that"
-        )
-    return {name: _value(known[name]) for name in names}
-
-
-def _value(number: Any) -> Value:
-    return number if isinstance(number, Value) else as_value(number)
-
-
-_SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
-
-
-def _neighbour(branch: Branch, event: Event) -> tuple[ComposedOrbit, _SystemAt]:
+def _neighbour(
+    branch: Branch, event: Event, chosen: Mapping[str, Any] | None
+) -> tuple[ComposedOrbit, SystemAt]:
     """The composed orbit at the branch's point beside the event, admissible if there is one.
 
     And what gives the physical parameters, and the period if it is given, at other values.
     """
-    places = [int(np.floor(event.place)), int(np.ceil(event.place))]
+    places = [math.floor(event.place), math.ceil(event.place)]
     if places[0] == places[1]:  # the end of the branch
         places = [places[0] - 1, places[0] + 1]
     places = [place for place in places if 0 <= place < len(branch)]
-    orbit = branch.orbit_at(next((k for k in places if branch.admissible[k]), places[0]))
-    name = branch.parameter
-    if isinstance(orbit, ComposedOrbit):
-        parameters, given = dict(orbit.parameters), orbit.given_period
-
-        def composed_at(value: float) -> tuple[dict[str, Value], Value | None]:
-            if name in parameters:
-                return {**parameters, name: as_value(value)}, given
-            return parameters, as_value(value)
-
-        return orbit, composed_at
-    kernels, base = orbit.kernels, orbit
-    if name not in kernels.parameter_names:
-        raise InputError(f"{name} is no parameter of {kernels.name}: follow one that is")
-    conservative = bool(kernels.table["conservative"])
-    opened = {
-        **base.opened,
-        **{p.name: physical_parameters(base)[p.name] for p in kernels.open_parameters},
-    }
-
-    def derived_at(value: float) -> tuple[dict[str, Value], Value | None]:
-        moved = replace(base, given={**base.given, name: as_value(value)}, opened=opened)
-        period = as_value(float(moved.period)) if conservative else None
-        return physical_parameters(moved), period
-
-    here, period = derived_at(float(base.values[name]))
-    phases = [tuple(phase[:2]) for phase in kernels.table["phases"]]
-    dwell = [float(time) for time in base.dwell_times.values()]
-    found = compose(kernels.system, here, phases, dwell, period=period)
-    if not found.converged:
-        raise InputError(f"{base.name}: {found.message}")
-    return found, derived_at
+    place = next((k for k in places if branch.admissible[k]), places[0])
+    return composed_family(branch, place, chosen)
 
 
 def _side(branch: Branch, event: Event) -> int:

@@ -19,7 +19,7 @@ from nonsmooth.runtime.arithmetic import FLOATS
 from nonsmooth.runtime.composition.admissible import assess_cycle
 from nonsmooth.runtime.composition.composed import compose
 from nonsmooth.runtime.composition.newton import sizes as sizes_along
-from nonsmooth.runtime.composition.passage import Cycle, Numbers, numbers_in, pass_through
+from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, numbers_in, pass_through
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.stability import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.composition.symmetry import closing, whole_orbit
@@ -59,6 +59,7 @@ class ComposedCurve:
         names = tuple(orbit.unknowns)
         self.names = (*self.dwell_names, *names[len(orbit.itinerary) :])
         self.phases = self._cycle.itinerary
+        self._parts = _parts(self.phases)
         value = orbit.period if parameter == PERIOD else float(orbit.parameters[parameter])
         self.first = np.array([*dwell, *start, value])
         waits = np.full(count, dwell.sum())
@@ -70,6 +71,7 @@ class ComposedCurve:
         self._timed = orbit.given_period is not None and orbit.family
         if parameter == PERIOD and not self._timed:
             raise InputError(f"{orbit.name}: the period is determined by the other parameters")
+        self._known: tuple[bytes, list[tuple[np.ndarray, Cycle, Numbers]]] = (b"", [])
         self._conditions = conditions_of(self._cycle, numbers_in(closed), now)
 
     def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -122,13 +124,23 @@ class ComposedCurve:
         """See `Curve`."""
         return z[:, : len(self._cycle)]
 
+    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
+        """See `Curve`."""
+        if not self._parts:
+            return []
+        ((_, cycle, numbers),) = self._groups(z[None])
+        dwell, start = self._unknowns(z[None])
+        now = _passed(cycle, numbers, dwell, start)
+        sizes = self.sizes[len(self._cycle) : -1]
+        return [np.asarray((now.starts[count, 0] - start[0]) / sizes) for count in self._parts]
+
     def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
         """See `Curve`."""
         found = []
         for places, cycle, numbers in self._groups(z):
             part = z[places]
             dwell, start = self._unknowns(part)
-            now = pass_through(cycle, numbers, dwell, start, np)
+            now = _passed(cycle, numbers, dwell, start)
             phases = range(len(cycle))
             found.append((places, [phase_waves(cycle, numbers, now, dwell, k) for k in phases]))
         return found
@@ -137,7 +149,7 @@ class ComposedCurve:
         """See `Curve`: the lowest derivative along a flow that is not zero at the start."""
         found = np.empty((len(z), len(self._conditions.rows)))
         for places, cycle, numbers in self._groups(z):
-            now = pass_through(cycle, numbers, *self._unknowns(z[places]), np)
+            now = _passed(cycle, numbers, *self._unknowns(z[places]))
             for column, condition in enumerate(self._conditions.rows):
                 found[places, column] = condition.value(numbers, now)
         return found
@@ -157,8 +169,7 @@ class ComposedCurve:
         found = np.full((len(z), self._rank - self._family), np.nan, dtype=complex)
         for places, cycle, numbers in self._groups(z):
             dwell, start = self._unknowns(z[places])
-            with np.errstate(all="ignore"):  # infinite where a boundary is touched
-                now = pass_through(cycle, numbers, dwell, start, np)
+            now = _passed(cycle, numbers, dwell, start)
             matrices = now.matrix[..., :size]
             if self._driven is not None:
                 field = numbers.fields[:, cycle.configurations[0]]
@@ -221,7 +232,7 @@ class ComposedCurve:
         other = copy(self)
         changed = {**self.orbit.parameters, name: as_value(value)}
         other.orbit = replace(self.orbit, parameters=changed)
-        other._base = self._base.copy()
+        other._base, other._known = self._base.copy(), (b"", [])
         other._base[self._parameters.index(name)] = value
         return other
 
@@ -255,7 +266,13 @@ class ComposedCurve:
 
     def _groups(self, z: np.ndarray) -> list[tuple[np.ndarray, Cycle, Numbers]]:
         """Numbers of the system at many points, grouped by the modes that they have."""
-        points = np.stack([self._point(value) for value in z[:, -1].tolist()])
+        key = z[:, -1].tobytes()
+        if self._known[0] != key:  # one point is asked for its multipliers, waves and conditions
+            self._known = key, self._grouped(z[:, -1].tolist())
+        return self._known[1]
+
+    def _grouped(self, values: list[float]) -> list[tuple[np.ndarray, Cycle, Numbers]]:
+        points = np.stack([self._point(value) for value in values])
         found = []
         for group in numbers_at(self.orbit.kernels, points):
             numbers = numbers_in(group.structure, group.flat)
@@ -269,3 +286,16 @@ class ComposedCurve:
             here = cycle.at(cycle.structure.with_modes(modes))
             found.append((group.places, here, numbers))
         return found
+
+
+def _passed(cycle: Cycle, numbers: Numbers, dwell: np.ndarray, start: np.ndarray) -> Passage:
+    """Passages of many points; derivatives are infinite where a boundary is touched."""
+    with np.errstate(all="ignore"):
+        return pass_through(cycle, numbers, dwell, start, np)
+
+
+def _parts(itinerary: tuple[tuple[str, str], ...]) -> list[int]:
+    """Numbers of phases of the parts that an itinerary repeats."""
+    count = len(itinerary)
+    parts = (k for k in range(1, count) if count % k == 0)
+    return [k for k in parts if itinerary[:k] * (count // k) == itinerary]

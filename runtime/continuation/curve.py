@@ -52,6 +52,13 @@ class Curve(Protocol):
     def dwell(self, z: np.ndarray) -> np.ndarray:
         """Dwell times (k, p) of the phases that take time: affine in z."""
 
+    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
+        """By how much the state behind a part differs from the start.
+
+        For each of the parts that the itinerary repeats. Where it is zero the branch meets that
+        of the part, and comes back with the parts exchanged.
+        """
+
     def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
         """Boundary functions of each phase, for groups of points whose places are given."""
 

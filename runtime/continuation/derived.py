@@ -62,6 +62,10 @@ class DerivedCurve:
         found = list(self._durations(self._full(z)).values())
         return np.stack([np.broadcast_to(found[k], len(z)) for k in self._timed], axis=-1)
 
+    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
+        """See `Curve`: an orbit with kernels repeats no part."""
+        return []
+
     def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
         """See `Curve`."""
         kernels, table = self._kernels, self._kernels.table

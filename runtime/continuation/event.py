@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-__all__ = ["BORDER_COLLISIONS", "FORMAT", "KINDS", "Event"]
+__all__ = ["BORDER_COLLISIONS", "FORMAT", "KINDS", "LOCUS_FORMAT", "SWITCHES", "Event"]
 
-FORMAT = "nonsmooth branch"  # of its file
+FORMAT, LOCUS_FORMAT = "nonsmooth branch", "nonsmooth locus"  # of their files
 
 KINDS = {
     "fold": "the branch turns",
@@ -23,6 +23,8 @@ KINDS = {
     "vanishing-phase": "a dwell time shrinks to zero",
     "admissibility": "the orbit ceases to be a motion of the real system",
 }
+
+SWITCHES = ("flip", "symmetry-breaking", "branch-point")
 
 BORDER_COLLISIONS = (
     "grazing",
@@ -57,6 +59,9 @@ class Event:
         On the branch: between its points with the numbers before and behind it.
     text : str
         All of it in words.
+    touching : bool
+        Whether what happens is undone at once: a multiplier comes to the unit circle and turns
+        back, a boundary is touched at this value alone.
     """
 
     kind: str
@@ -69,8 +74,14 @@ class Event:
     time: float | None
     place: float
     text: str
+    touching: bool = False
 
     @property
     def border_collision(self) -> bool:
         """Whether the itinerary changes here."""
         return self.kind in BORDER_COLLISIONS
+
+    @property
+    def switches(self) -> bool:
+        """Whether another branch meets this one here: `Branch.switch` leads to it."""
+        return self.kind in SWITCHES and not self.touching

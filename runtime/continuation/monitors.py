@@ -57,7 +57,8 @@ class Monitors:
             # at a fold both change their signs
             for column, monitor in enumerate(self.smooth):
                 if monitor.kind == "branch-point":
-                    values[:, column] *= slopes
+                    with np.errstate(all="ignore"):
+                        values[:, column] /= slopes
         return values
 
     def border_values(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

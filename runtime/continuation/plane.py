@@ -8,50 +8,25 @@ are central differences, which slow Newton's method down but do not limit what i
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.continuation.branch import STEP, Branch, check_interval, curve_of
+from nonsmooth.runtime.continuation.branch import STEP, check_steps
 from nonsmooth.runtime.continuation.curve import Curve
 from nonsmooth.runtime.continuation.event import Event
+from nonsmooth.runtime.continuation.family import check_interval, curve_of
+from nonsmooth.runtime.continuation.locus import Locus
 from nonsmooth.runtime.continuation.monitors import Monitor, Monitors, monitors_of
-from nonsmooth.runtime.continuation.stepping import tangent_at, trace_path
+from nonsmooth.runtime.continuation.record import Branch
+from nonsmooth.runtime.continuation.stepping import trace_both_ways
 from nonsmooth.runtime.errors import InputError, unknown_name
 
-__all__ = ["Locus", "continue_event"]
+__all__ = ["MOST_POINTS", "continue_event"]
 
 _DIFFERENCE = 1e-5  # in units of the sizes
-_MOST_POINTS = 500
-
-
-@dataclass(frozen=True, eq=False)
-class Locus:
-    """A curve in the plane of two parameters along which an event happens.
-
-    Attributes
-    ----------
-    name : str
-        Of the orbit.
-    kind : str
-    boundary : str
-    parameters : (str, str)
-    values : array (k, 2)
-    unknown_names : tuple of str
-    unknowns : array (k, n)
-    ends : tuple of str
-        Why it ends on either side.
-    """
-
-    name: str
-    kind: str
-    boundary: str
-    parameters: tuple[str, str]
-    values: np.ndarray
-    unknown_names: tuple[str, ...]
-    unknowns: np.ndarray
-    ends: tuple[str, str]
+MOST_POINTS = 500
 
 
 class _EventCurve:
@@ -137,7 +112,8 @@ def continue_event(
     interval: tuple[float, float],
     *,
     step: float = 2 * STEP,
-    points: int = _MOST_POINTS,
+    points: int = MOST_POINTS,
+    progress: Callable[[int], object] | None = None,
 ) -> Locus:
     """Follow an event of a branch in the plane of two parameters.
 
@@ -155,6 +131,8 @@ def continue_event(
         the branch's range.
     points : int
         At most so many in each direction.
+    progress : callable, optional
+        Told how many points there are, as they come.
 
     Returns
     -------
@@ -183,6 +161,7 @@ def continue_event(
             "second parameter", parameter, [n for n in branch.orbit.given if n != parameter]
         )
     limits = check_interval(branch.orbit, parameter, interval)
+    check_steps(step, points)
     length = float(np.ptp(branch.parameter_values)) or 1.0
     curve = curve_of(branch.orbit, branch.parameter, length)
     if curve.equations(curve.first)[1].shape[0] != len(curve.names):
@@ -191,23 +170,26 @@ def continue_event(
     locus: Any = _EventCurve(
         curve, monitors_of(curve, known), event, parameter, limits[1] - limits[0]
     )
-    direction = tangent_at(locus, locus.first, np.eye(len(locus.first))[-1])
-    paths = [
-        list(trace_path(locus, sign * direction, limits, step, points, lambda z: None))
-        for sign in (-1, 1)
-    ]
-    backward, forward = paths
-    found = np.array([*(z for z, *_ in reversed(backward)), locus.first, *(z for z, *_ in forward)])
-    found = found[np.append(True, (found[1:] != found[:-1]).any(axis=-1))]
+    told = 0
+
+    def go_on(*_: np.ndarray) -> None:
+        nonlocal told
+        told += 1
+        if progress is not None:
+            progress(told)
+
+    path = trace_both_ways(locus, limits, step, points, go_on)
     return Locus(
         branch.name,
         event.kind,
         event.boundary,
         (branch.parameter, parameter),
-        found[:, -2:],
+        path.points[:, -2:],
         branch.unknown_names,
-        found[:, :-2],
-        (backward[-1][2], forward[-1][2]),
+        path.points[:, :-2],
+        path.ends,
+        path.start,
+        branch.orbit,
     )
 
 

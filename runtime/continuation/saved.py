@@ -16,10 +16,11 @@ import numpy as np
 
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.saved import composed_content
-from nonsmooth.runtime.continuation.branch import Branch
 from nonsmooth.runtime.continuation.event import FORMAT, KINDS, Event
+from nonsmooth.runtime.continuation.record import Branch
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import read_file
+from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.saved import (
     check_fields,
     checksum_of,
@@ -29,7 +30,7 @@ from nonsmooth.runtime.saved import (
     write_content,
 )
 
-__all__ = ["FORMAT", "load_branch", "save_branch"]
+__all__ = ["load_branch", "numbers_of", "orbit_entries", "save_branch", "texts_of"]
 
 VERSION = 1
 _FIELDS: dict[str, type] = {
@@ -62,7 +63,6 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
     """
     from importlib.metadata import version
 
-    orbit = branch.orbit
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -70,15 +70,13 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
         "name": branch.name,
         "parameter": branch.parameter,
         "unknown_names": list(branch.unknown_names),
-        "columns": [_texts(getattr(branch, name)) for name in _COLUMNS],
+        "columns": [texts_of(getattr(branch, name)) for name in _COLUMNS],
         "stability": list(branch.stability),
         "admissible": branch.admissible.tolist(),
         "events": [_entries(event) for event in branch.events],
         "ends": list(branch.ends),
         "start": branch.start,
-        "orbit": [
-            composed_content(orbit) if isinstance(orbit, ComposedOrbit) else orbit_content(orbit)
-        ],
+        "orbit": [orbit_entries(branch.orbit)],
     }
     write_content(Path(path), {**content, "sha256": checksum_of(content)})
 
@@ -105,7 +103,7 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
 def _branch(content: dict[str, Any], folder: Path) -> Branch:
     (entries,) = content["orbit"]
     orbit = orbit_of(entries, folder)
-    values, unknowns, period, multipliers, trace = map(_numbers, content["columns"])
+    values, unknowns, period, multipliers, trace = map(numbers_of, content["columns"])
     names = tuple(content["unknown_names"])
     count = len(values)
     return Branch(
@@ -126,7 +124,12 @@ def _branch(content: dict[str, Any], folder: Path) -> Branch:
     )
 
 
-def _texts(array: np.ndarray) -> list[str]:
+def orbit_entries(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
+    """Entries of the file of an orbit of either kind."""
+    return composed_content(orbit) if isinstance(orbit, ComposedOrbit) else orbit_content(orbit)
+
+
+def texts_of(array: np.ndarray) -> list[str]:
     """Numbers, row by row, as decimal texts of real and imaginary parts."""
     return [
         f"{float(x.real)!r} {float(x.imag)!r}" if x.imag else repr(float(x.real))
@@ -134,7 +137,8 @@ def _texts(array: np.ndarray) -> list[str]:
     ]
 
 
-def _numbers(texts: Sequence[str]) -> np.ndarray:
+def numbers_of(texts: Sequence[str]) -> np.ndarray:
+    """The complex numbers of such texts."""
     parts = (tuple(map(float, text.split())) for text in texts)
     return np.array([complex(*pair) for pair in parts], dtype=complex)
 

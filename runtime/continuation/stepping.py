@@ -7,27 +7,52 @@ in that of its interval.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.continuation.curve import Curve
 
-__all__ = ["LOST", "correct", "on_chord", "tangent_at", "trace_path"]
+__all__ = [
+    "Path",
+    "correct",
+    "on_chord",
+    "scaled_rows",
+    "tangent_at",
+    "trace_both_ways",
+    "trace_path",
+]
 
 MOST_ITERATIONS = 8
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
 LEAST_STEP = 1e-3  # in units of the largest one
 LEAST_COSINE = 0.97  # between the tangents at both ends of a step
 FAR = 0.3  # of a step: how far the corrector may go
+_APPROACHES, _LEAST_APPROACH = 60, 1e-2  # to a singular end; of the rest of the way
+_SAME_POINT = 1e-12  # a branch that begins at an end of its interval has no step to it
+_NO_ROW = 1e-10  # relative size of a row that says nothing
 MOST_GROWTH = 100.0  # of an unknown, in units of its size at first
 GROWN = "the orbit grows a hundredfold: a resonance"
+CLOSED = "the branch is closed"
 LOST = "the branch is lost: no smaller step leads on"
+
+
+class Path(NamedTuple):
+    """Points (k, n + 1) of a branch in their order, and their tangents, one direction all along.
+
+    Why it ends, on either side, and which of the points it was followed from.
+    """
+
+    points: np.ndarray
+    tangents: np.ndarray
+    ends: tuple[str, str]
+    start: int
 
 
 def tangent_at(curve: Curve, z: np.ndarray, like: np.ndarray | None = None) -> np.ndarray:
     """Unit tangent (n + 1,) in the curve's units, turned to another one."""
     _, jacobian = curve.equations(z)
-    scaled = _scaled_rows(jacobian * curve.sizes)[0]
+    scaled = scaled_rows(jacobian * curve.sizes)[0]
     direction = np.linalg.svd(scaled)[2][-1]
     if like is not None and direction @ like < 0:
         direction = -direction
@@ -59,7 +84,7 @@ def correct(
             residual, jacobian = curve.equations(w * curve.sizes)
             if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
                 return None
-            rows, units = _scaled_rows(jacobian * curve.sizes)
+            rows, units = scaled_rows(jacobian * curve.sizes)
             matrix = np.concatenate([rows, normal[None]])
             right = np.append(-residual / units, level - normal @ w)
             try:
@@ -85,13 +110,41 @@ def on_chord(curve: Curve, first: np.ndarray, last: np.ndarray, part: float) -> 
     return None if found is None else found[0]
 
 
+def trace_both_ways(
+    curve: Curve,
+    limits: tuple[float, float],
+    step: float,
+    most: int,
+    go_on: Callable[[np.ndarray, np.ndarray], str | None],
+) -> Path:
+    """Follow a branch from its first point in both directions; see `trace_path`.
+
+    The parameter increases at first. Neighbouring points are not the same.
+    """
+    direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])
+    backward = list(trace_path(curve, -direction, limits, step, most, go_on))
+    closed = backward[-1][2] == CLOSED
+    forward = [] if closed else list(trace_path(curve, direction, limits, step, most, go_on))
+    steps = [
+        *((z, -tangent) for z, tangent, _ in reversed(backward)),
+        (curve.first, direction),
+        *((z, tangent) for z, tangent, _ in forward),
+    ]
+    points, tangents = (np.array(part) for part in zip(*steps, strict=True))
+    gaps = np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1)
+    apart = np.append(True, gaps > _SAME_POINT)
+    ends = backward[-1][2], forward[-1][2] if forward else CLOSED
+    start = int(np.count_nonzero(apart[: len(backward) + 1])) - 1
+    return Path(points[apart], tangents[apart], ends, start)
+
+
 def trace_path(
     curve: Curve,
     direction: np.ndarray,
     limits: tuple[float, float],
     step: float,
     most: int,
-    go_on: Callable[[np.ndarray], str | None],
+    go_on: Callable[[np.ndarray, np.ndarray], str | None],
 ) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
     """Follow a branch from its first point, without that point.
 
@@ -106,7 +159,7 @@ def trace_path(
     most : int
         Points.
     go_on : callable
-        Says of a point why the branch should end there, or None.
+        Says of a point and the next one why the branch should end there, or None.
 
     Yields
     ------
@@ -133,11 +186,11 @@ def trace_path(
         walked += length
         gap = float(np.linalg.norm((following - first) / curve.sizes))
         if walked > 4 * step and gap < 0.75 * length and ahead @ direction > LEAST_COSINE:
-            yield first, direction, "the branch is closed"
+            yield first, direction, CLOSED
             return
-        z, tangent = following, ahead
+        before, z, tangent = z, following, ahead
         unknowns = float(np.abs(z[:-1] / curve.sizes[:-1]).max())
-        reason = go_on(z) or ("" if unknowns < MOST_GROWTH else GROWN)
+        reason = go_on(before, z) or ("" if unknowns < MOST_GROWTH else GROWN)
         yield z, tangent, reason
         if reason:
             return
@@ -187,8 +240,7 @@ def _ended(
     part, normal, offset, reason = min(ends, key=lambda end: end[0])
     found = correct(curve, z + part * (following - z), normal, offset)
     if found is None:
-        inside = _before(curve, z, following, limits) if reason.startswith("end") else following
-        return inside, reason
+        return _before(curve, z, following, normal, offset), reason
     point = found[0]
     if reason.startswith("end"):
         point[-1] = (
@@ -198,24 +250,31 @@ def _ended(
 
 
 def _before(
-    curve: Curve, z: np.ndarray, following: np.ndarray, limits: tuple[float, float]
+    curve: Curve, z: np.ndarray, following: np.ndarray, normal: np.ndarray, offset: float
 ) -> np.ndarray:
-    """The last point of a step inside the interval, where its end itself is singular."""
-    chord = (following - z) / curve.sizes
-    chord /= np.linalg.norm(chord)
-    inside, low, high = z, 0.0, 1.0
-    for _ in range(40):
-        part = (low + high) / 2
-        found = correct(curve, z + part * (following - z), chord)
-        if found is not None and limits[0] <= found[0][-1] <= limits[1]:
-            inside, low = found[0], part
+    """A point of a step as near to the plane of an end as it can be, where that is singular.
+
+    The equations determine a point the less the nearer it is to the end: each is guessed from
+    the two before it, the error of which shrinks with the square of the distance.
+    """
+    before, inside, part = following, z, 0.5
+    for _ in range(_APPROACHES):
+        level, height = (float(normal @ (point / curve.sizes)) for point in (inside, before))
+        target = level + part * (offset - level)
+        guess = inside + (target - level) / (height - level) * (before - inside)
+        found = correct(curve, guess, normal, target)
+        if found is not None:
+            before, inside, part = inside, found[0], 0.5
+        elif part > _LEAST_APPROACH:
+            part /= 2
         else:
-            high = part
+            break
     return inside
 
 
-def _scaled_rows(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Rows in units of their largest entry, and these units."""
+def scaled_rows(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rows in units of their largest entry, and these units; rows of rounding errors stay small."""
     units = np.abs(matrix).max(axis=1)
-    units = np.where(units > 0, units, 1.0)
+    largest = float(units.max(initial=0.0))
+    units = np.maximum(units, _NO_ROW * largest) if largest > 0 else np.ones_like(units)
     return matrix / units[:, None], units

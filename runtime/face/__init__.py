@@ -23,10 +23,13 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.charting.chart import chart, load_chart
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
     from nonsmooth.runtime.composition.recurring import Recurrence, itinerary_of
-    from nonsmooth.runtime.continuation.branch import Branch, continue_orbit
+    from nonsmooth.runtime.continuation.branch import continue_orbit
     from nonsmooth.runtime.continuation.event import Event
-    from nonsmooth.runtime.continuation.plane import Locus, continue_event
+    from nonsmooth.runtime.continuation.locus import Locus
+    from nonsmooth.runtime.continuation.plane import continue_event
+    from nonsmooth.runtime.continuation.record import Branch
     from nonsmooth.runtime.continuation.saved import load_branch
+    from nonsmooth.runtime.continuation.saved_locus import load_locus
     from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
     from nonsmooth.runtime.finding.find import Found, find_orbits
     from nonsmooth.runtime.finding.saved import load_found
@@ -88,6 +91,7 @@ __all__ = [
     "load_certificate",
     "load_chart",
     "load_found",
+    "load_locus",
     "load_trajectory",
     "lyapunov",
     "observe",
@@ -104,13 +108,13 @@ _HOMES = {
     "BoxCertificate": "certification.boxes.record",
     "Census": "certification.counting.census",
     "Certificate": "certification.certificate",
-    "Branch": "continuation.branch",
+    "Branch": "continuation.record",
     "ComposedOrbit": "composition.composed",
     "Event": "continuation.event",
     "EventCertificate": "certification.events.record",
     "Found": "finding.find",
     "InputError": "errors",
-    "Locus": "continuation.plane",
+    "Locus": "continuation.locus",
     "MissingExtra": "errors",
     "Motion": "motion",
     "NoConvergence": "errors",
@@ -141,6 +145,7 @@ _HOMES = {
     "load_chart": "charting.chart",
     "load_branch": "continuation.saved",
     "load_found": "finding.saved",
+    "load_locus": "continuation.saved_locus",
     "load_trajectory": "simulation.saved",
     "lyapunov": "observing.lyapunov",
     "observe": "observing.observables",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.certification.boxes.record import FORMAT as BOX
 from nonsmooth.runtime.continuation.event import FORMAT as BRANCH
+from nonsmooth.runtime.continuation.event import LOCUS_FORMAT as LOCUS
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding import saved as found_orbits
 
@@ -25,8 +26,8 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     Parameters
     ----------
     path : Path
-        JSON of an orbit, a branch, a proven map or found orbits; .npz or .csv of a motion;
-        folder of a chart.
+        JSON of an orbit, a branch, a curve of events, a proven map or found orbits; .npz or .csv
+        of a motion; folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and a chart only "all".
@@ -75,6 +76,14 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
         if kind != "all":
             raise InputError(f"a proven map has one kind of picture, all, not {kind}")
         return {"orbit": certificate.orbit}, box_figure(certificate)
+    if _holds(path, LOCUS):
+        from nonsmooth.runtime.continuation.drawing import locus_figure
+        from nonsmooth.runtime.continuation.saved_locus import load_locus
+
+        locus = load_locus(path)
+        if kind != "all":
+            raise InputError(f"a curve of events has one kind of picture, all, not {kind}")
+        return {"orbit": locus.name}, locus_figure(locus)
     if _holds(path, found_orbits.FORMAT):
         from nonsmooth.runtime.pictures.found import found_figure
 

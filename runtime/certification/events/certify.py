@@ -22,8 +22,8 @@ from nonsmooth.runtime.certification.location import unknown_names
 from nonsmooth.runtime.certification.statement import decimals, rational
 from nonsmooth.runtime.certification.subject import NotCovered, guess_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
-from nonsmooth.runtime.continuation.branch import Branch
 from nonsmooth.runtime.continuation.event import Event
+from nonsmooth.runtime.continuation.record import Branch
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.values import flint_precision

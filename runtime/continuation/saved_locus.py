@@ -1,0 +1,104 @@
+"""Curves of events in files, as branches are kept."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from nonsmooth.runtime.continuation.event import KINDS, LOCUS_FORMAT
+from nonsmooth.runtime.continuation.locus import Locus
+from nonsmooth.runtime.continuation.saved import numbers_of, orbit_entries, texts_of
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.files import read_file
+from nonsmooth.runtime.saved import check_fields, checksum_of, orbit_of, parsed, write_content
+
+__all__ = ["load_locus", "save_locus"]
+
+VERSION = 1
+_FIELDS: dict[str, type] = {
+    "format": str,
+    "version": int,
+    "package": str,
+    "name": str,
+    "kind": str,
+    "boundary": str,
+    "parameters": list,
+    "unknown_names": list,
+    "values": list,
+    "unknowns": list,
+    "ends": list,
+    "start": int,
+    "orbit": list,
+    "sha256": str,
+}
+_LARGEST_FILE = 500_000_000  # bytes
+
+
+def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
+    """Write a curve of events to a file; what was there stays until the new content is complete.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    from importlib.metadata import version
+
+    content: dict[str, Any] = {
+        "format": LOCUS_FORMAT,
+        "version": VERSION,
+        "package": version("nonsmooth"),
+        "name": locus.name,
+        "kind": locus.kind,
+        "boundary": locus.boundary,
+        "parameters": list(locus.parameters),
+        "unknown_names": list(locus.unknown_names),
+        "values": texts_of(locus.values),
+        "unknowns": texts_of(locus.unknowns),
+        "ends": list(locus.ends),
+        "start": locus.start,
+        "orbit": [orbit_entries(locus.orbit)],
+    }
+    write_content(Path(path), {**content, "sha256": checksum_of(content)})
+
+
+def load_locus(path: str | os.PathLike[str]) -> Locus:
+    """Read a curve of events that `Locus.save` wrote.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
+        the system that is there. The message names the file.
+    """
+    try:
+        content = parsed(read_file(Path(path), _LARGEST_FILE, "saved curve of events"))
+        if not isinstance(content, dict) or content.get("format") != LOCUS_FORMAT:
+            raise InputError("not a saved curve of events, such as Locus.save writes")
+        check_fields(content, VERSION, _FIELDS)
+        return _locus(content, Path(path).parent)
+    except InputError as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+
+
+def _locus(content: dict[str, Any], folder: Path) -> Locus:
+    (entries,) = content["orbit"]
+    orbit = orbit_of(entries, folder)
+    if content["kind"] not in KINDS:
+        raise InputError(f"{content['kind']!r} is no kind of event")
+    values, names = numbers_of(content["values"]), tuple(content["unknown_names"])
+    first, second = content["parameters"]
+    before, behind = content["ends"]
+    return Locus(
+        orbit.name,
+        content["kind"],
+        content["boundary"],
+        (first, second),
+        values.real.reshape(-1, 2),
+        names,
+        numbers_of(content["unknowns"]).real.reshape(-1, len(names)),
+        (before, behind),
+        content["start"],
+        orbit,
+    )
