@@ -203,7 +203,8 @@ def plot(
         typer.Argument(
             metavar="FILE",
             help="An orbit of `solve --save`, a motion of `simulate --save`, the orbits of"
-            " `find --save`, a branch of `continue --save`, or a chart of `chart --out`.",
+            " `find --save`, a branch or a curve of events of `continue --save`, a proven map of"
+            " `certify --save`, or a chart of `chart --out`.",
         ),
     ],
     kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
