@@ -9,6 +9,7 @@ from pathlib import Path
 from measuring import Row, timed
 
 from nonsmooth.runtime.certification.boxes.certify import certify_box
+from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.certificate import GUARD
 from nonsmooth.runtime.certification.certify import certify
 from nonsmooth.runtime.certification.counting.count import certify_all
@@ -74,12 +75,19 @@ def boxed(quick: bool) -> Iterator[Row]:
     orbit = solve(ORBIT)
     runs = 3 if quick else 7
 
-    def around(low: str, high: str) -> None:
-        assert certify_box(orbit, {"V": (low, high), "eta": (low, high)}).proved
+    def around(low: str, high: str) -> BoxCertificate:
+        found = certify_box(orbit, {"V": (low, high), "eta": (low, high)})
+        assert found.proved
+        return found
 
-    within = "V and eta within {}, proved whole"
-    yield Row(within.format("1 %"), timed(lambda: around("0.99", "1.01"), 1, runs), 2)
-    yield Row(within.format("10 %"), timed(lambda: around("0.9", "1.1"), 1, runs), 60)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "map.json"
+        for size, ends, must in (("1 %", ("0.99", "1.01"), 2), ("10 %", ("0.9", "1.1"), 60)):
+            whole = f"V and eta within {size}, proved whole"
+            yield Row(whole, timed(lambda ends=ends: around(*ends), 1, runs), must)
+            around(*ends).save(path)
+            checked = timed(lambda: check_certificate(path), 1, runs)
+            yield Row("  its check, from the file", checked, against=whole)
     branch = continue_orbit(solve("dry-friction/symmetric"), "V", (0.6, 1.3))
     (flip,) = [event for event in branch.events if event.kind == "flip"]
     for bits in (100, 1000):

@@ -150,3 +150,18 @@ def test_facts_over_rational_functions() -> None:
     kernel = left_kernel([(V, ETA), (V * V, V * ETA), (1, 0)])
     assert len(kernel) == 1
     assert not any(product(kernel[0], [(V, ETA), (V * V, V * ETA), (one, zero)]))
+
+
+def test_what_irrational_constants_make_zero_divides_nothing() -> None:
+    with flint_precision(256):
+        x, two, eight = symbols(["x", "p", "q"], [arb(2).sqrt(), arb(8).sqrt()])
+        apart = eight - 2 * two  # zero at these numbers, not as a function
+        assert apart
+        with pytest.raises(ZeroDivisionError, match="irrational"):
+            1 / apart
+        with pytest.raises(ZeroDivisionError, match="irrational"):
+            Facts.of([(apart, x, x - x)])
+        with pytest.raises(ZeroDivisionError, match="irrational"):
+            x / (two * two - 2)
+        assert (x * apart + two) / (x * apart + two) == 1
+        assert 1 / (apart + x) == (apart + x) ** -1

@@ -17,7 +17,7 @@
 `certify`         all of it together
 `certificate`     what is proved, with enclosures; JSON
 `saved`           certificates in files, and their check
-`checker`         the sceptic's own proof, from the file alone: one file to read
+`checker`         the sceptic's own proof, from the file alone: to be read in one sitting
 ================  ============================================================
 
 and three rooms with maps of their own: `boxes`, an orbit for all parameters of a box;

@@ -10,27 +10,37 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+    from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 __all__ = ["Quotient", "symbols"]
 
 
-def symbols(names: Sequence[str]) -> list[Quotient]:
-    """The parameters as rational functions of themselves."""
+def symbols(names: Sequence[str], constants: Sequence[arb] = ()) -> list[Quotient]:
+    """The parameters as rational functions of themselves.
+
+    Parameters
+    ----------
+    names : sequence of str
+    constants : sequence of arb
+        Values of the last parameters, where these are irrational numbers that do not vary.
+        Nothing is divided by what may be zero at them for all values of the others.
+    """
     from flint import Ordering, fmpq_mpoly_ctx
 
     context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
     one = context.constant(1)
-    return [Quotient(variable, one) for variable in context.gens()]
+    return [Quotient(variable, one, tuple(constants)) for variable in context.gens()]
 
 
 class Quotient:
     """A quotient of polynomials without common factor; the denominator's first coefficient is 1."""
 
-    __slots__ = ("above", "below")
+    __slots__ = ("above", "below", "constants")
 
-    def __init__(self, above: fmpq_mpoly, below: fmpq_mpoly) -> None:
-        self.above, self.below = above, below
+    def __init__(
+        self, above: fmpq_mpoly, below: fmpq_mpoly, constants: tuple[arb, ...] = ()
+    ) -> None:
+        self.above, self.below, self.constants = above, below, constants
 
     @property
     def context(self) -> fmpq_mpoly_ctx:
@@ -48,14 +58,14 @@ class Quotient:
         return bool(self.above * other.below == other.above * self.below)
 
     def __neg__(self) -> Quotient:
-        return Quotient(-self.above, self.below)
+        return Quotient(-self.above, self.below, self.constants)
 
     def __add__(self, other: Any) -> Quotient:
         other = self._like(other)
         if self.below == other.below:
-            return _reduced(self.above + other.above, self.below)
+            return self._of(self.above + other.above, self.below)
         above = self.above * other.below + other.above * self.below
-        return _reduced(above, self.below * other.below)
+        return self._of(above, self.below * other.below)
 
     __radd__ = __add__
 
@@ -67,13 +77,15 @@ class Quotient:
 
     def __mul__(self, other: Any) -> Quotient:
         other = self._like(other)
-        return _reduced(self.above * other.above, self.below * other.below)
+        return self._of(self.above * other.above, self.below * other.below)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Quotient:
         other = self._like(other)
-        return _reduced(self.above * other.below, self.below * other.above)
+        if self.constants and not _somewhere(other.above, self.constants):
+            raise ZeroDivisionError("a divisor may be zero at the irrational parameters")
+        return self._of(self.above * other.below, self.below * other.above)
 
     def __rtruediv__(self, other: Any) -> Quotient:
         return self._like(other).__truediv__(self)
@@ -81,7 +93,7 @@ class Quotient:
     def __pow__(self, exponent: int) -> Quotient:
         if exponent < 0:
             return self._like(1) / self**-exponent
-        return Quotient(self.above**exponent, self.below**exponent)
+        return Quotient(self.above**exponent, self.below**exponent, self.constants)
 
     def __str__(self) -> str:
         return str(self.above) if self.below.is_one() else f"({self.above})/({self.below})"
@@ -97,23 +109,35 @@ class Quotient:
         from flint import fmpq
 
         context = self.context
-        return Quotient(context.constant(fmpq(other)), context.constant(1))
+        return Quotient(context.constant(fmpq(other)), context.constant(1), self.constants)
+
+    def _of(self, above: fmpq_mpoly, below: fmpq_mpoly) -> Quotient:
+        if below.is_zero():
+            raise ZeroDivisionError("a denominator is zero for all values of the parameters")
+        common = above.gcd(below)
+        if not common.is_one():
+            above, below = above / common, below / common
+        leading = below.leading_coefficient()
+        return Quotient(above / leading, below / leading, self.constants)
 
 
-def _reduced(above: fmpq_mpoly, below: fmpq_mpoly) -> Quotient:
-    if below.is_zero():
-        raise ZeroDivisionError("a denominator is zero for all values of the parameters")
-    common = above.gcd(below)
-    if not common.is_one():
-        above, below = above / common, below / common
-    leading = below.leading_coefficient()
-    return Quotient(above / leading, below / leading)
+def _somewhere(polynomial: fmpq_mpoly, constants: Sequence[arb]) -> bool:
+    """Whether a polynomial, at the constants, is not zero for all values of the others."""
+    groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
+    for exponents, coefficient in _terms(polynomial).items():
+        free = len(exponents) - len(constants)
+        groups.setdefault(exponents[:free], {})[exponents[free:]] = coefficient
+    return any(_horner(group, constants) != 0 for group in groups.values())
 
 
 def _evaluated(polynomial: fmpq_mpoly, values: Sequence[Any]) -> Any:
     """Horner's scheme by the first parameter, its coefficients by the next one, and so on."""
+    return _horner(_terms(polynomial), values)
+
+
+def _terms(polynomial: fmpq_mpoly) -> dict[tuple[int, ...], fmpq]:
     terms: dict[tuple[int, ...], fmpq] = polynomial.to_dict()
-    return _horner({tuple(map(int, e)): c for e, c in terms.items()}, values)
+    return {tuple(map(int, e)): c for e, c in terms.items()}
 
 
 def _horner(terms: dict[tuple[int, ...], fmpq], values: Sequence[Any]) -> Any:

@@ -14,6 +14,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from nonsmooth.runtime.certification.boxes.comparing import compare_box
+from nonsmooth.runtime.certification.boxes.record import BoxCertificate
+from nonsmooth.runtime.certification.boxes.saved import FORMAT as BOX_FORMAT
+from nonsmooth.runtime.certification.boxes.saved import box_entries, box_of
 from nonsmooth.runtime.certification.certificate import (
     CLAIMS,
     FORMAT,
@@ -23,14 +27,14 @@ from nonsmooth.runtime.certification.certificate import (
     Stated,
     Unknown,
 )
-from nonsmooth.runtime.certification.checker import Failure, check
+from nonsmooth.runtime.certification.checker import Failure, check, check_tiles
 from nonsmooth.runtime.certification.statement import declaration_json, value_json
 from nonsmooth.runtime.certification.tables import tables_of
 from nonsmooth.runtime.composition.passage import cycle_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import read_file, write_file
 from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.saved import checksum_of, given_value
+from nonsmooth.runtime.saved import check_entries, checksum_of, given_value, parsed
 from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import structure_of
 from nonsmooth.runtime.values import flint_precision
@@ -44,7 +48,7 @@ __all__ = [
     "save_certificate",
 ]
 
-_LARGEST_FILE = 50_000_000  # bytes
+_LARGEST_FILE = 500_000_000  # bytes
 _FIELDS: dict[str, type] = {
     "format": str,
     "version": int,
@@ -72,7 +76,7 @@ _FIELDS: dict[str, type] = {
 _WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Check:
     """The check of a certificate.
 
@@ -82,10 +86,13 @@ class Check:
         What is wrong with it; None if every claim was proved again.
     note : str or None
         What could not be compared: the system is not there.
+    certificate : Certificate, BoxCertificate or None
+        What was proved again; None if something is wrong with it.
     """
 
     difference: str | None
     note: str | None = None
+    certificate: Certificate | BoxCertificate | None = None
 
 
 def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> None:
@@ -127,7 +134,7 @@ def load_certificate(path: str | os.PathLike[str]) -> Certificate:
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
     try:
-        return certificate_of(_content(Path(path)))
+        return certificate_of(_parsed(Path(path)))
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
 
@@ -143,53 +150,54 @@ def certificate_of(content: Any) -> Certificate:
 def check_certificate(path: str | os.PathLike[str]) -> Check:
     """Check a certificate: its checksum, its system, and all its claims, from the file alone.
 
+    Parameters
+    ----------
+    path : str or path
+        What `Certificate.save` or `BoxCertificate.save` wrote.
+
     Raises
     ------
     InputError
         If the file cannot be read or is no certificate.
     """
+    folder = Path(path).parent
     try:
-        content = _content(Path(path))
+        content = _parsed(Path(path))
+        boxed = content.get("format") == BOX_FORMAT
+        if boxed:
+            box_entries({**content, "sha256": checksum_of(content)})  # that is the checker's
+        else:
+            _check_entries(content)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
-    note = None
+    found: Certificate | BoxCertificate
     try:
-        with flint_precision(content["bits"]):  # the one precision of the process is kept
-            check(content)
-        _certificate(content)
-        note = _compare(content, Path(path).parent)
+        with flint_precision(64):  # the one precision of the process is kept
+            if boxed:
+                check_tiles(content)
+            else:
+                check(content)
+        found = box_of(content) if boxed else _certificate(content)
+        note = (compare_box if boxed else _compare)(content, folder)
     except (Failure, InputError) as problem:
         return Check(str(problem))
     except _WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
-    return Check(None, note)
+    return Check(None, note, found)
 
 
-def _content(path: Path) -> dict[str, Any]:
-    """Entries of a certificate's file, of the right types."""
-    try:
-        content = json.loads(read_file(path, _LARGEST_FILE, "certificate").decode("utf-8"))
-    except (ValueError, RecursionError) as problem:
-        if isinstance(problem, InputError):
-            raise
-        raise InputError("cut, or not JSON") from None
-    _check_entries(content)
-    return dict(content)
+def _parsed(path: Path) -> dict[str, Any]:
+    content = parsed(read_file(path, _LARGEST_FILE, "certificate"))
+    if not isinstance(content, dict):
+        raise InputError("not a certificate, such as --save writes")
+    return content
 
 
 def _check_entries(content: Any) -> None:
+    """Refuse entries that are not those of a certificate, or of the wrong types."""
     if not isinstance(content, dict) or content.get("format") != FORMAT:
         raise InputError("not a certificate, such as --save writes")
-    if content.get("version") != VERSION:
-        raise InputError(
-            f"version {content.get('version')!r} of the format, where {VERSION} is known:"
-            " use the release that wrote it"
-        )
-    for name in _FIELDS.keys() ^ content.keys():
-        raise InputError(f"{name!r} is {'missing' if name in _FIELDS else 'unknown'}")
-    for name, kind in _FIELDS.items():
-        if type(content[name]) is not kind:
-            raise InputError(f"{name!r} is of the wrong type")
+    check_entries({**content, "sha256": checksum_of(content)}, VERSION, _FIELDS)
     if set(content["claims"]) != set(CLAIMS):
         raise InputError(f"its claims are not {', '.join(CLAIMS)}")
 

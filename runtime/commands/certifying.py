@@ -185,19 +185,23 @@ def _certify(
 
 
 def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
-    from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
+    from nonsmooth.runtime.certification.certificate import Certificate
+    from nonsmooth.runtime.certification.saved import check_certificate
     from nonsmooth.runtime.commands.display import steps
-    from nonsmooth.runtime.commands.display_certificates import show_claims
+    from nonsmooth.runtime.commands.display_certificates import show_box, show_claims
 
     with steps(f"proving {path} again"):
         found = check_certificate(path)
-    certificate = load_certificate(path) if found.difference is None else None
+    certificate = found.certificate
     if as_json:
         claims = {} if certificate is None else dict(certificate.claims)
         told = {"file": str(path), "same": certificate is not None, "claims": claims}
         print_json({**told, "difference": found.difference, "note": found.note})
     elif certificate is not None:
-        show_claims(certificate)
+        if isinstance(certificate, Certificate):
+            show_claims(certificate)
+        else:
+            show_box(certificate)
         print(f"{path}: every claim holds; all was proved again from the file")
         if found.note:
             print(found.note)

@@ -6,6 +6,7 @@
 `certify`       tile after tile, halved until they are decided
 `record`        the proven map: tiles with their claims; JSON
 `saved`         maps in files
+`comparing`     whether a saved map is of the system that it names
 `drawing`       maps in pictures
 ==============  ==============================================================
 """

@@ -131,7 +131,10 @@ class _Work:
         *_, tile = heapq.heappop(self.waiting)
         rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
         proof = prove(self.region, tile.place, _balls(tile.guess), rough=rough)
-        self._finish(_judged(tile, proof), proof.follow)
+        known = proof.existence == "proved" or tile.claims["existence"] != "proved"
+        # where an orbit is known from a larger tile, only a proof leads to the same one
+        follow = proof.follow if known else None
+        self._finish(_judged(tile, proof, follow), follow)
 
     def _finish(self, tile: Tile, follow: Follow | None) -> None:
         """Halve a tile that is not decided, if it is not too small."""
@@ -157,13 +160,13 @@ def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
     return entry[:2]
 
 
-def _judged(tile: Tile, proof: Proof) -> Tile:
+def _judged(tile: Tile, proof: Proof, follow: Follow | None) -> Tile:
     """A tile that was looked at, with what was proved of it before if that is more."""
-    guess = tile.guess
-    if proof.follow is not None:
-        guess = tuple(map(float, proof.follow([0.0] * len(tile.place.steps))))
     if proof.existence == "undecided" and tile.claims["existence"] == "proved":
-        return replace(tile, guess=guess, looked_at=True)
+        return replace(tile, looked_at=True)
+    guess = tile.guess
+    if follow is not None:
+        guess = tuple(map(float, follow([0.0] * len(tile.place.steps))))
     claims = dict(zip(CLAIMS, (proof.existence, proof.admissibility, proof.stability), strict=True))
     with flint_precision(BITS):
         enclosures = {
@@ -201,11 +204,16 @@ def _record(
 
 
 def _check_same(wanted: BoxCertificate, found: BoxCertificate) -> None:
-    """What is resumed is of the same orbit and box."""
-    for name in ("orbit", "itinerary", "box", "chosen"):
-        if getattr(wanted, name) != getattr(found, name):
-            raise InputError(f"the state to resume has another {name}")
+    """What is resumed is of the same orbit and box, and its system is still the same."""
+
+    def compare(names: Sequence[str]) -> None:
+        for name in names:
+            if getattr(wanted, name) != getattr(found, name):
+                raise InputError(f"the state to resume has another {name}")
+
+    compare(("orbit", "itinerary", "box", "chosen"))
     fixed = [name for name in wanted.parameters if name not in wanted.box]
     for name in fixed:
         if wanted.parameters[name] != found.parameters.get(name):
             raise InputError(f"the state to resume has another {name}")
+    compare(("constants", "declaration", "closing"))

@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from nonsmooth.runtime.certification.boxes.place import Interval, Place
@@ -140,12 +141,13 @@ class BoxCertificate:
 
     @property
     def enclosures(self) -> dict[str, Stated]:
-        """Trace, period, dwell times and start over all tiles on which the orbit is proved."""
-        found: dict[str, Stated] = {}
-        for tile in self.tiles:
-            for name, enclosure in tile.enclosures.items():
-                found[name] = _hull(found[name], enclosure) if name in found else enclosure
-        return found
+        """Trace, period, dwell times and start over all tiles on which the orbit is proved.
+
+        Without a trace that is unbounded on some tile.
+        """
+        stated = [t.enclosures for t in self.tiles if t.claims["existence"] == "proved"]
+        names = [n for n in stated[0] if all(n in other for other in stated)] if stated else []
+        return {name: reduce(_hull, (other[name] for other in stated)) for name in names}
 
     def where(self, tile: Tile) -> dict[str, Interval]:
         """The parameters of a tile."""

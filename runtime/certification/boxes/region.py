@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 __all__ = ["BITS", "Region", "checked_box", "region_of"]
 
+_SHARP = 256  # bits that tell what irrational numbers make zero
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
 
 
@@ -147,7 +148,10 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
     values, period, at = _dependence(orbit, subject, box)
     irrational = [v for v in (*values.values(), period) if isinstance(v, Value)]
     constants = tuple(dict.fromkeys(irrational))
-    found = symbols([*box, *(f"constant{k}" for k in range(len(constants)))])
+    found = symbols(
+        [*box, *(f"constant{k}" for k in range(len(constants)))],
+        [value.ball(_SHARP) for value in constants],
+    )
     place = dict(zip(box, found, strict=False))
     constant = dict(zip(constants, found[len(box) :], strict=True))
 
@@ -160,9 +164,11 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
 
     try:
         tables = tables_over(subject.kernels, [entry(value) for value in values.values()])
+        known = known_of(tables, subject.cycle)
     except AttributeError:
         raise NotCovered("the declaration takes a root or a sine of its parameters") from None
-    known = known_of(tables, subject.cycle)
+    except ZeroDivisionError as problem:
+        raise NotCovered(str(problem)) from None
     region = Region(
         subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
         plan_of(tables, subject.cycle, known), (),

@@ -16,7 +16,7 @@ from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import read_file
 from nonsmooth.runtime.saved import check_entries, checksum_of, given_value, parsed, write_content
 
-__all__ = ["FORMAT", "box_content", "load_box_certificate", "save_box"]
+__all__ = ["FORMAT", "box_content", "box_entries", "box_of", "load_box_certificate", "save_box"]
 
 VERSION = 1
 _LARGEST_FILE = 500_000_000  # bytes
@@ -74,7 +74,7 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
     try:
-        return _box(box_content(Path(path)))
+        return box_of(box_content(Path(path)))
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
 
@@ -89,11 +89,27 @@ def box_content(path: Path) -> dict[str, Any]:
     content = parsed(read_file(path, _LARGEST_FILE, "saved map"))
     if not isinstance(content, dict) or content.get("format") != FORMAT:
         raise InputError("not a proven map, such as BoxCertificate.save or --save writes")
-    check_entries(content, VERSION, _FIELDS)
+    box_entries(content)
     return content
 
 
-def _box(content: Mapping[str, Any]) -> BoxCertificate:
+def box_entries(content: Mapping[str, Any]) -> None:
+    """Refuse entries that are not those of a map, or another checksum.
+
+    Raises
+    ------
+    InputError
+    """
+    check_entries(content, VERSION, _FIELDS)
+
+
+def box_of(content: Mapping[str, Any]) -> BoxCertificate:
+    """The map that a file's entries describe.
+
+    Raises
+    ------
+    InputError
+    """
     try:
         found = BoxCertificate(
             content["orbit"],

@@ -109,7 +109,8 @@ def _prove(region: Region, place: Place, guess: Sequence[arb], space: Space) -> 
     maps = equations.timed_maps(now) if timed else equations.section_maps(now)
     forced = [state for pair in closing.pairs for state in pair]
     square = reduced_map(maps, region.known, forced, timed=timed, number=number)
-    trace = range_of(trace_of(square))
+    total = trace_of(square)
+    trace = range_of(total)
     inside: bool | None = None
     if trace.is_finite() and not any(len(t.boundaries) > 1 for t in region.cycle.transitions):
         if closing.form is not None:
@@ -119,14 +120,23 @@ def _prove(region: Region, place: Place, guess: Sequence[arb], space: Space) -> 
     stability = {True: "proved", False: "refuted", None: "undecided"}[inside]
     judgement = judge([plan.at(number) for plan in region.plans], chain, now, dwell)
     subject = region.subject
-    enclosures = {"trace": trace, "period": range_of(sum(dwell[1:], dwell[0]))}
-    enclosures |= dict(zip(subject.dwell_names, map(range_of, dwell), strict=True))
-    states = range_of(now.starts[0]).entries()[:-1]
-    enclosures |= dict(zip(subject.start_names, states, strict=True))
+    named = {"trace": total, "period": sum(dwell[1:], dwell[0])}
+    named |= dict(zip(subject.dwell_names, dwell, strict=True))
+    named |= dict(zip(subject.start_names, now.starts[0].entries()[:-1], strict=True))
+    enclosures = {name: _wider(number) for name, number in named.items()}
     reason = judgement.reason or ("" if inside else "a multiplier may lie on the unit circle")
     if inside is False and not judgement.reason:
         reason = "a multiplier lies outside the unit circle"
     return Proof("proved", judgement.verdict, stability, reason, enclosures, follow)
+
+
+def _wider(number: Any) -> arb:
+    """All values, with twice what is not known of the polynomial: the check finds its own."""
+    from flint import arb
+
+    ball = range_of(number)
+    found: arb = ball + arb(0, number.rad() + (1 + abs(ball)) * arb(2) ** (16 - BITS))
+    return found
 
 
 def _undecided(reason: str, follow: Any) -> Proof:

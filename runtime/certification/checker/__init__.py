@@ -1,0 +1,22 @@
+"""The check of certificates, from nothing but their files and ball arithmetic.
+
+A certificate holds a declaration, an itinerary, a box of unknowns or tiles of parameters, and
+what is claimed. Here all of it is proved again, apart from the program that wrote it: of that
+only the arithmetic is imported, Taylor models and rational functions. Read in this order:
+
+    exact      numbers as they are stated, and exact arithmetic of rows
+    declared   what is declared, and what follows from it without rounding
+    orbit      existence, enclosures, the Poincare map
+    stability  its multipliers
+    motion     admissibility
+    points     a certificate at one parameter point
+    tiles      a map of tiles in a box of parameters
+
+``python -m nonsmooth.runtime.certification.checker FILE`` checks a file.
+"""
+
+from nonsmooth.runtime.certification.checker.exact import Failure
+from nonsmooth.runtime.certification.checker.points import check
+from nonsmooth.runtime.certification.checker.tiles import check_tiles
+
+__all__ = ["Failure", "check", "check_tiles"]

@@ -1,0 +1,14 @@
+"""Check one file: ``python -m nonsmooth.runtime.certification.checker FILE``."""
+
+import json
+import sys
+
+from nonsmooth.runtime.certification.checker import check, check_tiles
+
+with open(sys.argv[1], encoding="utf-8") as file:
+    content = json.load(file)
+if "tiles" in content:
+    check_tiles(content)
+else:
+    check(content)
+print("every claim is proved")

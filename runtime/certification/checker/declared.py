@@ -1,0 +1,253 @@
+"""What a certificate declares, read exactly, and what follows from it without any rounding.
+
+Of each configuration the affine field y' = A y + b, the rows n y + c of its boundaries (negative
+inside) and of what vanishes in it; of each transition its conditions and its affine reset. States
+carry a last entry 1, so that every affine map is one matrix and every affine function one row.
+"""
+
+import json
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from flint import fmpq
+
+from nonsmooth.runtime.certification.checker.exact import (
+    Elimination,
+    demand,
+    is_integer,
+    leading,
+    number_of,
+    product,
+    reduced,
+)
+from nonsmooth.runtime.certification.quotients import Quotient
+
+__all__ = ["Declared", "Phase", "Step", "Transition", "Watched"]
+
+
+class Transition(NamedTuple):
+    """What leads from a configuration and boundaries to another: conditions, affine reset."""
+
+    begins: tuple[str, ...]
+    conditions: list[tuple[Any, str, bool]]
+    reset: Any
+    target: str
+
+
+class Step(NamedTuple):
+    """A phase of the itinerary: its field, the row that ends it, the transition behind that."""
+
+    name: str
+    field: Any
+    exit: Any
+    taken: Transition
+    target: str
+
+
+class Watched(NamedTuple):
+    """A boundary in a phase; rows are reduced by what is known to be zero there.
+
+    The first derivative where the phase begins that is not zero has the order, and `begins` is
+    its row: None where the function is zero all along.
+    """
+
+    name: str
+    row: Any
+    ends_it: bool
+    order: int
+    begins: Any
+    still: bool
+    end: Any
+    speed: Any
+
+
+class Phase(NamedTuple):
+    """What has to hold in a phase.
+
+    Rows that vanish where it begins; boundaries; transitions up to the itinerary's, which is the
+    last: whether a row's sign, None where that is zero, is positive.
+    """
+
+    held: list[Any]
+    watched: list[Watched]
+    ways: list[list[tuple[Any, bool]]]
+
+
+class Declared:
+    """The system, itinerary and closing of a certificate; `variables` are of its functions."""
+
+    def __init__(self, content: dict[str, Any], variables: Any = ()) -> None:
+        declared, self.closing = content["declaration"], content["closing"]
+        self.variables, self.poles, self.exactly = variables, list[Any](), Elimination()
+        self.size, self.forcing = len(declared["states"]), declared["forcing"]
+        zero = (fmpq(0),) * self.size
+        self.configurations, self.fields = {}, {}
+        for name, entry in declared["configurations"].items():
+            self.fields[name] = [*map(self.row, entry["field"]), (*zero, fmpq(0))]
+            rows = {boundary: self.row(row) for boundary, row in entry["boundaries"].items()}
+            self.configurations[name] = rows, [*map(self.row, entry["held"])]
+        self.transitions = [
+            Transition(
+                (entry["source"], *sorted(entry["boundaries"])),
+                [(self.row(row), along, holds) for row, along, holds in entry["conditions"]],
+                [*map(self.row, entry["reset"]), (*zero, fmpq(1))],
+                entry["target"],
+            )
+            for entry in declared["transitions"]
+        ]
+        self.itinerary = declared["phases"]
+        told = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
+        demand(content["itinerary"] == told, "the itinerary is not that of the declaration")
+        self.steps = []
+        names = [phase["configuration"] for phase in self.itinerary]
+        for phase, target in zip(self.itinerary, [*names[1:], *names[:1]], strict=True):
+            taken, name = self.transitions[phase["transition"]], phase["configuration"]
+            ways = (name, *sorted(phase["boundaries"])), target
+            leads = ways == (taken.begins, taken.target)
+            demand(leads, "a transition does not lead from phase to phase")
+            row = self.configurations[name][0][phase["boundaries"][0]]
+            self.steps.append(Step(name, self.fields[name], row, taken, target))
+        self.forced = [k for pair in self.forcing for k in pair]
+        self.free = [k for k in range(self.size) if k not in self.forced]
+        self.alone = all(len(phase["boundaries"]) == 1 for phase in self.itinerary)
+        self.omega: list[Any] = []
+        period = self.closing["kind"] == "period"
+        self.period = self.number(self.closing["period"]) if period else None
+        self.rational = '"mid"' not in json.dumps(declared)
+
+    def number(self, entry: Any) -> Any:
+        """A fraction, a ball, or a rational function."""
+        found = number_of(entry, self.variables)
+        if isinstance(found, Quotient) and not found.below.is_one():
+            self.poles.append(found)
+        return found
+
+    def row(self, entries: list[Any]) -> tuple[Any, ...]:
+        """Several of them."""
+        return tuple(map(self.number, entries))
+
+    def closes(self) -> dict[str, Any]:
+        """What is no equation follows: forcings return; else the energies of a kept form.
+
+        The field is f = Omega^-1 grad E with E = y'H y/2, so each phase keeps E and Omega. At a
+        boundary the reset keeps E, and Omega on its tangents: monodromy is symplectic.
+        """
+        kind, dropped = self.closing["kind"], self.closing["dropped"]
+        demand(kind in ("state", "period", "forcing"), "it closes in an unknown way")
+        demand((kind == "forcing") == bool(self.forcing), "a forcing is left out")
+        demand(dropped in self.free if kind == "period" else dropped == -1, "an open coordinate")
+        demand(kind == "state" or self.rational, "the declaration is not exact")
+        if kind == "forcing":
+            self._returns()
+        if kind != "period":
+            return {}
+        self.omega = omega = [self.row(row) for row in self.closing["form"]]
+        demand(omega == [tuple(-x for x in column) for column in zip(*omega, strict=True)],
+               "no symplectic form")  # fmt: skip
+        energies = {}
+        for step in self.steps:
+            upper = [product(row, step.field[:-1]) for row in omega]
+            last = self.number(self.closing["constants"][step.name])
+            energy = [*upper, (*(row[-1] for row in upper), last)]
+            symmetric = energy == list(zip(*energy, strict=True))
+            demand(symmetric, "a field is not the energy's")
+            energies[step.name] = energy
+        for step in self.steps:
+            linear = [row[:-1] for row in step.taken.reset[:-1]]
+            for kept, before, reset, normal in (
+                (energies[step.target], energies[step.name], step.taken.reset, step.exit),
+                (omega, omega, linear, step.exit[:-1]),
+            ):
+                on = self.exactly.left_kernel([[x] for x in normal])
+                moved = [product(row, list(zip(*reset, strict=True))) for row in on]
+                same = _seen(kept, moved) == _seen(before, on)
+                demand(same, "a reset keeps neither energy nor form")
+        return energies
+
+    def _returns(self) -> None:
+        (c0, s0), turns = self.forcing[0], self.closing["turns"]
+        first = self.steps[0].field
+        for c, s in self.forcing:
+            w = first[s][c]
+            demand(is_integer(w * turns / first[s0][c0]), "a forcing does not return")
+            for k, other, rate in ((c, s, -w), (s, c, w)):
+                turns_as = [rate if j == other else 0 for j in range(self.size + 1)]
+                keep = [int(j == k) for j in range(self.size + 1)]
+                even = all(list(step.field[k]) == turns_as for step in self.steps)
+                demand(even, "an uneven forcing")
+                demand(
+                    all(list(step.taken.reset[k]) == keep for step in self.steps), "a reset forcing"
+                )
+
+    @cached_property
+    def known(self) -> list[tuple[Any, Any, Any]]:
+        """Facts where each phase begins, those of them that last, and where it ends."""
+        found: list[tuple[Any, Any, Any]] = []
+        facts: list[Any] = []
+        count = -1
+        while len(facts) > count:  # from nothing, till nothing is added
+            found, count = [], len(facts)
+            for step in self.steps:
+                kept = self.exactly.lasting(facts, step.field)
+                end = self.exactly.echelon([*kept, step.exit])
+                found.append((facts, kept, end))
+                facts = self.exactly.echelon(
+                    self.exactly.left_kernel([reduced(r, end) for r in step.taken.reset])
+                )
+        return found
+
+    @cached_property
+    def phases(self) -> list[Phase]:
+        """What has to hold in each phase."""
+        demand(self.rational, "the declaration is not exact")
+        return [self._phase(place, *facts) for place, facts in enumerate(self.known)]
+
+    @cached_property
+    def section(self) -> tuple[int, list[int], list[Any]]:
+        """The phase with most facts, coordinates that they leave free, changes by these.
+
+        At fixed times, as those of forced orbits are, only facts that last hold for changes.
+        """
+        found = []
+        forced = [[fmpq(int(j == k)) for j in range(self.size)] for k in self.forced]
+        for place in range(len(self.steps) if self.rational else 1):
+            facts = self.known[place][1 if self.forcing else 0] if self.rational else []
+            rows = self.exactly.echelon([*forced, *(row[:-1] for row in facts)])
+            pivots = {next(j for j, x in enumerate(row) if x): row for row in rows}
+            free = [k for k in range(self.size) if k not in pivots]
+            basis = [
+                [-pivots[i][k] if i in pivots else fmpq(int(i == k)) for k in free]
+                for i in range(self.size)
+            ]
+            found.append((place, free, [*basis, [fmpq(0)] * len(free)]))
+        return min(found, key=lambda entry: len(entry[1]))
+
+    def _phase(self, place: int, begin: Any, kept: Any, end: Any) -> Phase:
+        step = self.steps[place]
+        boundaries, held = self.configurations[step.name]
+        ending = self.itinerary[place]["boundaries"]
+        watched = []
+        for name, row in boundaries.items():
+            order, begins = leading(row, step.field, begin, 0)
+            rate = product(row, step.field)
+            still = not any(reduced(rate, kept))
+            ends = reduced(row, end), reduced(rate, end)
+            watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
+        own = [boundaries[name] for name in ending]
+        ways = []
+        for other in self.transitions:
+            if other.begins == step.taken.begins:
+                ways.append(
+                    [
+                        (leading(row, self.fields[along], end, int(row in own))[1], holds)
+                        for row, along, holds in other.conditions
+                    ]
+                )
+                if other is step.taken:
+                    break
+        return Phase([reduced(row, begin) for row in held], watched, ways)
+
+
+def _seen(form: Any, rows: Any) -> list[Any]:
+    """A bilinear form between vectors that are given as rows."""
+    return [product(product(row, form), list(zip(*rows, strict=True))) for row in rows]

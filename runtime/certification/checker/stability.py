@@ -1,0 +1,100 @@
+"""Whether the multipliers of an orbit lie inside the unit circle, or on it."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+from flint import acb, acb_poly, arb, arb_mat, arb_poly
+
+from nonsmooth.runtime.certification.checker.exact import demand
+from nonsmooth.runtime.certification.checker.orbit import Orbit, trace_of
+from nonsmooth.runtime.certification.models import middle_of
+
+__all__ = ["has_multipliers", "stability"]
+
+
+def has_multipliers(square: Any, stated: Sequence[tuple[Any, Any]]) -> bool:
+    """Whether there is one in each disc: Newton's map leads into it."""
+    polynomial = acb_poly([acb(c) for c in reversed(_characteristic(square))])
+    discs = [acb(re, im) for re, im in stated]
+    steps = [polynomial(disc.mid()) / polynomial.derivative()(disc) for disc in discs]
+    pairs = zip(discs, steps, strict=True)
+    return all(disc.contains_interior(disc.mid() - step) for disc, step in pairs)
+
+
+def stability(orbit: Orbit, kind: str) -> str:
+    """The verdict of a claim on the multipliers."""
+    demand(orbit.declared.alone, "one-sided maps")
+    demand(kind in ("stable", "neutral"), "stability of an unknown kind")
+    if kind == "stable":
+        return _inside(_characteristic(orbit.section))
+    demand(orbit.declared.closing["kind"] == "period", "neutral without an energy")
+    return _neutral(orbit.section, orbit.declared.size)
+
+
+def _neutral(square: Any, size: int) -> str:
+    """On the unit circle if g(s), s = m + 1/m, changes its sign often enough in (-2, 2).
+
+    The map is symplectic: beside 1 and zeros its multipliers are pairs m, 1/m.
+    """
+    pairs: list[Any] = []
+    for coefficient in _characteristic(square)[: size - 1]:  # divided by m - 1
+        pairs.append(coefficient + pairs[-1] if pairs else coefficient)
+    half = len(pairs) // 2
+    if half == 0:
+        return "proved"
+    powers = [arb_poly([2]), arb_poly([0, 1])]  # m^k + 1/m^k in s
+    while len(powers) <= half:
+        powers.append(powers[1] * powers[-1] - powers[-2])
+
+    def g(s: Any) -> Any:
+        terms = (pairs[half - k] * powers[k](s) for k in range(1, half + 1))
+        return sum(terms, arb(0)) + pairs[half]
+
+    middle = arb_poly([middle_of(pairs[half])])
+    for k in range(1, half + 1):
+        middle += powers[k] * middle_of(pairs[half - k])
+    try:
+        near = sorted((s.real.mid() for s in acb_poly(middle).roots()), key=float)
+    except ValueError:
+        return "undecided"
+    between = [(a + b).mid() / 2 for a, b in pairwise(near)]
+    signs = [(-1) ** (half - k) * g(s) for k, s in enumerate([arb(-2), *between, arb(2)])]
+    if all(sign > 0 for sign in signs):
+        return "proved"
+    if signs[0] < 0 or signs[-1] < 0:
+        return "refuted"
+    for _ in range(50):  # a large trace means that one is outside
+        if abs(trace_of(square)) > square.nrows():
+            return "refuted"
+        square = square * square
+    return "undecided"
+
+
+def _characteristic(square: Any) -> list[Any]:
+    """Coefficients of the characteristic polynomial, the first is 1: Faddeev and LeVerrier."""
+    size = square.nrows()
+    unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
+    found, power = [arb(1)], unit
+    for k in range(1, size + 1):
+        power = square * power
+        found.append(-trace_of(power) / k)
+        power = power + found[-1] * unit
+    return found
+
+
+def _inside(polynomial: list[Any]) -> str:
+    """Whether all roots lie inside the unit circle: Schur and Cohn.
+
+    Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside.
+    """
+    while len(polynomial) > 1:
+        last = polynomial[-1]
+        if abs(last) > 1:
+            return "refuted"
+        if not abs(last) < 1:
+            return "undecided"
+        pairs = zip(polynomial, reversed(polynomial), strict=True)
+        rest = [(x - last * y) / (1 - last * last) for x, y in pairs]
+        polynomial = [arb(1), *rest[1:-1]]
+    return "proved"
