@@ -19,7 +19,7 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.certification.boxes.saved import box_of
 from nonsmooth.runtime.certification.checker import Failure, check_tiles
-from nonsmooth.runtime.certification.checker.tiles import _independent
+from nonsmooth.runtime.certification.checker.constants import independent
 from nonsmooth.runtime.certification.quotients import symbols
 from nonsmooth.runtime.cli import app
 from nonsmooth.runtime.composition.record import ComposedOrbit
@@ -254,11 +254,11 @@ def test_constants_may_not_depend_on_each_other() -> None:
     ):  # fmt: skip
         declared: Any = SimpleNamespace(exactly=SimpleNamespace(divisors=[fmpq(3), divisor]))
         if alright:
-            _independent(declared, [arb(2).sqrt()], box)
+            independent(declared, [arb(2).sqrt()], box)
             continue
-        _independent(declared, [], box)  # there it may stand for a parameter
+        independent(declared, [], box)  # there it may stand for a parameter
         with pytest.raises(Failure, match="depend"):
-            _independent(declared, [arb(2).sqrt()], box)
+            independent(declared, [arb(2).sqrt()], box)
 
 
 @of("rigid", "unstable")

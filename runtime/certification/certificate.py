@@ -91,6 +91,8 @@ class Certificate:
         Of the enclosures.
     given_period : Value or None
         What the dwell times sum up to, where a conservative orbit's was given.
+    constants : tuple of Value
+        Irrational parameters, of which the declaration's entries are functions.
     declaration, closing : dict
         The exact system and the way in which the cycle closes, as in the file.
     """
@@ -111,6 +113,7 @@ class Certificate:
     start_names: tuple[str, ...]
     dwell_names: tuple[str, ...]
     given_period: Value | None
+    constants: tuple[Value, ...] = field(repr=False)
     declaration: Mapping[str, Any] = field(repr=False)
     closing: Mapping[str, Any] = field(repr=False)
 

@@ -32,7 +32,7 @@ from nonsmooth.runtime.certification.subject import (
     closing_of,
     subject_of,
 )
-from nonsmooth.runtime.certification.tables import Tables, tables_of
+from nonsmooth.runtime.certification.tables import Tables, exact_tables
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.orbit import Orbit
@@ -94,20 +94,20 @@ def certify(
         return _uncovered(orbit, bits, str(reason))
     work = bits + GUARD
     with flint_precision(work):
-        tables = tables_of(subject.kernels, tuple(subject.values.values()), work)
+        tables = exact_tables(subject.kernels, tuple(subject.values.values()), work)
         closing = Closing("state")
         try:
+            known = known_of(tables, subject.cycle) if tables.exact else None
             closing = closing_of(subject, tables, [float(x) for x in subject.start])
             begin("existence")
             root = locate(subject, closing, bits)
-        except NotCovered as reason:
+        except (NotCovered, ZeroDivisionError) as reason:
             missing = Missing("undecided", str(reason))
             return _certificate(subject, tables, closing, bits, missing)
         except Missing as missing:
             return _certificate(subject, tables, closing, bits, missing)
-        known = known_of(tables, subject.cycle) if tables.exact else None
         begin("stability")
-        stability = stability_of(subject, closing, known, root)
+        stability = stability_of(subject, tables, closing, known, root)
         begin("admissibility")
         judgement = _admissible(subject, tables, known, root, work)
         return _certificate(subject, tables, closing, bits, root, stability, judgement)
@@ -123,7 +123,9 @@ class Stability(NamedTuple):
     multipliers: tuple[acb, ...]
 
 
-def stability_of(subject: Subject, closing: Closing, known: Known | None, root: Root) -> Stability:
+def stability_of(
+    subject: Subject, tables: Tables, closing: Closing, known: Known | None, root: Root
+) -> Stability:
     """Trace, multipliers and the verdict, over the enclosure of the orbit."""
     claim = "stable" if closing.form is None else "neutral"
     timed = closing.kind == "forcing"
@@ -135,7 +137,7 @@ def stability_of(subject: Subject, closing: Closing, known: Known | None, root: 
     if not all(x.is_finite() for matrix in maps for x in matrix.entries()):
         return Stability(claim, "undecided", "a boundary may be reached tangentially", None, ())
     forced = [state for pair in closing.pairs for state in pair]
-    square = reduced_map(maps, known, forced, timed=timed)
+    square = reduced_map(maps, known, forced, timed=timed, number=tables.number)
     trace = trace_of(square)
     if closing.form is not None:
         inside, pairs = neutral_pairs(product_of(maps), trace)
@@ -161,10 +163,8 @@ def _admissible(
     subject: Subject, tables: Tables, known: Known | None, root: Root, work: int
 ) -> Judgement:
     """Judge the orbit, with few bits first: that it is as sharp as it is does not matter here."""
-    from flint import arb
-
     if known is None:
-        reason = "what is exactly zero where phases begin is found for rational parameters only"
+        reason = "the declaration takes a root or a sine: what is exactly zero is not known"
         return Judgement("undecided", reason, ())
     dwell = root.equations.dwell(root.contraction.image)
     plans = plan_of(tables, subject.cycle, known)
@@ -172,7 +172,7 @@ def _admissible(
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
             chain = chain_of(tables, subject.cycle)
-            found = judge([plan.at(arb) for plan in plans], chain, root.passage, dwell)
+            found = judge([plan.at(tables.number) for plan in plans], chain, root.passage, dwell)
         if found.verdict != "undecided":
             break
     assert found is not None
@@ -225,6 +225,7 @@ def _certificate(
         subject.start_names,
         subject.dwell_names,
         closing.period,
+        tables.constants,
         declaration_json(tables, subject.cycle),
         closing_json(closing, subject.cycle, bits + GUARD),
     )
@@ -275,5 +276,5 @@ def _uncovered(orbit: Orbit | ComposedOrbit, bits: int, reason: str) -> Certific
     none: dict[str, Any] = {}
     return Certificate(
         orbit.name, system.name, given, (), (), claims, "stable", reasons, {}, (), (), (), bits,
-        (), (), None, none, none,
+        (), (), None, (), none, none,
     )  # fmt: skip

@@ -29,6 +29,7 @@ class Chain(NamedTuple):
 
 def chain_of(tables: Tables, cycle: Cycle, number: Number | None = None) -> Chain:
     """The chain of a cycle, at the working precision."""
+    number = number or tables.number
     return Chain(
         tuple(numbers(tables.fields[c], number) for c in cycle.configurations),
         tuple(numbers([tables.rows[row]], number) for row in cycle.rows),

@@ -11,7 +11,7 @@ from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.existence import Contraction, krawczyk, newton
 from nonsmooth.runtime.certification.statement import decimals, rational
 from nonsmooth.runtime.certification.subject import Subject, guess_of
-from nonsmooth.runtime.certification.tables import numbers, tables_of
+from nonsmooth.runtime.certification.tables import Tables, exact_tables, numbers
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
@@ -45,13 +45,13 @@ def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
     """Equations of a subject, at the working precision of so many bits."""
     from flint import arb
 
-    tables = tables_of(subject.kernels, tuple(subject.values.values()), bits)
+    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
     period = None
     if closing.kind == "period":
         period = closing.period.ball(bits)
     elif closing.kind == "forcing":
-        period = 2 * arb.pi() * closing.turns / arb(closing.speeds[0])
-    speeds = [arb(speed) for speed in closing.speeds]
+        period = 2 * arb.pi() * closing.turns / tables.number(closing.speeds[0])
+    speeds = list(map(tables.number, closing.speeds))
     return Equations(chain_of(tables, subject.cycle), closing, period, speeds)
 
 
@@ -69,7 +69,8 @@ def locate(subject: Subject, closing: Closing, bits: int) -> Root:
     """
     from flint import arb
 
-    guess = guess_of(subject, closing)
+    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
+    guess = guess_of(subject, closing, tables.near)
     equations = equations_of(subject, closing, bits + GUARD)
     with flint_precision(_ROUGH):
         sizes = _sizes(equations_of(subject, closing, _ROUGH), guess)
@@ -99,7 +100,7 @@ def locate(subject: Subject, closing: Closing, bits: int) -> Root:
         )
     passage = equations.passage(found.image, found.flows)
     if closing.form is not None:
-        _check_dropped(closing, subject, passage)
+        _check_dropped(closing, subject, tables, passage)
     return Root(equations, found, passage, box)
 
 
@@ -141,13 +142,13 @@ def unknown_names(subject: Subject, closing: Closing) -> list[str]:
     return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]
 
 
-def _check_dropped(closing: Closing, subject: Subject, now: Passage) -> None:
+def _check_dropped(closing: Closing, subject: Subject, tables: Tables, now: Passage) -> None:
     """The coordinate whose closure was dropped: the energy, monotone in it, returns it."""
     assert closing.form is not None
     first, last, k = now.starts[0], now.starts[-1], closing.dropped
     state = first * 1
     state[k, 0] = first[k, 0].union(last[k, 0])
     energy = closing.form.energies[subject.cycle.configurations[0]]
-    slope = (numbers(energy) * state)[k, 0]
+    slope = (numbers(energy, tables.number) * state)[k, 0]
     if not (slope > 0 or slope < 0):
         raise Missing("undecided", "the energy does not give the coordinate that is left out")

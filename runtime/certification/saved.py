@@ -29,7 +29,7 @@ from nonsmooth.runtime.certification.certificate import (
 )
 from nonsmooth.runtime.certification.checker import Failure, check, check_tiles
 from nonsmooth.runtime.certification.statement import declaration_json, value_json
-from nonsmooth.runtime.certification.tables import tables_of
+from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.passage import cycle_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import read_file, write_file
@@ -69,6 +69,7 @@ _FIELDS: dict[str, type] = {
     "box": list,
     "start": list,
     "dwell_times": list,
+    "constants": list,
     "declaration": dict,
     "closing": dict,
     "sha256": str,
@@ -118,6 +119,7 @@ def certificate_content(certificate: Certificate) -> dict[str, Any]:
         **certificate.to_json(),
         "start": list(certificate.start_names),
         "dwell_times": list(certificate.dwell_names),
+        "constants": [value.text for value in certificate.constants],
         "declaration": dict(certificate.declaration),
         "closing": dict(certificate.closing),
     }
@@ -226,6 +228,7 @@ def _certificate(content: Mapping[str, Any]) -> Certificate:
             tuple(content["start"]),
             tuple(content["dwell_times"]),
             given_value("period", content["given_period"]) if content["given_period"] else None,
+            tuple(given_value("constant", text) for text in content["constants"]),
             content["declaration"],
             content["closing"],
         )
@@ -252,7 +255,9 @@ def _compare(content: Mapping[str, Any], folder: Path) -> str | None:
     cycle = cycle_of(structure_of(kernels), [(c, b) for c, b in content["itinerary"]])
     work = content["bits"] + GUARD
     with flint_precision(work):
-        tables = tables_of(kernels, tuple(values.values()), work)
+        tables = exact_tables(kernels, tuple(values.values()), work)
+        if [value.text for value in tables.constants] != content["constants"]:
+            raise Failure("the constants are not the irrational parameters")
         if declaration_json(tables, cycle) != content["declaration"]:
             raise Failure(f"the declaration is not that of {content['system']} at its parameters")
         if content["closing"]["kind"] == "period":

@@ -244,7 +244,7 @@ def closing_of(
     subject: Subject,
     tables: Tables,
     centre: Any,
-    near: Callable[[Any], float] = float,
+    near: Callable[[Any], float] | None = None,
 ) -> Closing:
     """How the subject's cycle closes.
 
@@ -252,14 +252,14 @@ def closing_of(
     ----------
     centre : floats (N)
         About where it starts: the coordinate whose closure the energy gives is chosen by it.
-    near : function
-        Gives an exact entry at the orbit, about.
+    near : function, optional
+        Gives an exact entry at the orbit, about; by default the tables' own.
 
     Raises
     ------
     NotCovered
     """
-    cycle = subject.cycle
+    cycle, near = subject.cycle, near or tables.near
     if cycle.structure.forcing:
         if not tables.exact:
             raise NotCovered("the parameters of a forced system have to be rational")
@@ -292,7 +292,7 @@ def closing_of(
     return Closing("period", period=subject.period, dropped=largest, form=form)
 
 
-def guess_of(subject: Subject, closing: Closing, near: Callable[[Any], float] = float) -> list[arb]:
+def guess_of(subject: Subject, closing: Closing, near: Callable[[Any], float]) -> list[arb]:
     """Unknowns of the equations, about."""
     if closing.kind != "forcing":
         return [*subject.start, *subject.dwell]

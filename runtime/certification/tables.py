@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.arithmetic import Balls
 from nonsmooth.runtime.certification.models import matrix
-from nonsmooth.runtime.certification.quotients import Quotient
+from nonsmooth.runtime.certification.quotients import Quotient, symbols
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.validation.facts import Row
 from nonsmooth.runtime.values import Value
@@ -17,7 +19,18 @@ from nonsmooth.runtime.values import Value
 if TYPE_CHECKING:
     from flint import fmpq
 
-__all__ = ["Matrix", "Number", "Tables", "numbers", "tables_of", "tables_over"]
+__all__ = [
+    "Matrix",
+    "Number",
+    "Tables",
+    "constant_symbols",
+    "exact_tables",
+    "numbers",
+    "tables_of",
+    "tables_over",
+]
+
+_SHARP = 256  # bits that tell what irrational numbers make zero
 
 Matrix = tuple[Row, ...]  # acts on (y, 1)
 Number = Callable[[Any], Any]  # from an exact entry to a ball or a model
@@ -33,12 +46,27 @@ class Tables:
     rows : tuple of Row
     exact : bool
         Whether the entries are rational numbers or functions; else they are balls.
+    constants : tuple of Value
+        The irrational parameters, of which entries are functions.
     """
 
     fields: tuple[Matrix, ...]
     rows: tuple[Row, ...]
     resets: tuple[Matrix, ...]
     exact: bool
+    constants: tuple[Value, ...] = ()
+
+    def number(self, entry: Any) -> Any:
+        """A ball around an entry, at the working precision."""
+        from flint import arb, ctx
+
+        if isinstance(entry, Quotient):
+            return entry([value.ball(ctx.prec) for value in self.constants])
+        return arb(entry)
+
+    def near(self, entry: Any) -> float:
+        """An entry, about."""
+        return float(self.number(entry).mid())
 
 
 class _Rationals:
@@ -66,6 +94,31 @@ def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tab
     return _tables(kernels, [value.ball(bits) for value in values], Balls(), exact=False)
 
 
+def exact_tables(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
+    """As `tables_of`, but exact in irrational parameters too: entries are functions of them."""
+    constants = tuple(dict.fromkeys(value for value in values if value.exact is None))
+    if constants:
+        with suppress(AttributeError):  # the declaration has a root or a sine
+            return _symbolic(kernels, tuple(values), constants)
+    return tables_of(kernels, values, bits)
+
+
+@lru_cache(maxsize=64)
+def _symbolic(
+    kernels: SystemKernels, values: tuple[Value, ...], constants: tuple[Value, ...]
+) -> Tables:
+    found = constant_symbols((), constants)
+    place = dict(zip(constants, found, strict=True))
+    point = [_rational(v.exact) if v.exact is not None else place[v] for v in values]
+    return replace(tables_over(kernels, point), constants=constants)
+
+
+def constant_symbols(names: Sequence[str], constants: Sequence[Value]) -> list[Quotient]:
+    """Parameters that vary, and irrational ones that do not."""
+    own = [f"constant{k}" for k in range(len(constants))]
+    return symbols([*names, *own], [value.ball(_SHARP) for value in constants])
+
+
 def tables_over(kernels: SystemKernels, values: Sequence[fmpq | Quotient]) -> Tables:
     """Tables of a system where some of its parameters stand for all their values.
 
@@ -79,10 +132,13 @@ def tables_over(kernels: SystemKernels, values: Sequence[fmpq | Quotient]) -> Ta
 
 @lru_cache(maxsize=64)
 def _exact(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
+    return _tables(kernels, list(map(_rational, fractions)), _Rationals(), exact=True)
+
+
+def _rational(value: Fraction) -> fmpq:
     from flint import fmpq
 
-    point = [fmpq(f.numerator, f.denominator) for f in fractions]
-    return _tables(kernels, point, _Rationals(), exact=True)
+    return fmpq(value.numerator, value.denominator)
 
 
 def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bool) -> Tables:

@@ -12,7 +12,7 @@ from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known, known_of
 from nonsmooth.runtime.certification.models import middle_of
 from nonsmooth.runtime.certification.plan import Plan, plan_of
-from nonsmooth.runtime.certification.quotients import Quotient, symbols
+from nonsmooth.runtime.certification.quotients import Quotient
 from nonsmooth.runtime.certification.subject import (
     NotCovered,
     Subject,
@@ -24,7 +24,7 @@ from nonsmooth.runtime.certification.subject import (
     physical_values,
     subject_near,
 )
-from nonsmooth.runtime.certification.tables import Tables, tables_over
+from nonsmooth.runtime.certification.tables import Tables, constant_symbols, tables_over
 from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError, unknown_name
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
 
 __all__ = ["BITS", "Region", "checked_box", "region_of"]
 
-_SHARP = 256  # bits that tell what irrational numbers make zero
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
 
 
@@ -148,10 +147,7 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
     values, period, at = _dependence(orbit, subject, box)
     irrational = [v for v in (*values.values(), period) if isinstance(v, Value)]
     constants = tuple(dict.fromkeys(irrational))
-    found = symbols(
-        [*box, *(f"constant{k}" for k in range(len(constants)))],
-        [value.ball(_SHARP) for value in constants],
-    )
+    found = constant_symbols(tuple(box), constants)
     place = dict(zip(box, found, strict=False))
     constant = dict(zip(constants, found[len(box) :], strict=True))
 

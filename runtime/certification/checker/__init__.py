@@ -6,6 +6,7 @@ only the arithmetic is imported, Taylor models and rational functions. Read in t
 
     exact      numbers as they are stated, and exact arithmetic of rows
     declared   what is declared, and what follows from it without rounding
+    constants  irrational parameters
     orbit      existence, enclosures, the Poincare map
     stability  its multipliers
     motion     admissibility

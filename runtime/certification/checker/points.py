@@ -4,11 +4,13 @@ from typing import Any
 
 from flint import arb, ctx
 
+from nonsmooth.runtime.certification.checker.constants import constant, independent
 from nonsmooth.runtime.certification.checker.declared import Declared
 from nonsmooth.runtime.certification.checker.exact import agreed_claims, check_sum, demand, exact
 from nonsmooth.runtime.certification.checker.motion import admissibility
 from nonsmooth.runtime.certification.checker.orbit import Orbit
 from nonsmooth.runtime.certification.checker.stability import has_multipliers, stability
+from nonsmooth.runtime.certification.quotients import symbols
 
 __all__ = ["check"]
 
@@ -22,9 +24,15 @@ def check(content: dict[str, Any]) -> None:
     if exists == "undecided":
         return
     with ctx.workprec(content["bits"] + _GUARD):
-        declared = Declared(content)
+        constants = list(map(constant, content["constants"]))
+        declared = Declared(content, symbols([f"constant{k}" for k in range(len(constants))]))
         energies = declared.closes()
-        orbit, box = Orbit(declared, arb), content["box"]
+        independent(declared, constants)
+
+        def number(entry: Any) -> Any:
+            return entry(constants) if callable(entry) else arb(entry)
+
+        orbit, box = Orbit(declared, number), content["box"]
         demand(len(box) == orbit.count, "the box is of another size")
         centre, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
         unique, empty = orbit.locate(centre, radii)

@@ -4,13 +4,12 @@ What is claimed of a tile holds for each of its parameters: there is exactly one
 polynomials of the parameters, which are found here anew from the numbers that the tile states.
 """
 
-import ast
-import operator
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from flint import arb, ctx, fmpq
 
+from nonsmooth.runtime.certification.checker.constants import constant, independent
 from nonsmooth.runtime.certification.checker.declared import Declared
 from nonsmooth.runtime.certification.checker.exact import (
     Failure,
@@ -32,10 +31,6 @@ _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
 _NEWTON = 3  # steps to the orbit in the middle of a tile
-_OPERATORS = {
-    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
-    ast.Div: operator.truediv, ast.Pow: operator.pow,
-}  # fmt: skip
 
 Interval = tuple[Any, Any]
 
@@ -61,7 +56,7 @@ def check_tiles(content: dict[str, Any]) -> None:
     with ctx.workprec(_BITS):
         declared = Declared(content, symbols([f"variable{k}" for k in range(count)]))
         energies = declared.closes()
-        constants = [_constant(text) for text in content["constants"]]
+        constants = [constant(text) for text in content["constants"]]
         for tile, place in zip(tiles, places, strict=True):
             where = [_interval(*step, *ends) for step, ends in zip(place, box, strict=True)]
             try:
@@ -69,7 +64,7 @@ def check_tiles(content: dict[str, Any]) -> None:
             except Failure as failure:
                 shown = ", ".join(f"{float(low):.6g}:{float(high):.6g}" for low, high in where)
                 raise Failure(f"in the tile {shown}: {failure}") from None
-        _independent(declared, constants, box)
+        independent(declared, constants, box)
 
 
 class _Tile:
@@ -232,35 +227,3 @@ def _total(content: dict[str, Any]) -> None:
             away = exact(stated[name]["mid"]) - middle
             inside = max(away, -away) + exact(stated[name]["rad"]) <= radius
             demand(inside, f"{name} of the box does not contain that of a tile")
-
-
-def _constant(text: str) -> Any:
-    """The number that an expression means."""
-    source = text.strip()
-
-    def value(node: Any) -> Any:
-        match node:
-            case ast.Constant():
-                return arb(exact(ast.get_source_segment(source, node) or ""))
-            case ast.Name(id="pi"):
-                return arb.pi()
-            case ast.Call(func=ast.Name(id="sqrt" | "sin" | "cos" | "exp" | "log" as name)):
-                return getattr(value(node.args[0]), name)()
-            case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign):
-                return -value(node.operand) if isinstance(sign, ast.USub) else value(node.operand)
-            case ast.BinOp():
-                return _OPERATORS[type(node.op)](value(node.left), value(node.right))
-        raise Failure(f"{source} is no number")
-
-    return value(ast.parse(source, mode="eval").body)
-
-
-def _independent(declared: Declared, constants: Any, box: Sequence[Interval]) -> None:
-    """No divisor of the exact arithmetic is zero for all parameters at these constants.
-
-    Where only parameters vary no rational function is; constants may depend on each other.
-    """
-    point = [arb(low + (high - low) * fmpq(37 + k, 101)) for k, (low, high) in enumerate(box)]
-    for divisor in declared.exactly.divisors if constants else ():
-        value = divisor([*point, *constants]) if callable(divisor) else divisor
-        demand(value > 0 or value < 0, "constants depend on each other")
