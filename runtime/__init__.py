@@ -20,6 +20,7 @@ The map of the house:
 `intervals`       along one parameter: where an orbit is admissible, or singular
 `motion`          an orbit's states at any time
 `saved`           orbits in files
+`form`            what other files of results have in common
 `report`          orbits as JSON
 `notebook`        tables and formulas
 `files`           files that are written whole or not at all

@@ -16,8 +16,7 @@ from typing import Any
 
 from nonsmooth.runtime.certification.boxes.comparing import compare_box
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate
-from nonsmooth.runtime.certification.boxes.saved import FORMAT as BOX_FORMAT
-from nonsmooth.runtime.certification.boxes.saved import box_entries, box_of
+from nonsmooth.runtime.certification.boxes.saved import BOX, box_of
 from nonsmooth.runtime.certification.certificate import (
     CLAIMS,
     FORMAT,
@@ -165,9 +164,9 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     folder = Path(path).parent
     try:
         content = _parsed(Path(path))
-        boxed = content.get("format") == BOX_FORMAT
+        boxed = content.get("format") == BOX.name
         if boxed:
-            box_entries({**content, "sha256": checksum_of(content)})  # that is the checker's
+            BOX.check({**content, "sha256": checksum_of(content)})  # that is the checker's
         else:
             _check_entries(content)
     except InputError as problem:

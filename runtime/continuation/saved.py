@@ -19,37 +19,28 @@ from nonsmooth.runtime.composition.saved import composed_content
 from nonsmooth.runtime.continuation.event import FORMAT, KINDS, Event
 from nonsmooth.runtime.continuation.record import Branch
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.files import read_file
+from nonsmooth.runtime.form import Form, naming
 from nonsmooth.runtime.orbit import Orbit
-from nonsmooth.runtime.saved import (
-    check_fields,
-    checksum_of,
-    orbit_content,
-    orbit_of,
-    parsed,
-    write_content,
-)
+from nonsmooth.runtime.saved import orbit_content, orbit_of
 
 __all__ = ["load_branch", "numbers_of", "orbit_entries", "save_branch", "texts_of"]
 
-VERSION = 1
-_FIELDS: dict[str, type] = {
-    "format": str,
-    "version": int,
-    "package": str,
-    "name": str,
-    "parameter": str,
-    "unknown_names": list,
-    "columns": list,
-    "stability": list,
-    "admissible": list,
-    "events": list,
-    "ends": list,
-    "start": int,
-    "orbit": list,
-    "sha256": str,
-}
-_LARGEST_FILE = 500_000_000  # bytes
+_FORM = Form(
+    FORMAT,
+    "saved branch",
+    {
+        "name": str,
+        "parameter": str,
+        "unknown_names": list,
+        "columns": list,
+        "stability": list,
+        "admissible": list,
+        "events": list,
+        "ends": list,
+        "start": int,
+        "orbit": list,
+    },
+)
 _COLUMNS = ("parameter_values", "unknowns", "period", "multipliers", "trace")
 
 
@@ -61,24 +52,21 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    from importlib.metadata import version
-
-    content: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "package": version("nonsmooth"),
-        "name": branch.name,
-        "parameter": branch.parameter,
-        "unknown_names": list(branch.unknown_names),
-        "columns": [texts_of(getattr(branch, name)) for name in _COLUMNS],
-        "stability": list(branch.stability),
-        "admissible": branch.admissible.tolist(),
-        "events": [_entries(event) for event in branch.events],
-        "ends": list(branch.ends),
-        "start": branch.start,
-        "orbit": [orbit_entries(branch.orbit)],
-    }
-    write_content(Path(path), {**content, "sha256": checksum_of(content)})
+    _FORM.write(
+        path,
+        {
+            "name": branch.name,
+            "parameter": branch.parameter,
+            "unknown_names": list(branch.unknown_names),
+            "columns": [texts_of(getattr(branch, name)) for name in _COLUMNS],
+            "stability": list(branch.stability),
+            "admissible": branch.admissible.tolist(),
+            "events": [_entries(event) for event in branch.events],
+            "ends": list(branch.ends),
+            "start": branch.start,
+            "orbit": [orbit_entries(branch.orbit)],
+        },
+    )
 
 
 def load_branch(path: str | os.PathLike[str]) -> Branch:
@@ -90,14 +78,8 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
         If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
         the system that is there. The message names the file.
     """
-    try:
-        content = parsed(read_file(Path(path), _LARGEST_FILE, "saved branch"))
-        if not isinstance(content, dict) or content.get("format") != FORMAT:
-            raise InputError("not a saved branch, such as Branch.save or --save writes")
-        check_fields(content, VERSION, _FIELDS)
-        return _branch(content, Path(path).parent)
-    except InputError as problem:
-        raise InputError(f"{os.fspath(path)}: {problem}") from None
+    with naming(path) as file:
+        return _branch(_FORM.read(file), file.parent)
 
 
 def _branch(content: dict[str, Any], folder: Path) -> Branch:

@@ -10,29 +10,27 @@ from nonsmooth.runtime.continuation.event import KINDS, LOCUS_FORMAT
 from nonsmooth.runtime.continuation.locus import Locus
 from nonsmooth.runtime.continuation.saved import numbers_of, orbit_entries, texts_of
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.files import read_file
-from nonsmooth.runtime.saved import check_fields, checksum_of, orbit_of, parsed, write_content
+from nonsmooth.runtime.form import Form, naming
+from nonsmooth.runtime.saved import orbit_of
 
 __all__ = ["load_locus", "save_locus"]
 
-VERSION = 1
-_FIELDS: dict[str, type] = {
-    "format": str,
-    "version": int,
-    "package": str,
-    "name": str,
-    "kind": str,
-    "boundary": str,
-    "parameters": list,
-    "unknown_names": list,
-    "values": list,
-    "unknowns": list,
-    "ends": list,
-    "start": int,
-    "orbit": list,
-    "sha256": str,
-}
-_LARGEST_FILE = 500_000_000  # bytes
+_FORM = Form(
+    LOCUS_FORMAT,
+    "saved curve of events",
+    {
+        "name": str,
+        "kind": str,
+        "boundary": str,
+        "parameters": list,
+        "unknown_names": list,
+        "values": list,
+        "unknowns": list,
+        "ends": list,
+        "start": int,
+        "orbit": list,
+    },
+)
 
 
 def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
@@ -43,24 +41,21 @@ def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    from importlib.metadata import version
-
-    content: dict[str, Any] = {
-        "format": LOCUS_FORMAT,
-        "version": VERSION,
-        "package": version("nonsmooth"),
-        "name": locus.name,
-        "kind": locus.kind,
-        "boundary": locus.boundary,
-        "parameters": list(locus.parameters),
-        "unknown_names": list(locus.unknown_names),
-        "values": texts_of(locus.values),
-        "unknowns": texts_of(locus.unknowns),
-        "ends": list(locus.ends),
-        "start": locus.start,
-        "orbit": [orbit_entries(locus.orbit)],
-    }
-    write_content(Path(path), {**content, "sha256": checksum_of(content)})
+    _FORM.write(
+        path,
+        {
+            "name": locus.name,
+            "kind": locus.kind,
+            "boundary": locus.boundary,
+            "parameters": list(locus.parameters),
+            "unknown_names": list(locus.unknown_names),
+            "values": texts_of(locus.values),
+            "unknowns": texts_of(locus.unknowns),
+            "ends": list(locus.ends),
+            "start": locus.start,
+            "orbit": [orbit_entries(locus.orbit)],
+        },
+    )
 
 
 def load_locus(path: str | os.PathLike[str]) -> Locus:
@@ -72,14 +67,8 @@ def load_locus(path: str | os.PathLike[str]) -> Locus:
         If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
         the system that is there. The message names the file.
     """
-    try:
-        content = parsed(read_file(Path(path), _LARGEST_FILE, "saved curve of events"))
-        if not isinstance(content, dict) or content.get("format") != LOCUS_FORMAT:
-            raise InputError("not a saved curve of events, such as Locus.save writes")
-        check_fields(content, VERSION, _FIELDS)
-        return _locus(content, Path(path).parent)
-    except InputError as problem:
-        raise InputError(f"{os.fspath(path)}: {problem}") from None
+    with naming(path) as file:
+        return _locus(_FORM.read(file), file.parent)
 
 
 def _locus(content: dict[str, Any], folder: Path) -> Locus:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.certification.boxes.place import Place
@@ -13,34 +12,32 @@ from nonsmooth.runtime.certification.boxes.record import FORMAT, BoxCertificate,
 from nonsmooth.runtime.certification.boxes.region import BITS
 from nonsmooth.runtime.certification.certificate import Stated
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.files import read_file
-from nonsmooth.runtime.saved import check_entries, checksum_of, given_value, parsed, write_content
+from nonsmooth.runtime.form import Form, naming
+from nonsmooth.runtime.saved import given_value
 
-__all__ = ["FORMAT", "box_content", "box_entries", "box_of", "load_box_certificate", "save_box"]
+__all__ = ["BOX", "box_of", "load_box_certificate", "save_box"]
 
-VERSION = 1
-_LARGEST_FILE = 500_000_000  # bytes
-_FIELDS: dict[str, type] = {
-    "format": str,
-    "version": int,
-    "package": str,
-    "orbit": str,
-    "system": str,
-    "parameters": dict,
-    "chosen": list,
-    "itinerary": list,
-    "box": dict,
-    "claims": dict,
-    "stability": str,
-    "reasons": dict,
-    "shares": dict,
-    "enclosures": dict,
-    "tiles": list,
-    "constants": list,
-    "declaration": dict,
-    "closing": dict,
-    "sha256": str,
-}
+BOX = Form(
+    FORMAT,
+    "proven map",
+    {
+        "orbit": str,
+        "system": str,
+        "parameters": dict,
+        "chosen": list,
+        "itinerary": list,
+        "box": dict,
+        "claims": dict,
+        "stability": str,
+        "reasons": dict,
+        "shares": dict,
+        "enclosures": dict,
+        "tiles": list,
+        "constants": list,
+        "declaration": dict,
+        "closing": dict,
+    },
+)
 
 
 def save_box(found: BoxCertificate, path: str | os.PathLike[str]) -> None:
@@ -51,18 +48,15 @@ def save_box(found: BoxCertificate, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    from importlib.metadata import version
-
-    content: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "package": version("nonsmooth"),
-        **found.to_json(),
-        "constants": [value.text for value in found.constants],
-        "declaration": dict(found.declaration),
-        "closing": dict(found.closing),
-    }
-    write_content(Path(path), {**content, "sha256": checksum_of(content)})
+    BOX.write(
+        path,
+        {
+            **found.to_json(),
+            "constants": [value.text for value in found.constants],
+            "declaration": dict(found.declaration),
+            "closing": dict(found.closing),
+        },
+    )
 
 
 def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
@@ -73,34 +67,8 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
-    try:
-        return box_of(box_content(Path(path)))
-    except InputError as problem:
-        raise InputError(f"{os.fspath(path)}: {problem}") from None
-
-
-def box_content(path: Path) -> dict[str, Any]:
-    """Entries of a map's file, of the right types.
-
-    Raises
-    ------
-    InputError
-    """
-    content = parsed(read_file(path, _LARGEST_FILE, "saved map"))
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise InputError("not a proven map, such as BoxCertificate.save or --save writes")
-    box_entries(content)
-    return content
-
-
-def box_entries(content: Mapping[str, Any]) -> None:
-    """Refuse entries that are not those of a map, or another checksum.
-
-    Raises
-    ------
-    InputError
-    """
-    check_entries(content, VERSION, _FIELDS)
+    with naming(path) as file:
+        return box_of(BOX.read(file))
 
 
 def box_of(content: Mapping[str, Any]) -> BoxCertificate:
@@ -110,23 +78,20 @@ def box_of(content: Mapping[str, Any]) -> BoxCertificate:
     ------
     InputError
     """
-    try:
-        found = BoxCertificate(
-            content["orbit"],
-            content["system"],
-            {name: given_value(name, text) for name, text in content["parameters"].items()},
-            tuple(content["chosen"]),
-            tuple((str(c), str(b)) for c, b in content["itinerary"]),
-            {name: (Fraction(low), Fraction(high)) for name, (low, high) in content["box"].items()},
-            content["stability"],
-            tuple(map(_tile, content["tiles"])),
-            tuple(given_value("constant", text) for text in content["constants"]),
-            content["declaration"],
-            content["closing"],
-        )
-        total = sum(tile.place.share for tile in found.tiles)
-    except (KeyError, TypeError, ValueError, AttributeError, ArithmeticError) as problem:
-        raise InputError(f"not in order: {problem}") from None
+    found = BoxCertificate(
+        content["orbit"],
+        content["system"],
+        {name: given_value(name, text) for name, text in content["parameters"].items()},
+        tuple(content["chosen"]),
+        tuple((str(c), str(b)) for c, b in content["itinerary"]),
+        {name: (Fraction(low), Fraction(high)) for name, (low, high) in content["box"].items()},
+        content["stability"],
+        tuple(map(_tile, content["tiles"])),
+        tuple(given_value("constant", text) for text in content["constants"]),
+        content["declaration"],
+        content["closing"],
+    )
+    total = sum(tile.place.share for tile in found.tiles)
     if total != 1:
         raise InputError("its tiles do not fill the box")
     return found

@@ -2,21 +2,39 @@
 
 from __future__ import annotations
 
-import json
 import os
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 from nonsmooth.runtime.certification.counting.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.certification.saved import certificate_content, certificate_of
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.files import read_file, write_file
-from nonsmooth.runtime.saved import checksum_of, given_value
+from nonsmooth.runtime.form import Form, naming
+from nonsmooth.runtime.saved import given_value
 
-__all__ = ["FORMAT", "load_census", "save_census"]
+__all__ = ["load_census", "save_census"]
 
-FORMAT, VERSION = "nonsmooth census", 1
-_LARGEST_FILE = 200_000_000  # bytes
+_FORM = Form(
+    "nonsmooth census",
+    "census",
+    {
+        "orbit": str,
+        "system": str,
+        "parameters": dict,
+        "itinerary": list,
+        "box": list,
+        "conditions": list,
+        "count": int,
+        "admissible": int,
+        "decided": bool,
+        "statement": str,
+        "orbits": list,
+        "beyond": int,
+        "undecided": list,
+        "looked": int,
+        "bits": int,
+    },
+)
 _FOLLOW = ("count", "admissible", "decided", "statement")  # from the rest of the file
 
 
@@ -28,12 +46,11 @@ def save_census(census: Census, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    content: dict[str, Any] = {"format": FORMAT, "version": VERSION, **census.to_json()}
+    content = census.to_json()
     for told, orbit in zip(content["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
             told["certificate"] = certificate_content(orbit.certificate)
-    content["sha256"] = checksum_of(content)
-    write_file(Path(path), (json.dumps(content, indent=1, allow_nan=False) + "\n").encode())
+    _FORM.write(path, content)
 
 
 def load_census(path: str | os.PathLike[str]) -> Census:
@@ -44,25 +61,11 @@ def load_census(path: str | os.PathLike[str]) -> Census:
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
-    try:
-        try:
-            content = json.loads(read_file(Path(path), _LARGEST_FILE, "census").decode("utf-8"))
-        except (UnicodeDecodeError, json.JSONDecodeError, RecursionError):
-            raise InputError("cut, or not JSON") from None
-        return _census(content)
-    except InputError as problem:
-        raise InputError(f"{os.fspath(path)}: {problem}") from None
-    except (KeyError, IndexError, TypeError, ValueError, AttributeError) as problem:
-        raise InputError(f"{os.fspath(path)}: not in order: {problem}") from None
+    with naming(path) as file:
+        return _census(_FORM.read(file))
 
 
-def _census(content: Any) -> Census:
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise InputError("not a census, such as --save writes")
-    if content.get("version") != VERSION:
-        raise InputError(f"version {content.get('version')!r} of the format is not known")
-    if content["sha256"] != checksum_of(content):
-        raise InputError("edited or damaged: the checksum differs")
+def _census(content: Mapping[str, Any]) -> Census:
     census = Census(
         content["orbit"],
         content["system"],
