@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.certification.boxes.dependence import PERIOD, entries_over, rational_of
 from nonsmooth.runtime.certification.boxes.place import Interval
 from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known, known_of
@@ -24,7 +25,7 @@ from nonsmooth.runtime.certification.subject import (
     physical_values,
     subject_near,
 )
-from nonsmooth.runtime.certification.tables import Tables, constant_symbols, tables_over
+from nonsmooth.runtime.certification.tables import Tables, tables_over
 from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError, unknown_name
@@ -32,7 +33,7 @@ from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.values import Value, as_value, flint_precision
 
 if TYPE_CHECKING:
-    from flint import arb, fmpq
+    from flint import arb
 
 __all__ = ["BITS", "Region", "checked_box", "region_of"]
 
@@ -98,7 +99,7 @@ class Region:
 
         def near(entry: Any) -> float:
             with flint_precision(BITS):
-                return float(middle_of(self.number([arb(_fmpq(x)) for x in point])(entry)))
+                return float(middle_of(self.number([arb(rational_of(x)) for x in point])(entry)))
 
         return near
 
@@ -144,94 +145,50 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
         If a declaration takes roots, or what `subject_near` and `closing_of` say.
     """
     subject = subject_near(orbit)
-    values, period, at = _dependence(orbit, subject, box)
-    irrational = [v for v in (*values.values(), period) if isinstance(v, Value)]
-    constants = tuple(dict.fromkeys(irrational))
-    found = constant_symbols(tuple(box), constants)
-    place = dict(zip(box, found, strict=False))
-    constant = dict(zip(constants, found[len(box) :], strict=True))
-
-    def entry(value: Any) -> Any:
-        if isinstance(value, Value):
-            return constant[value]
-        if isinstance(value, Fraction):
-            return _fmpq(value)
-        return sum((place[n] * _fmpq(slope) for n, slope in value[1].items()), _fmpq(value[0]))
-
     try:
-        tables = tables_over(subject.kernels, [entry(value) for value in values.values()])
-        known = known_of(tables, subject.cycle)
+        return _region(orbit, subject, box)
     except AttributeError:
         raise NotCovered("the declaration takes a root or a sine of its parameters") from None
     except ZeroDivisionError as problem:
         raise NotCovered(str(problem)) from None
+
+
+def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, Interval]) -> Region:
+    numbers, at = _numbers(orbit, subject, tuple(box))
+    constants, entries = entries_over(box, numbers)
+    period = entries.pop(PERIOD, None)
+    tables = tables_over(subject.kernels, list(entries.values()))
+    known = known_of(tables, subject.cycle)
     region = Region(
         subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
         plan_of(tables, subject.cycle, known), (),
     )  # fmt: skip
-    near = region.near([at[name] for name in box])
+    near = region.near(at)
     closing = closing_of(subject, tables, [float(x) for x in subject.start], near)
     guess = guess_of(subject, closing, near)
     if closing.kind == "period":
-        closing = replace(closing, period=entry(period))
+        closing = replace(closing, period=period)
     return replace(region, closing=closing, guess=guess)
 
 
-def _dependence(
-    orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, Interval]
-) -> tuple[dict[str, Any], Any, dict[str, Fraction]]:
-    """Parameters of the system, the period, and the orbit's own point of the box.
-
-    A number is a Fraction, an irrational Value, or (constant, slopes by the box's parameters).
-    """
+def _numbers(
+    orbit: Orbit | ComposedOrbit, subject: Subject, names: Sequence[str]
+) -> tuple[Callable[[Mapping[str, Value]], dict[str, Value]], list[Fraction]]:
+    """Parameters of the system and the period at a point, and the orbit's own point."""
     given = {**orbit.given, **orbit.opened}
-    at = {name: _exact(name, given[name]) for name in box}
-    if isinstance(orbit, Orbit):
-        fixed = {**given, **chosen_of(orbit)}
+    derived = orbit if isinstance(orbit, Orbit) else None
+    fixed = given if derived is None else {**given, **chosen_of(derived)}
+    own = "period" if derived is None else period_name(derived.kernels)
 
-        def physical(point: Mapping[str, Fraction]) -> dict[str, Value]:
-            told = {name: as_value(value) for name, value in point.items()}
-            return physical_values(orbit.kernels, {**fixed, **told})
-
-        own = period_name(orbit.kernels)
-    else:
-
-        def physical(point: Mapping[str, Fraction]) -> dict[str, Value]:
-            told = {n: as_value(value) for n, value in point.items() if n != "period"}
-            return {**subject.values, **told}
-
-        own = "period"
-    lower = {name: ends[0] for name, ends in box.items()}
-    base = physical(lower)
-    # parameters are sums of given ones: two points tell the slope
-    moved = {name: physical({**lower, name: box[name][1]}) for name in box}
-    values: dict[str, Any] = {}
-    for name, value in base.items():
-        slopes = {
-            n: (_exact(name, m[name]) - _exact(name, value)) / (box[n][1] - box[n][0])
-            for n, m in moved.items()
-            if m[name] != value
-        }
-        if slopes:
-            constant = _exact(name, value) - sum(lower[n] * s for n, s in slopes.items())
-            values[name] = (constant, slopes)
+    def numbers(point: Mapping[str, Value]) -> dict[str, Value]:
+        told = {**fixed, **point}
+        if derived is not None:
+            values = physical_values(derived.kernels, told)
         else:
-            values[name] = value if value.exact is None else value.exact
-    period: Any = subject.period
-    if period is not None and own in box:
-        period = (Fraction(0), {own: Fraction(1)})
-    elif period is not None and period.exact is not None:
-        period = period.exact
-    return values, period, at
+            values = {name: told[name] for name in subject.values}
+        return values if subject.period is None else {**values, PERIOD: told[str(own)]}
 
-
-def _exact(name: str, value: Value) -> Fraction:
-    if value.exact is None:
-        raise NotCovered(f"{name} = {value} is irrational, and so are its sums with the box")
-    return value.exact
-
-
-def _fmpq(value: Fraction) -> fmpq:
-    from flint import fmpq
-
-    return fmpq(value.numerator, value.denominator)
+    at = [given[name].exact for name in names]
+    if None in at:
+        raise NotCovered("the orbit's own point of the box is irrational")
+    return numbers, [x for x in at if x is not None]

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.admissibility import judge
+from nonsmooth.runtime.certification.boxes.dependence import rational_of
 from nonsmooth.runtime.certification.boxes.place import Place
 from nonsmooth.runtime.certification.boxes.region import BITS, Region
 from nonsmooth.runtime.certification.chain import Chain, Equations, Passage, chain_of
@@ -36,7 +36,7 @@ from nonsmooth.runtime.certification.tables import Number, numbers
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
-    from flint import arb, fmpq
+    from flint import arb
 
 __all__ = ["Follow", "Proof", "given_period", "prove"]
 
@@ -149,15 +149,9 @@ def _variables(region: Region, place: Place, space: Space) -> list[Model]:
 
     found = []
     for axis in range(len(region.names)):
-        lower, upper = (_fmpq(end) for end in place.interval(axis, region.box))
+        lower, upper = (rational_of(end) for end in place.interval(axis, region.box))
         found.append(space.variable(axis, arb((lower + upper) / 2), arb((upper - lower) / 2)))
     return found
-
-
-def _fmpq(value: Fraction) -> fmpq:
-    from flint import fmpq
-
-    return fmpq(value.numerator, value.denominator)
 
 
 def given_period(closing: Closing, number: Number) -> Any:
