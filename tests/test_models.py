@@ -165,3 +165,10 @@ def test_what_irrational_constants_make_zero_divides_nothing() -> None:
             x / (two * two - 2)
         assert (x * apart + two) / (x * apart + two) == 1
         assert 1 / (apart + x) == (apart + x) ** -1
+
+
+def test_exponentials_of_tiny_matrices_to_many_digits() -> None:
+    with flint_precision(4000):
+        space = space_of(1, 1)
+        tiny = space.constant(arb_mat([[arb(0, arb(2) ** -3000)]]))
+        assert tiny.exp().range()[0, 0].contains(arb(1))

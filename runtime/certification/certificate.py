@@ -47,9 +47,12 @@ class Stated(Enclosure):
         return Stated(ball, bits, (middle, radius))
 
     @staticmethod
-    def around(ball: arb, bits: int) -> Stated:
-        """An enclosure that decimal texts state: a little wider than a ball."""
-        return Stated.of(*decimals(ball, bits), bits)
+    def around(ball: arb, bits: int, digits: int = 3) -> Stated:
+        """An enclosure that decimal texts state: a little wider than a ball.
+
+        The radius has so many digits.
+        """
+        return Stated.of(*decimals(ball, bits, digits), bits)
 
     def _decimals(self) -> tuple[str, str]:
         return self.texts

@@ -236,7 +236,7 @@ class Model:
         norm = _norm(self.range())
         if not norm < _LARGEST:
             return self.space.constant(_everywhere(size, arb("nan")))
-        halvings = max(0, math.ceil(math.log2(float(norm) / _SMALL))) if norm > 0 else 0
+        halvings = math.ceil(math.log2(float(norm) / _SMALL)) if norm > _SMALL else 0
         unit = arb(2) ** -halvings
         small, norm = self * unit, norm * unit
         degree, rest = 1, norm

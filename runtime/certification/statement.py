@@ -28,13 +28,15 @@ def rational(text: str) -> Any:
     return fmpq(value.numerator, value.denominator)
 
 
-def decimals(ball: arb, bits: int) -> tuple[str, str]:
+def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
     """Middle and radius of a decimal ball around a ball: as many digits as count.
 
     So many bits are enough of an exact number.
     """
+    if ball.is_zero():
+        return "0e0", "0e0"
     middle, radius, exponent = map(int, ball.mid_rad_10exp(int(bits * 0.302) + 5))
-    drop = max(0, len(str(radius)) - _RADIUS)
+    drop = max(0, len(str(radius)) - digits)
     unit = 10**drop
     middle = (2 * middle + unit) // (2 * unit)
     return _scientific(middle, exponent + drop), _scientific(radius // unit + 2, exponent + drop)

@@ -214,7 +214,7 @@ def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[s
     try:
         return system_parameters(kernels.system, {name: values[name] for name in wanted})
     except InputError as problem:
-        raise NotCovered(f"no values were found for {', '.join(wanted)}: {problem}") from None
+        raise NotCovered(str(problem)) from None
 
 
 def _with_required(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:

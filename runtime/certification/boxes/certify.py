@@ -11,12 +11,18 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.certification.boxes.place import Interval, Place
-from nonsmooth.runtime.certification.boxes.record import BoxCertificate, Tile
-from nonsmooth.runtime.certification.boxes.region import BITS, Region, checked_box, region_of
-from nonsmooth.runtime.certification.boxes.tile import Follow, Proof, prove
+from nonsmooth.runtime.certification.boxes.record import DIGITS, BoxCertificate, Tile
+from nonsmooth.runtime.certification.boxes.region import (
+    BITS,
+    Region,
+    checked_box,
+    region_of,
+    with_open_ones,
+)
+from nonsmooth.runtime.certification.boxes.tile import Anchor, Proof, Tube, prove
 from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
 from nonsmooth.runtime.certification.statement import closing_json, declaration_json
-from nonsmooth.runtime.certification.subject import NotCovered, chosen_of
+from nonsmooth.runtime.certification.subject import NotCovered
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.orbit import Orbit
@@ -83,74 +89,136 @@ def certify_box(
     if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
         raise InputError(f"tiles = {tiles!r} is not a positive integer")
     ends = checked_box(orbit, box)
+    if not isinstance(resume, BoxCertificate | None):
+        raise InputError(f"{resume!r} is no state to resume: load_box_certificate reads one")
     undecided = dict.fromkeys(CLAIMS, "undecided")
     whole = Place(((0, 0),) * len(ends))
+
+    def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:
+        return _record(orbit, ends, chosen, region, tiles)
+
+    chosen: tuple[str, ...] = ()
     try:
+        orbit, chosen = with_open_ones(orbit, ends)
         region = region_of(orbit, ends)
     except NotCovered as reason:
-        return _record(orbit, ends, None, [Tile(whole, undecided, str(reason), {}, (), True)])
-    start = Tile(whole, undecided, _NOT_TRIED, {}, tuple(map(float, region.guess)), False)
-    empty = _record(orbit, ends, region, [start])
+        return record(None, [Tile(whole, undecided, {"existence": str(reason)}, {}, (), True)])
+    empty = record(region, [Tile(whole, undecided, {"existence": _NOT_TRIED}, {}, (), False)])
     if resume is not None:
         _check_same(empty, resume)
     work = _Work(region, (resume or empty).tiles)
     kept = time.monotonic()
-    for looked_at in range(1, tiles + 1):
-        if not work.waiting:
-            break
-        work.look()
-        progress(work.decided, looked_at)
-        if keep is not None and time.monotonic() - kept > _EVERY:
-            keep(_record(orbit, ends, region, work.tiles))
-            kept = time.monotonic()
-    return _record(orbit, ends, region, work.tiles)
+    try:
+        for looked_at in range(1, tiles + 1):
+            if not work.look():
+                break
+            progress(work.decided, looked_at)
+            if keep is not None and time.monotonic() - kept > _EVERY:
+                keep(record(region, work.tiles))
+                kept = time.monotonic()
+    except KeyboardInterrupt:
+        if keep is not None:
+            keep(record(region, work.tiles))
+        raise
+    return record(region, work.tiles)
 
 
 class _Work:
-    """Tiles that are done, and those that wait to be looked at, the largest first."""
+    """Tiles that are done, and those that wait to be looked at, the largest first.
+
+    The orbit is handed on from tile to tile: from the point at which it is known to the tile
+    that holds it, from a tile to its halves, and to tiles that touch it.
+    """
 
     def __init__(self, region: Region, tiles: Sequence[Tile]) -> None:
         self.region = region
         self.done: list[Tile] = []
         self.waiting: list[tuple[Fraction, int, Tile]] = []
+        self.stranded: list[Tile] = []  # no orbit has reached them
+        self.reached: dict[Place, Tile] = {}  # the orbit is proved there
+        self.tubes: dict[Place, Tube] = {}
         self.decided = 0.0
         self._order = count()
         for tile in tiles:
             if tile.verdict == "undecided" and not tile.looked_at:
                 self._wait(tile)
             else:
-                self._finish(tile, None)
+                self._finish(tile)
 
     @property
     def tiles(self) -> list[Tile]:
         """All of them."""
-        return [*self.done, *(tile for *_, tile in sorted(self.waiting, key=_by_order))]
+        waiting = (tile for *_, tile in sorted(self.waiting, key=_by_order))
+        return [*self.done, *waiting, *self.stranded]
 
-    def look(self) -> None:
-        """Look at the largest tile that waits."""
-        *_, tile = heapq.heappop(self.waiting)
-        rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
-        proof = prove(self.region, tile.place, _balls(tile.guess), rough=rough)
-        known = proof.existence == "proved" or tile.claims["existence"] != "proved"
-        # where an orbit is known from a larger tile, only a proof leads to the same one
-        follow = proof.follow if known else None
-        self._finish(_judged(tile, proof, follow), follow)
+    def look(self) -> bool:
+        """Look at the largest tile that waits and is reached; tell whether there is one."""
+        while self.waiting:
+            *_, tile = heapq.heappop(self.waiting)
+            anchor = self._anchor(tile)
+            if anchor is None:
+                self.stranded.append(tile)
+                continue
+            rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
+            proof = prove(self.region, tile.place, anchor, rough=rough)
+            if proof.tube is None and rough:
+                proof = prove(self.region, tile.place, anchor, rough=False)
+            if proof.tube is not None:
+                self.tubes[tile.place] = proof.tube
+            self._finish(_judged(tile, proof, self.region))
+            return True
+        return False
 
-    def _finish(self, tile: Tile, follow: Follow | None) -> None:
-        """Halve a tile that is not decided, if it is not too small."""
-        levels = [level for _, level in tile.place.steps]
+    def _anchor(self, tile: Tile) -> Anchor | None:
+        """Where the orbit is known on a tile, and about what it is there."""
+        region, place = self.region, tile.place
+        if tile.guess:
+            return Anchor(place.middle(region.box), _balls(tile.guess))
+        if place.holds(region.at, region.box):
+            return Anchor(region.at, region.guess)
+        beside = [other for other in self.reached if other.touches(place)]
+        for other in sorted(beside, key=lambda other: (-other.share, other.steps)):
+            tube = self._tube(self.reached[other])
+            if tube is not None:
+                point = place.shared(other, region.box)
+                return Anchor(point, tube.at(point))
+        return None
+
+    def _tube(self, tile: Tile) -> Tube | None:
+        """The orbit over a tile; where it was proved before, it is proved again."""
+        if tile.place not in self.tubes:
+            if not tile.guess:
+                return None
+            anchor = Anchor(tile.place.middle(self.region.box), _balls(tile.guess))
+            tube = prove(self.region, tile.place, anchor, rough=False).tube
+            if tube is None:
+                return None
+            self.tubes[tile.place] = tube
+        return self.tubes[tile.place]
+
+    def _finish(self, tile: Tile) -> None:
+        """Keep a tile, or halve it if it is not decided and not too small."""
+        place = tile.place
+        if tile.claims["existence"] == "proved":
+            self.reached[place] = tile
+            freed = [other for other in self.stranded if other.place.touches(place)]
+            self.stranded = [other for other in self.stranded if other not in freed]
+            for other in freed:
+                self._wait(other)
+        levels = [level for _, level in place.steps]
         axis = levels.index(min(levels))
         if tile.verdict != "undecided" or levels[axis] == _DEEPEST:
             self.done.append(tile)
-            self.decided += float(tile.place.share) * (tile.verdict != "undecided")
+            self.decided += float(place.share) * (tile.verdict != "undecided")
             return
-        for sign, place in zip((-1, 1), tile.place.halves(axis), strict=True):
-            guess = tile.guess
-            if follow is not None:
-                point = [0.5 * sign * (k == axis) for k in range(len(levels))]
-                guess = tuple(map(float, follow(point)))
+        tube = self.tubes.get(place)
+        for half in place.halves(axis):
+            guess: tuple[float, ...] = ()
+            if tube is not None:
+                self.tubes[half] = tube  # until it has one of its own
+                guess = tuple(float(x.mid()) for x in tube.at(half.middle(self.region.box)))
             # what is proved for a tile is proved for its halves
-            self._wait(replace(tile, place=place, guess=guess, looked_at=False))
+            self._wait(replace(tile, place=half, guess=guess, looked_at=False))
 
     def _wait(self, tile: Tile) -> None:
         heapq.heappush(self.waiting, (-tile.place.share, next(self._order), tile))
@@ -160,19 +228,21 @@ def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
     return entry[:2]
 
 
-def _judged(tile: Tile, proof: Proof, follow: Follow | None) -> Tile:
-    """A tile that was looked at, with what was proved of it before if that is more."""
-    if proof.existence == "undecided" and tile.claims["existence"] == "proved":
-        return replace(tile, looked_at=True)
-    guess = tile.guess
-    if follow is not None:
-        guess = tuple(map(float, follow([0.0] * len(tile.place.steps))))
-    claims = dict(zip(CLAIMS, (proof.existence, proof.admissibility, proof.stability), strict=True))
+def _judged(tile: Tile, proof: Proof, region: Region) -> Tile:
+    """A tile that was looked at, with what was proved of it before where that is more."""
+    if proof.tube is None:
+        reached = tile.claims["existence"] == "proved"
+        return replace(tile, looked_at=True, reasons=tile.reasons if reached else proof.reasons)
+    told = zip(CLAIMS, (proof.existence, proof.admissibility, proof.stability), strict=True)
+    claims = {n: tile.claims[n] if verdict == "undecided" else verdict for n, verdict in told}
+    known = {**tile.reasons, **proof.reasons}
+    reasons = {n: known[n] for n, verdict in claims.items() if verdict != "proved" and n in known}
+    guess = tuple(float(x.mid()) for x in proof.tube.at(tile.place.middle(region.box)))
     with flint_precision(BITS):
         enclosures = {
-            n: Stated.around(b, BITS) for n, b in proof.enclosures.items() if b.is_finite()
+            n: Stated.around(b, BITS, DIGITS) for n, b in proof.enclosures.items() if b.is_finite()
         }
-    return Tile(tile.place, claims, proof.reason, enclosures, guess, True)
+    return Tile(tile.place, claims, reasons, enclosures, guess, True)
 
 
 def _balls(guess: Sequence[float]) -> list[arb]:
@@ -184,15 +254,15 @@ def _balls(guess: Sequence[float]) -> list[arb]:
 def _record(
     orbit: Orbit | ComposedOrbit,
     box: Mapping[str, Interval],
+    chosen: tuple[str, ...],
     region: Region | None,
     tiles: Sequence[Tile],
 ) -> BoxCertificate:
-    chosen = chosen_of(orbit) if isinstance(orbit, Orbit) and region is not None else {}
     return BoxCertificate(
         orbit.name,
         orbit.kernels.system.name if isinstance(orbit, Orbit) else orbit.kernels.name,
-        {**orbit.given, **orbit.opened, **chosen},
-        tuple(chosen),
+        {**orbit.given, **orbit.opened},
+        chosen,
         () if region is None else region.cycle.itinerary,
         dict(box),
         "stable" if region is None or region.closing.form is None else "neutral",

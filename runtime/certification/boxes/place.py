@@ -28,6 +28,34 @@ class Place(NamedTuple):
         """Of the box's area."""
         return Fraction(1, 2 ** sum(level for _, level in self.steps))
 
+    def middle(self, box: Sequence[Interval]) -> tuple[Fraction, ...]:
+        """The point in the middle of the tile."""
+        ends = (self.interval(axis, box) for axis in range(len(self.steps)))
+        return tuple((low + high) / 2 for low, high in ends)
+
+    def holds(self, point: Sequence[Fraction], box: Sequence[Interval]) -> bool:
+        """Whether the tile, with its edges, contains a point."""
+        ends = (self.interval(axis, box) for axis in range(len(self.steps)))
+        return all(low <= x <= high for x, (low, high) in zip(point, ends, strict=True))
+
+    def touches(self, other: Place) -> bool:
+        """Whether two tiles have a point in common, edges included."""
+        for (step, level), (its_step, its_level) in zip(self.steps, other.steps, strict=True):
+            finest = max(level, its_level)
+            low, its_low = step << (finest - level), its_step << (finest - its_level)
+            high, its_high = low + (1 << (finest - level)), its_low + (1 << (finest - its_level))
+            if high < its_low or its_high < low:
+                return False
+        return True
+
+    def shared(self, other: Place, box: Sequence[Interval]) -> tuple[Fraction, ...]:
+        """The middle of what two tiles that touch have in common."""
+        point = []
+        for axis in range(len(self.steps)):
+            mine, others = self.interval(axis, box), other.interval(axis, box)
+            point.append((max(mine[0], others[0]) + min(mine[1], others[1])) / 2)
+        return tuple(point)
+
     def halves(self, axis: int) -> tuple[Place, Place]:
         """The two halves along an axis."""
         step, level = self.steps[axis]

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import reduce
 from typing import Any
 
 from nonsmooth.runtime.certification.boxes.place import Interval, Place
 from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
+from nonsmooth.runtime.certification.statement import rational
 from nonsmooth.runtime.values import Value, as_value, flint_precision
 
-__all__ = ["FORMAT", "VERDICTS", "BoxCertificate", "Tile"]
+__all__ = ["DIGITS", "FORMAT", "VERDICTS", "BoxCertificate", "Tile"]
 
+DIGITS = 6  # of the radii that are stated: they are as wide as the box
 FORMAT = "nonsmooth box certificate"
+_NO_ORBIT = "no orbit is proved to exist"
 VERDICTS = ("proved", "unstable", "not admissible", "undecided")
 
 
@@ -28,19 +30,19 @@ class Tile:
     place : Place
     claims : dict of str to {"proved", "refuted", "undecided"}
         As in a `Certificate`.
-    reason : str
+    reasons : dict of str to str
         Why a claim is not proved.
     enclosures : dict of str to Stated
         Trace, period, dwell times and start; empty where no orbit is proved to exist.
     guess : tuple of float
-        Unknowns of the equations in its middle, about.
+        Unknowns of the equations in its middle, about; empty where no orbit is proved.
     looked_at : bool
         Whether it was tried; else its claims are those of a larger tile.
     """
 
     place: Place
     claims: Mapping[str, str]
-    reason: str
+    reasons: Mapping[str, str]
     enclosures: Mapping[str, Stated]
     guess: tuple[float, ...] = field(repr=False)
     looked_at: bool
@@ -136,7 +138,8 @@ class BoxCertificate:
                 tiles = [tile for tile in self.tiles if tile.claims[name] == verdict]
                 largest = max(tiles, key=lambda tile: tile.place.share)
                 share = float(100 * sum(tile.place.share for tile in tiles))
-                found[name] = f"on {share:.3g} % of the box: {largest.reason}"
+                told = largest.reasons.get(name, largest.reasons.get("existence", _NO_ORBIT))
+                found[name] = f"on {share:.3g} % of the box: {told}"
         return found
 
     @property
@@ -147,7 +150,7 @@ class BoxCertificate:
         """
         stated = [t.enclosures for t in self.tiles if t.claims["existence"] == "proved"]
         names = [n for n in stated[0] if all(n in other for other in stated)] if stated else []
-        return {name: reduce(_hull, (other[name] for other in stated)) for name in names}
+        return {name: _hull([other[name] for other in stated]) for name in names}
 
     def where(self, tile: Tile) -> dict[str, Interval]:
         """The parameters of a tile."""
@@ -217,10 +220,15 @@ class BoxCertificate:
         save_box(self, path)
 
 
-def _hull(first: Stated, second: Stated) -> Stated:
-    """What contains both."""
-    with flint_precision(first.bits):
-        return Stated.around(first.ball.union(second.ball), first.bits)
+def _hull(found: Sequence[Stated]) -> Stated:
+    """What contains all of them: rounded once, not with each."""
+    from flint import arb
+
+    ends = [(Fraction(x.texts[0]), Fraction(x.texts[1])) for x in found]
+    low, high = min(mid - rad for mid, rad in ends), max(mid + rad for mid, rad in ends)
+    with flint_precision(2 * found[0].bits):
+        middle, radius = (arb(rational(str(x))) for x in ((low + high) / 2, (high - low) / 2))
+        return Stated.around(middle + arb(0, radius), found[0].bits, DIGITS)
 
 
 def _balls(enclosures: Mapping[str, Stated]) -> dict[str, dict[str, str]]:
@@ -231,7 +239,7 @@ def _tile_json(tile: Tile) -> dict[str, Any]:
     return {
         "place": [list(step) for step in tile.place.steps],
         "claims": dict(tile.claims),
-        "reason": tile.reason,
+        "reasons": dict(tile.reasons),
         "enclosures": _balls(tile.enclosures),
         "guess": list(tile.guess),
         "looked_at": tile.looked_at,

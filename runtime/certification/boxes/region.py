@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.boxes.dependence import PERIOD, entries_over, rational_of
@@ -19,6 +20,7 @@ from nonsmooth.runtime.certification.subject import (
     Subject,
     check_converged,
     chosen_of,
+    chosen_values,
     closing_of,
     guess_of,
     period_name,
@@ -30,12 +32,14 @@ from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.simulation.piecewise import system_parameters
+from nonsmooth.runtime.solve import solve
 from nonsmooth.runtime.values import Value, as_value, flint_precision
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["BITS", "Region", "checked_box", "region_of"]
+__all__ = ["BITS", "Region", "checked_box", "region_of", "with_open_ones"]
 
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
 
@@ -58,8 +62,10 @@ class Region:
         Its period is a fmpq or a Quotient.
     known : Known
     plans : tuple of Plan
+    at : tuple of Fraction
+        The subject's point.
     guess : list of arb
-        Unknowns of the equations at the subject's point, about.
+        Unknowns of the equations there, about.
     """
 
     subject: Subject
@@ -70,6 +76,7 @@ class Region:
     closing: Closing
     known: Known
     plans: tuple[Plan, ...]
+    at: tuple[Fraction, ...]
     guess: Sequence[arb]
 
     @property
@@ -115,14 +122,18 @@ def checked_box(
         For an orbit that has not converged, names that were not given for it, ends that are
         not rational or in the wrong order, or a box without the orbit's own parameters.
     """
+    if not isinstance(orbit, Orbit | ComposedOrbit):
+        raise InputError(f"{orbit!r} is no orbit, such as solve gives")
     check_converged(orbit)
     given = {**orbit.given, **orbit.opened}
     found: dict[str, Interval] = {}
-    if not box:
+    if not isinstance(box, Mapping) or not box:
         raise InputError("the box has no parameter: give one, as in V=0.99:1.01")
     for name, ends in box.items():
         if name not in given:
-            raise unknown_name("given parameter", name, given)
+            raise unknown_name("given parameter", str(name), given)
+        if not isinstance(ends, tuple | list) or len(ends) != 2:
+            raise InputError(f"{name}: a box has a lower and an upper end, not {ends!r}")
         exact = [as_value(end).exact for end in ends]
         lower, upper = exact
         if lower is None or upper is None:
@@ -130,10 +141,53 @@ def checked_box(
         if not lower < upper:
             raise InputError(f"{name}={ends[0]}:{ends[1]}: the lower end has to be below the upper")
         own = given[name].exact
-        if own is None or not lower <= own <= upper:
+        if own is None:
+            raise InputError(f"{name} = {given[name]} of the orbit is irrational")
+        if not lower <= own <= upper:
             raise InputError(f"{name} = {given[name]} of the orbit is not in {ends[0]}:{ends[1]}")
         found[name] = (lower, upper)
     return found
+
+
+def with_open_ones(
+    orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]
+) -> tuple[Orbit | ComposedOrbit, tuple[str, ...]]:
+    """The orbit with values of parameters that it leaves open, large enough for all of a box.
+
+    Bounds are those at the orbit and, where it is found there, in the corners: nothing is
+    proved of that. All values are checked in all corners.
+
+    Raises
+    ------
+    InputError
+        If values in a corner are not in their domains.
+    NotCovered
+        As for `subject_near`.
+    """
+    corners = [dict(zip(box, point, strict=True)) for point in product(*box.values())]
+    chosen: dict[str, Value] = {}
+    if isinstance(orbit, Orbit):
+        bounds: dict[str, float] = {}
+        points: list[Orbit | ComposedOrbit] = [orbit]
+        if chosen_of(orbit):
+            given = {**orbit.given, **orbit.opened}
+            points += [
+                solve(orbit.name, {**given, **corner}, orbit.unknowns, throw=False)
+                for corner in corners
+            ]
+        for point in points:
+            if point.converged and orbit.kernels.open_parameters:
+                for need in point.admissibility.requires:
+                    bounds[need.parameter] = max(need.greater_than, bounds.get(need.parameter, 0.0))
+        chosen = chosen_values(orbit.kernels, {**orbit.given, **orbit.opened}, bounds)
+        orbit = replace(orbit, opened={**orbit.opened, **chosen})
+    numbers, _ = _numbers(orbit, subject_near(orbit), tuple(box))
+    try:
+        for corner in corners:
+            numbers({name: as_value(x) for name, x in corner.items()})
+    except NotCovered as problem:
+        raise InputError(str(problem)) from None
+    return orbit, tuple(chosen)
 
 
 def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Region:
@@ -161,7 +215,7 @@ def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, In
     known = known_of(tables, subject.cycle)
     region = Region(
         subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
-        plan_of(tables, subject.cycle, known), (),
+        plan_of(tables, subject.cycle, known), tuple(at), (),
     )  # fmt: skip
     near = region.near(at)
     closing = closing_of(subject, tables, [float(x) for x in subject.start], near)
@@ -185,7 +239,9 @@ def _numbers(
         if derived is not None:
             values = physical_values(derived.kernels, told)
         else:
-            values = {name: told[name] for name in subject.values}
+            values = system_parameters(
+                subject.kernels, {name: told[name] for name in subject.values}
+            )
         return values if subject.period is None else {**values, PERIOD: told[str(own)]}
 
     at = [given[name].exact for name in names]

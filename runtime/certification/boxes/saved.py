@@ -101,7 +101,7 @@ def _tile(entry: Mapping[str, Any]) -> Tile:
     return Tile(
         Place(tuple((int(step), int(level)) for step, level in entry["place"])),
         dict(entry["claims"]),
-        entry["reason"],
+        dict(entry["reasons"]),
         {name: Stated.of(x["mid"], x["rad"], BITS) for name, x in entry["enclosures"].items()},
         tuple(map(float, entry["guess"])),
         bool(entry["looked_at"]),

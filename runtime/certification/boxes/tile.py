@@ -8,15 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.admissibility import judge
 from nonsmooth.runtime.certification.boxes.dependence import rational_of
-from nonsmooth.runtime.certification.boxes.place import Place
+from nonsmooth.runtime.certification.boxes.place import Interval, Place
 from nonsmooth.runtime.certification.boxes.region import BITS, Region
 from nonsmooth.runtime.certification.chain import Chain, Equations, Passage, chain_of
 from nonsmooth.runtime.certification.closing import Closing
-from nonsmooth.runtime.certification.existence import Contraction, Krawczyk, newton
+from nonsmooth.runtime.certification.existence import Contraction, Krawczyk, krawczyk, newton
 from nonsmooth.runtime.certification.models import (
     Model,
     Space,
@@ -38,13 +39,53 @@ from nonsmooth.runtime.values import flint_precision
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Follow", "Proof", "given_period", "prove"]
+__all__ = ["Anchor", "Proof", "Tube", "equations_over", "prove"]
 
-Follow = Callable[[Sequence[float]], list["arb"]]
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
 _LOWEST = 2
 _CLOSE = 50  # bits of the orbit in the middle of a tile
 _TRIES = 4  # sizes of Krawczyk's box
+_ALIKE = 30  # bits to which numbers of one orbit agree, at least
+_STABILITY = {
+    True: "",
+    False: "a multiplier lies outside the unit circle",
+    None: "a multiplier may lie on the unit circle",
+}
+
+
+class Anchor(NamedTuple):
+    """A point of the box, and about the orbit there: whatever is found has to be that."""
+
+    point: tuple[Fraction, ...]
+    numbers: Sequence[arb]
+
+
+@dataclass(frozen=True, eq=False)
+class Tube:
+    """The orbit over a tile, between polynomials of the parameters.
+
+    Attributes
+    ----------
+    place : Place
+    box : tuple of (Fraction, Fraction)
+        Of all tiles.
+    unknowns : sequence of Model
+    """
+
+    place: Place
+    box: tuple[Interval, ...]
+    unknowns: Sequence[Model]
+
+    def at(self, point: Sequence[Fraction]) -> list[arb]:
+        """Balls around the unknowns at a point of the tile."""
+        from flint import arb
+
+        with flint_precision(BITS):
+            inside = []
+            for axis, x in enumerate(point):
+                low, high = self.place.interval(axis, self.box)
+                inside.append(arb(rational_of((2 * x - low - high) / (high - low))))
+            return [x.at(inside) for x in self.unknowns]
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,57 +95,65 @@ class Proof:
     Attributes
     ----------
     existence, admissibility, stability : {"proved", "refuted", "undecided"}
-    reason : str
-        Why the first undecided or refuted claim is not proved.
+    reasons : dict of str to str
+        Why a claim is not proved.
     enclosures : dict of str to arb
         Trace, period, dwell times and start, for all parameters of the tile.
-    follow : function or None
-        Unknowns near a point of the tile, given by numbers in [-1, 1].
+    tube : Tube or None
+        Where existence is proved.
     """
 
     existence: str
     admissibility: str
     stability: str
-    reason: str
+    reasons: dict[str, str]
     enclosures: dict[str, arb]
-    follow: Follow | None
+    tube: Tube | None
 
 
-def prove(region: Region, place: Place, guess: Sequence[arb], *, rough: bool) -> Proof:
+def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> Proof:
     """Prove what can be proved on a tile.
 
     Parameters
     ----------
     region : Region
     place : Place
-    guess : sequence of arb
-        Unknowns in its middle, about.
+    anchor : Anchor
+        In the tile.
     rough : bool
         Whether a low order will do, since only admissibility is left to be decided.
     """
     count = len(region.names)
     space = space_of(count, _LOWEST if rough else _ORDERS.get(count, _LOWEST))
     with flint_precision(BITS):
-        return _prove(region, place, guess, space)
+        return _prove(region, place, anchor, space)
 
 
-def _prove(region: Region, place: Place, guess: Sequence[arb], space: Space) -> Proof:
-    number = region.number(_variables(region, place, space))
-    chain = chain_of(region.tables, region.cycle, number)
+def equations_over(region: Region, number: Number) -> Equations:
+    """The equations of a region's orbit in numbers."""
     closing = region.closing
     speeds = [number(speed) for speed in closing.speeds]
-    equations = Equations(chain, closing, given_period(closing, number), speeds)
-    start = _followed(equations, guess, space)
+    chain = chain_of(region.tables, region.cycle, number)
+    return Equations(chain, closing, _given_period(closing, number), speeds)
+
+
+def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
+    number = region.number(_variables(region, place, space))
+    equations = equations_over(region, number)
+    chain, closing = equations.chain, equations.closing
+    start = _followed(equations, anchor.numbers, space)
     if start is None:
-        return _undecided("Newton's method finds no orbit in the middle", None)
-    follow = _follower(start)
+        return _undecided("Newton's method finds no orbit in the middle")
     found = _contracted(Krawczyk(equations, start))
     if found is None:
-        return _undecided("Krawczyk's test fails", follow)
+        return _undecided("Krawczyk's test fails")
+    tube = Tube(place, region.box, found.image)
+    if not _joined(region, anchor, tube.at(anchor.point)):
+        return _undecided("another orbit may have been found")
     now = equations.passage(found.image, found.flows)
     dwell = equations.dwell(found.image)
     if closing.form is not None and not _conserved(region, number, now):
-        return _undecided("the energy does not give the coordinate that is left out", follow)
+        return _undecided("the energy does not give the coordinate that is left out")
     timed = closing.kind == "forcing"
     maps = equations.timed_maps(now) if timed else equations.section_maps(now)
     forced = [state for pair in closing.pairs for state in pair]
@@ -112,11 +161,15 @@ def _prove(region: Region, place: Place, guess: Sequence[arb], space: Space) -> 
     total = trace_of(square)
     trace = range_of(total)
     inside: bool | None = None
-    if trace.is_finite() and not any(len(t.boundaries) > 1 for t in region.cycle.transitions):
+    told = _STABILITY[None]
+    if any(len(t.boundaries) > 1 for t in region.cycle.transitions):
+        told = "boundaries are reached together: the Poincare map has a corner"
+    elif trace.is_finite():
         if closing.form is not None:
             inside, _ = neutral_pairs(range_of(product_of(maps)), trace)
         else:
             inside = inside_circle(square)
+        told = _STABILITY[inside]
     stability = {True: "proved", False: "refuted", None: "undecided"}[inside]
     judgement = judge([plan.at(number) for plan in region.plans], chain, now, dwell)
     subject = region.subject
@@ -124,10 +177,22 @@ def _prove(region: Region, place: Place, guess: Sequence[arb], space: Space) -> 
     named |= dict(zip(subject.dwell_names, dwell, strict=True))
     named |= dict(zip(subject.start_names, now.starts[0].entries()[:-1], strict=True))
     enclosures = {name: _wider(number) for name, number in named.items()}
-    reason = judgement.reason or ("" if inside else "a multiplier may lie on the unit circle")
-    if inside is False and not judgement.reason:
-        reason = "a multiplier lies outside the unit circle"
-    return Proof("proved", judgement.verdict, stability, reason, enclosures, follow)
+    reasons = {"admissibility": judgement.reason, "stability": told}
+    reasons = {name: reason for name, reason in reasons.items() if reason}
+    return Proof("proved", judgement.verdict, stability, reasons, enclosures, tube)
+
+
+def _joined(region: Region, anchor: Anchor, found: Sequence[arb]) -> bool:
+    """Whether what was found is the anchor's orbit: one box there holds both, and one root."""
+    from flint import arb
+
+    number = region.number([arb(rational_of(x)) for x in anchor.point])
+    both = [x.union(y) for x, y in zip(found, anchor.numbers, strict=True)]
+    centre = [x.mid() for x in both]
+    radii = [2 * x.rad() + (1 + abs(x)) * arb(2) ** -_ALIKE for x in both]
+    if not all(r.is_finite() for r in radii):
+        return False
+    return krawczyk(equations_over(region, number), centre, [r.upper() for r in radii]).unique
 
 
 def _wider(number: Any) -> arb:
@@ -139,8 +204,8 @@ def _wider(number: Any) -> arb:
     return found
 
 
-def _undecided(reason: str, follow: Any) -> Proof:
-    return Proof("undecided", "undecided", "undecided", reason, {}, follow)
+def _undecided(reason: str) -> Proof:
+    return Proof("undecided", "undecided", "undecided", {"existence": reason}, {}, None)
 
 
 def _variables(region: Region, place: Place, space: Space) -> list[Model]:
@@ -154,8 +219,7 @@ def _variables(region: Region, place: Place, space: Space) -> list[Model]:
     return found
 
 
-def given_period(closing: Closing, number: Number) -> Any:
-    """What the dwell times sum up to, or None."""
+def _given_period(closing: Closing, number: Number) -> Any:
     from flint import arb
 
     if closing.kind == "forcing":
@@ -224,11 +288,3 @@ def _conserved(region: Region, number: Number, now: Passage) -> bool:
     energy = range_of(numbers([closing.form.energies[region.cycle.configurations[0]][k]], number))
     slope = (energy * matrix([[x] for x in between]))[0, 0]
     return bool(slope > 0 or slope < 0)
-
-
-def _follower(found: Sequence[Model]) -> Follow:
-    def follow(point: Sequence[float]) -> list[arb]:
-        with flint_precision(BITS):
-            return [x.at(point).mid() for x in found]
-
-    return follow

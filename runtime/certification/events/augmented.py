@@ -7,8 +7,8 @@ from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.boxes.region import Region
-from nonsmooth.runtime.certification.boxes.tile import given_period
-from nonsmooth.runtime.certification.chain import Equations, Flows, Passage, chain_of
+from nonsmooth.runtime.certification.boxes.tile import equations_over
+from nonsmooth.runtime.certification.chain import Equations, Flows, Passage
 from nonsmooth.runtime.certification.models import matrix, middle_of, range_of, space_of
 from nonsmooth.runtime.certification.multipliers import reduced_map
 from nonsmooth.runtime.certification.plan import Plan, Watched
@@ -58,17 +58,15 @@ class Augmented(NamedTuple):
 
     def __call__(self, middles: Sequence[arb], halves: Sequence[arb]) -> list[Any]:
         """The left-hand sides as models over a box, of the first order in its coordinates."""
-        region, closing = self.region, self.region.closing
+        region = self.region
         space = space_of(len(middles), 1)
         box = [
             space.variable(k, x, r) for k, (x, r) in enumerate(zip(middles, halves, strict=True))
         ]
         count = self.own
         number = region.number([box[count]])
-        chain = chain_of(region.tables, region.cycle, number)
-        speeds = [number(speed) for speed in closing.speeds]
-        equations = Equations(chain, closing, given_period(closing, number), speeds)
-        flows = Flows(chain, equations.dwell(box[:count]))
+        equations = equations_over(region, number)
+        flows = Flows(equations.chain, equations.dwell(box[:count]))
         now = equations.passage(box[:count], flows)
         here = _Here(region, number, equations, now, box[:count], box[count + 1 :])
         return [*now.values.entries(), *self.values(here)]
