@@ -211,3 +211,12 @@ def test_no_orbit_to_follow() -> None:
         stick().orbit_at(1000)
     with pytest.raises(nonsmooth.InputError, match="unknown quantity 'tb'"):
         stick().quantity("tb")
+
+
+def test_what_is_zero_all_along_is_no_event() -> None:
+    # each phase begins on the boundary that the other one reached: x = 0, whatever k is
+    whole = nonsmooth.continue_orbit(loop(), "k", (0.3, 1.5))
+    ((kind, value),) = [(event.kind, event.value) for event in whole.events]
+    # the orbit goes as far as 2/sqrt(k): a wall stands at 3
+    assert (kind, value) == ("grazing", pytest.approx(4 / 9, abs=1e-12))
+    assert nonsmooth.continue_orbit(loop(), "r", (0.3, 0.6)).events == ()

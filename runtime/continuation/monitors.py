@@ -135,8 +135,8 @@ def monitors_of(curve: Curve, points: np.ndarray) -> Monitors:
     borders: list[Monitor] = []
     for number, waves in enumerate(groups[0]):
         ends = [ends_of(phases[number]) for phases in groups]
-        begun = _always_zero([(end.starts, end.start_sizes) for end in ends])
-        over = _always_zero([(end.stops, end.stop_sizes) for end in ends])
+        begun = _always_zero([(end.starts, end.sizes) for end in ends])
+        over = _always_zero([(end.stops, end.sizes) for end in ends])
         for place, name in enumerate(waves.names):
             watched = waves.phase, name
             borders.append(Monitor("grazing", *watched, "highest", place))

@@ -53,25 +53,29 @@ class PhaseWaves:
 class Ends:
     """Boundary functions and their rates at both ends of a phase, arrays (2, k, b).
 
-    `sizes` are the sums of the absolute values that they are made of.
+    `sizes` are the sums of the absolute values that they are made of along the phase.
     """
 
     starts: np.ndarray
     stops: np.ndarray
-    start_sizes: np.ndarray
-    stop_sizes: np.ndarray
+    sizes: np.ndarray
 
 
 def ends_of(waves: PhaseWaves) -> Ends:
     """Values at both ends of a phase."""
-    points = np.arange(len(waves.durations))
-    found = []
-    for times in (np.zeros_like(waves.durations), waves.durations):
-        functions = waves.basis(points, times)
-        coefficients = waves.coefficients[:2]
-        found.append(np.einsum("jkbf,kf->jkb", coefficients, functions))
-        found.append(np.einsum("jkbf,kf->jkb", abs(coefficients), abs(functions)))
-    return Ends(found[0], found[2], found[1], found[3])
+    points, coefficients = np.arange(len(waves.durations)), waves.coefficients[:2]
+    functions = [waves.basis(points, part * waves.durations) for part in (0.0, 0.3, 0.6, 1.0)]
+    # what is zero at an end would be small there: its size is what it is elsewhere
+    largest = np.abs(functions).max(axis=0)
+    starts, stops, sizes = (
+        np.einsum("jkbf,kf->jkb", factors, values)
+        for factors, values in (
+            (coefficients, functions[0]),
+            (coefficients, functions[-1]),
+            (abs(coefficients), largest),
+        )
+    )
+    return Ends(starts, stops, sizes)
 
 
 def interior_maxima(waves: PhaseWaves) -> tuple[np.ndarray, np.ndarray]:

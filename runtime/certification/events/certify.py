@@ -1,9 +1,9 @@
 """Enclose an event of a branch: the bifurcation or the limit of admissibility near a computed one.
 
-Over a box around it the augmented equations are H(z + r e) = c(e) + L e, with e in [-1, 1]
-and all that is not linear in the balls c. Whatever L is, if -c(e)/L lies in [-1, 1] for
-all e, then e -> -c(e)/L has a fixed point by Brouwer's theorem, which is a root; and every
-root of the box lies in -c/L.
+Over a box around it the augmented equations are H(z + r e) = c(e) + L(e) e, with e in
+[-1, 1]: c and L are continuous, with values in balls, and every matrix in the ball of L is
+regular. If -c/L lies in [-1, 1] for all e, then e -> -c(e)/L(e) has a fixed point by
+Brouwer's theorem, which is a root; and every root of the box lies in -c/L.
 """
 
 from __future__ import annotations
