@@ -16,6 +16,7 @@ from nonsmooth.runtime.continuation.matrices import exponentials
 from nonsmooth.runtime.continuation.record import Branch
 from nonsmooth.runtime.crossing import maximum
 from nonsmooth.runtime.intervals import admissible_intervals
+from tests.certified import loop
 
 STICK = "dry-friction/global-stick"
 DATA = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
