@@ -159,4 +159,3 @@ def test_events_over_a_range_are_enclosed() -> None:
         code, _, err = run(STICK, *arguments, "--events")
         assert code == 2
         assert "one range" in err
-    assert run(STICK, "V=0.9:1.1", "--events", "--save", "x.json")[0] == 2

@@ -24,7 +24,7 @@ import nonsmooth as ns
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.certification.checker import Failure, check
-from nonsmooth.runtime.certification.checker.stability import _characteristic, _inside, _neutral
+from nonsmooth.runtime.certification.checker.stability import _inside, _neutral, characteristic
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.saved import checksum_of
 from tests.certified import forced, loop
@@ -360,10 +360,10 @@ def test_roots_inside_the_unit_circle_are_told_from_others(size: int) -> None:
         for _ in range(40):
             matrix = rng.normal(size=(size, size)) / np.sqrt(size)
             largest = max(abs(np.linalg.eigvals(matrix)))
-            found = _inside(_characteristic(arb_mat(matrix.tolist())))
+            found = _inside(characteristic(arb_mat(matrix.tolist())))
             assert found == ("proved" if largest < 1 else "refuted")
             seen.add(found)
-        assert _inside(_characteristic(arb_mat([[1]]))) == "undecided"
+        assert _inside(characteristic(arb_mat([[1]]))) == "undecided"
     assert seen == {"proved", "refuted"}
 
 
@@ -436,11 +436,14 @@ def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root
 
 
-@pytest.mark.parametrize("name", ["elastic", "map"])
+@pytest.mark.parametrize("name", ["elastic", "map", "events"])
 def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
     if name == "map":
         ns.certify_box(loop(), {"r": ("2/5", "3/5")}).save(path)
+    elif name == "events":
+        branch = ns.continue_orbit(loop(), "a", (1.5, 3.5))
+        ns.certify_event(branch, branch.events[-1]).save(path)
     else:
         certificate(name).save(path)
     run = "import sys, runpy; sys.path.insert(0, sys.argv.pop(1));"

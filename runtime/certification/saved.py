@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from nonsmooth.runtime.certification.boxes.comparing import compare_box
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate
@@ -26,7 +26,14 @@ from nonsmooth.runtime.certification.certificate import (
     Stated,
     Unknown,
 )
-from nonsmooth.runtime.certification.checker import Failure, check, check_tiles
+from nonsmooth.runtime.certification.checker import Failure, check, check_events, check_tiles
+from nonsmooth.runtime.certification.events.record import EventCertificate
+from nonsmooth.runtime.certification.events.saved import (
+    EVENTS,
+    compare_events,
+    event_entries,
+    events_of,
+)
 from nonsmooth.runtime.certification.statement import declaration_json, value_json
 from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.passage import cycle_of
@@ -73,6 +80,7 @@ _FIELDS: dict[str, type] = {
     "closing": dict,
     "sha256": str,
 }
+Proven = Certificate | BoxCertificate | tuple[EventCertificate, ...]
 _WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 
 
@@ -86,13 +94,13 @@ class Check:
         What is wrong with it; None if every claim was proved again.
     note : str or None
         What could not be compared: the system is not there.
-    certificate : Certificate, BoxCertificate or None
+    certificate : Certificate, BoxCertificate, tuple of EventCertificate, or None
         What was proved again; None if something is wrong with it.
     """
 
     difference: str | None
     note: str | None = None
-    certificate: Certificate | BoxCertificate | None = None
+    certificate: Proven | None = None
 
 
 def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> None:
@@ -154,7 +162,7 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     Parameters
     ----------
     path : str or path
-        What `Certificate.save` or `BoxCertificate.save` wrote.
+        What `save` of a `Certificate`, `BoxCertificate` or `EventCertificate` wrote.
 
     Raises
     ------
@@ -164,22 +172,15 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     folder = Path(path).parent
     try:
         content = _parsed(Path(path))
-        boxed = content.get("format") == BOX.name
-        if boxed:
-            BOX.check({**content, "sha256": checksum_of(content)})  # that is the checker's
-        else:
-            _check_entries(content)
+        kind = _KINDS.get(str(content.get("format")), _KINDS[FORMAT])
+        kind.entries({**content, "sha256": checksum_of(content)})  # that is the checker's
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
-    found: Certificate | BoxCertificate
     try:
         with flint_precision(64):  # the one precision of the process is kept
-            if boxed:
-                check_tiles(content)
-            else:
-                check(content)
-        found = box_of(content) if boxed else _certificate(content)
-        note = (compare_box if boxed else _compare)(content, folder)
+            kind.check(content)
+        found = kind.of(content)
+        note = kind.compare(content, folder)
     except (Failure, InputError) as problem:
         return Check(str(problem))
     except _WRONG_SHAPE as problem:
@@ -264,3 +265,19 @@ def _compare(content: Mapping[str, Any], folder: Path) -> str | None:
             if period != content["closing"]["period"]:
                 raise Failure("the period is not the one that is given")
     return None
+
+
+class _Kind(NamedTuple):
+    """What is done with a file: entries of its format, proof, record, comparison."""
+
+    entries: Callable[[Mapping[str, Any]], None]
+    check: Callable[[dict[str, Any]], None]
+    of: Callable[[Mapping[str, Any]], Proven]
+    compare: Callable[[Mapping[str, Any], Path], str | None]
+
+
+_KINDS = {
+    FORMAT: _Kind(_check_entries, check, _certificate, _compare),
+    BOX.name: _Kind(BOX.check, check_tiles, box_of, compare_box),
+    EVENTS.name: _Kind(event_entries, check_events, events_of, compare_events),
+}

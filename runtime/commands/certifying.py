@@ -22,7 +22,11 @@ from nonsmooth.runtime.commands.application import (
     split,
 )
 from nonsmooth.runtime.commands.certifying_boxes import certify_over, is_box
-from nonsmooth.runtime.commands.certifying_events import certify_events
+from nonsmooth.runtime.commands.certifying_events import (
+    certify_events,
+    events_claim,
+    show_checked_events,
+)
 from nonsmooth.runtime.commands.counting import Every, count_orbits
 from nonsmooth.runtime.commands.options import AsJson, Assignments, Guess
 from nonsmooth.runtime.errors import InputError
@@ -48,7 +52,7 @@ class Proven(StrEnum):
     "nonsmooth certify dry-friction/global-stick V=0.9:1.1 eta=0.9:1.1 --save map.json"
     " --plot map.png\n\n"
     "nonsmooth certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20\n\n"
-    "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50\n\n"
+    "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50 --save events.json\n\n"
     "nonsmooth certify --check certificate.json"
 )
 @answering
@@ -143,11 +147,8 @@ def certify(
     if every:
         return count_orbits(orbit, parameters, guess, wanted, require, save, as_json=as_json)
     if events:
-        if save is not None:
-            raise InputError("--events writes no file: --json has every digit")
-        proved = certify_events(orbit, parameters or [], near, wanted, as_json=as_json)
-        claims = {"events": "proved" if proved else "undecided"}
-        return _judged(claims, require, decided=proved)
+        told = certify_events(orbit, parameters or [], near, wanted, save, as_json=as_json)
+        return _judged(told, require, decided="undecided" not in told.values())
     return _certify(orbit, parameters, near, wanted, require, save, as_json)
 
 
@@ -193,13 +194,19 @@ def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
     with steps(f"proving {path} again"):
         found = check_certificate(path)
     certificate = found.certificate
+    claims: Mapping[str, str] = {}
+    if isinstance(certificate, tuple):
+        claims = events_claim(certificate)
+    elif certificate is not None:
+        claims = certificate.claims
     if as_json:
-        claims = {} if certificate is None else dict(certificate.claims)
-        told = {"file": str(path), "same": certificate is not None, "claims": claims}
+        told = {"file": str(path), "same": certificate is not None, "claims": dict(claims)}
         print_json({**told, "difference": found.difference, "note": found.note})
     elif certificate is not None:
         if isinstance(certificate, Certificate):
             show_claims(certificate)
+        elif isinstance(certificate, tuple):
+            show_checked_events(certificate)
         else:
             show_box(certificate)
         print(f"{path}: every claim holds; all was proved again from the file")
@@ -208,7 +215,7 @@ def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
     if certificate is None:
         print(f"nonsmooth: {path}: {found.difference}", file=sys.stderr)
         return UNANSWERED
-    return _judged(certificate.claims, require, decided=True)
+    return _judged(claims, require, decided=True)
 
 
 def _judged(claims: Mapping[str, str], require: Proven | None, *, decided: bool) -> int:

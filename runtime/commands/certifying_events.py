@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.commands.application import print_json
 from nonsmooth.runtime.commands.certifying_boxes import box_and_values, solved_in
 
-__all__ = ["certify_events"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.certification.events.record import EventCertificate
+
+__all__ = ["certify_events", "events_claim", "show_checked_events"]
 
 
 def certify_events(
@@ -15,16 +20,21 @@ def certify_events(
     parameters: Sequence[str],
     near: Mapping[str, float] | None,
     bits: int,
+    save: Path | None,
     *,
     as_json: bool,
-) -> bool:
-    """Follow the orbit over a range and enclose what happens; tells whether all is proved."""
+) -> dict[str, str]:
+    """Follow the orbit over a range, enclose what happens and keep it; gives what is claimed."""
     from nonsmooth.runtime.certification.events.certify import certify_event
+    from nonsmooth.runtime.certification.events.saved import save_events
     from nonsmooth.runtime.commands.display import counted, steps
     from nonsmooth.runtime.commands.display_certificates import show_events
     from nonsmooth.runtime.continuation.branch import continue_orbit
     from nonsmooth.runtime.errors import InputError
+    from nonsmooth.runtime.files import check_target
 
+    if save is not None:
+        check_target(save)
     box, fixed = box_and_values(parameters)
     if len(box) != 1:
         raise InputError("--events takes one range, as in V=0.6:1.3")
@@ -38,16 +48,35 @@ def certify_events(
         for event in branch.events:
             found.append(certify_event(branch, event, bits))
             progress(len(found))
+    if save is not None:
+        save_events(found, save)
     if as_json:
-        print_json(
-            {
-                "orbit": branch.name,
-                "parameter": parameter,
-                "interval": [str(lower), str(upper)],
-                "ends": list(branch.ends),
-                "events": [certificate.to_json() for certificate in found],
-            }
-        )
+        told = {
+            "orbit": branch.name,
+            "parameter": parameter,
+            "interval": [str(lower), str(upper)],
+            "ends": list(branch.ends),
+            "events": [certificate.to_json() for certificate in found],
+        }
+        print_json(told if save is None else {**told, "file": str(save)})
     else:
-        show_events(branch, found)
-    return all(certificate.proved for certificate in found)
+        values = branch.parameter_values
+        show_events(
+            f"{branch.name}, {parameter} = {values.min():.6g} ... {values.max():.6g}", found
+        )
+        if save is not None:
+            print(f"\n{save} written")
+    return events_claim(found)
+
+
+def events_claim(found: Sequence[EventCertificate]) -> dict[str, str]:
+    """What is claimed of all of them."""
+    proved = all(certificate.proved for certificate in found)
+    return {"events": "proved" if proved else "undecided"}
+
+
+def show_checked_events(found: Sequence[EventCertificate]) -> None:
+    """Show the events of a file."""
+    from nonsmooth.runtime.commands.display_certificates import show_events
+
+    show_events(", ".join(dict.fromkeys(certificate.orbit for certificate in found)), found)

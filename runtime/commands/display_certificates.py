@@ -12,7 +12,6 @@ from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.commands.display import wide_console
-from nonsmooth.runtime.continuation.record import Branch
 
 __all__ = ["show_box", "show_certificate", "show_claims", "show_events"]
 
@@ -107,18 +106,18 @@ def show_box(found: BoxCertificate) -> None:
         out.print(table)
 
 
-def show_events(branch: Branch, found: Sequence[EventCertificate]) -> None:
-    """Show where the events of a branch are proved to be."""
+def show_events(told: str, found: Sequence[EventCertificate]) -> None:
+    """Show where events are proved to be, below what they are events of."""
     out = wide_console(_WIDTH)
-    values = branch.parameter_values
-    told = f"{branch.name}, {branch.parameter} = {values.min():.6g} ... {values.max():.6g}"
     out.print(Text(told, style="bold"))
-    table = _table("event", "where", "", branch.parameter)
+    table = _table("event", "where", "", "parameter")
     for certificate in found:
         where = ""
         if certificate.phase is not None:
             where = f"phase {certificate.phase} {certificate.configuration}: {certificate.boundary}"
-        value = str(certificate.value) if certificate.proved else certificate.reason
+        value = certificate.reason
+        if certificate.proved:
+            value = f"{certificate.parameter} = {certificate.value}"
         claim = Text(certificate.claim, style=_STYLES[certificate.claim])
         table.add_row(certificate.kind, where, claim, value)
     out.print(table if found else Text("nothing happens: no events"))

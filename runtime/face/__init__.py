@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.certification.counting.saved import load_census
     from nonsmooth.runtime.certification.events.certify import certify_event
     from nonsmooth.runtime.certification.events.record import EventCertificate
+    from nonsmooth.runtime.certification.events.saved import load_event_certificates
     from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
     from nonsmooth.runtime.charting.chart import chart, load_chart
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
@@ -90,6 +91,7 @@ __all__ = [
     "load_census",
     "load_certificate",
     "load_chart",
+    "load_event_certificates",
     "load_found",
     "load_locus",
     "load_trajectory",
@@ -143,6 +145,7 @@ _HOMES = {
     "load_census": "certification.counting.saved",
     "load_certificate": "certification.saved",
     "load_chart": "charting.chart",
+    "load_event_certificates": "certification.events.saved",
     "load_branch": "continuation.saved",
     "load_found": "finding.saved",
     "load_locus": "continuation.saved_locus",

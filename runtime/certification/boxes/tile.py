@@ -39,7 +39,7 @@ from nonsmooth.runtime.values import flint_precision
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Anchor", "Proof", "Tube", "equations_over", "prove"]
+__all__ = ["Anchor", "Proof", "Tube", "conserved", "equations_over", "prove"]
 
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
 _LOWEST = 2
@@ -152,7 +152,7 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
         return _undecided("another orbit may have been found")
     now = equations.passage(found.image, found.flows)
     dwell = equations.dwell(found.image)
-    if closing.form is not None and not _conserved(region, number, now):
+    if closing.form is not None and not conserved(region, number, now):
         return _undecided("the energy does not give the coordinate that is left out")
     timed = closing.kind == "forcing"
     maps = equations.timed_maps(now) if timed else equations.section_maps(now)
@@ -275,7 +275,7 @@ def _contracted(test: Krawczyk) -> Contraction | None:
     return None
 
 
-def _conserved(region: Region, number: Number, now: Passage) -> bool:
+def conserved(region: Region, number: Number, now: Passage) -> bool:
     """Whether the energy returns the coordinate whose closure was dropped."""
     closing, first, last = region.closing, now.starts[0], now.starts[-1]
     assert closing.form is not None

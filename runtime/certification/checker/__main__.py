@@ -3,12 +3,14 @@
 import json
 import sys
 
-from nonsmooth.runtime.certification.checker import check, check_tiles
+from nonsmooth.runtime.certification.checker import check, check_events, check_tiles
 
 with open(sys.argv[1], encoding="utf-8") as file:
     content = json.load(file)
 if "tiles" in content:
     check_tiles(content)
+elif "events" in content:
+    check_events(content)
 else:
     check(content)
 print("every claim is proved")

@@ -2,7 +2,7 @@
 
 import ast
 import operator
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from flint import arb, fmpq
@@ -10,7 +10,7 @@ from flint import arb, fmpq
 from nonsmooth.runtime.certification.checker.declared import Declared
 from nonsmooth.runtime.certification.checker.exact import Failure, demand, exact
 
-__all__ = ["constant", "independent"]
+__all__ = ["constant", "independent", "numbers_at"]
 
 _OPERATORS = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
@@ -37,6 +37,20 @@ def constant(text: str) -> Any:
         raise Failure(f"{source} is no number")
 
     return value(ast.parse(source, mode="eval").body)
+
+
+def numbers_at(values: Sequence[Any]) -> Callable[[Any], Any]:
+    """Exact entries in numbers, at values of what they are functions of."""
+    found: dict[Any, Any] = {}
+
+    def number(entry: Any) -> Any:
+        if not callable(entry):
+            return arb(entry)
+        if entry not in found:
+            found[entry] = entry(values)
+        return found[entry]
+
+    return number
 
 
 def independent(declared: Declared, constants: Any, box: Sequence[Any] = ()) -> None:

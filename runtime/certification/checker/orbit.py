@@ -181,6 +181,13 @@ class Orbit:
             self.flows = self._flows(near, away)
         return unique, empty
 
+    def along(self, unknowns: Sequence[Any]) -> list[Any]:
+        """Pass with numbers for the unknowns that are roots or not: what the equations miss."""
+        self.dwell = list(unknowns[self.first :])
+        self.flows = _exponentials(self.chain, self.dwell)
+        self.now = self.passage(self.chain, unknowns, self.flows, slopes=False)
+        return list(self.now.values.entries())
+
     def returns(self, energies: dict[str, Any]) -> None:
         """The coordinate whose closure was left out is given back by the energy."""
         if not energies:

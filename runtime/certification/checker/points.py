@@ -58,3 +58,5 @@ def check(content: dict[str, Any]) -> None:
         with ctx.workprec(min(content["bits"], 128) + _GUARD):
             verdict = admissibility(orbit, content["margins"])
         demand(verdict == admissible, f"admissibility is {verdict}")
+    with ctx.workprec(content["bits"] + _GUARD):
+        independent(declared, constants)  # of all that it was divided by since

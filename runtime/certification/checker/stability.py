@@ -1,21 +1,21 @@
-"""Whether the multipliers of an orbit lie inside the unit circle, or on it."""
+"""Whether the multipliers of an orbit lie inside the unit circle, or on it; pairs of them."""
 
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Any
 
 from flint import acb, acb_poly, arb, arb_mat, arb_poly
 
 from nonsmooth.runtime.certification.checker.exact import demand
 from nonsmooth.runtime.certification.checker.orbit import Orbit, trace_of
-from nonsmooth.runtime.certification.models import middle_of
+from nonsmooth.runtime.certification.models import matrix, middle_of, range_of
 
-__all__ = ["has_multipliers", "stability"]
+__all__ = ["characteristic", "has_multipliers", "paired", "products_less_one", "stability"]
 
 
 def has_multipliers(square: Any, stated: Sequence[tuple[Any, Any]]) -> bool:
     """Whether there is one in each disc: Newton's map leads into it."""
-    polynomial = acb_poly([acb(c) for c in reversed(_characteristic(square))])
+    polynomial = acb_poly([acb(c) for c in reversed(characteristic(square))])
     discs = [acb(re, im) for re, im in stated]
     steps = [polynomial(disc.mid()) / polynomial.derivative()(disc) for disc in discs]
     pairs = zip(discs, steps, strict=True)
@@ -27,7 +27,7 @@ def stability(orbit: Orbit, kind: str) -> str:
     demand(orbit.declared.alone, "one-sided maps")
     demand(kind in ("stable", "neutral"), "stability of an unknown kind")
     if kind == "stable":
-        return _inside(_characteristic(orbit.section))
+        return _inside(characteristic(orbit.section))
     demand(orbit.declared.closing["kind"] == "period", "neutral without an energy")
     return _neutral(orbit.section, orbit.declared.size)
 
@@ -38,7 +38,7 @@ def _neutral(square: Any, size: int) -> str:
     The map is symplectic: beside 1 and zeros its multipliers are pairs m, 1/m.
     """
     pairs: list[Any] = []
-    for coefficient in _characteristic(square)[: size - 1]:  # divided by m - 1
+    for coefficient in characteristic(square)[: size - 1]:  # divided by m - 1
         pairs.append(coefficient + pairs[-1] if pairs else coefficient)
     half = len(pairs) // 2
     if half == 0:
@@ -71,7 +71,7 @@ def _neutral(square: Any, size: int) -> str:
     return "undecided"
 
 
-def _characteristic(square: Any) -> list[Any]:
+def characteristic(square: Any) -> list[Any]:
     """Coefficients of the characteristic polynomial, the first is 1: Faddeev and LeVerrier."""
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
@@ -98,3 +98,29 @@ def _inside(polynomial: list[Any]) -> str:
         rest = [(x - last * y) / (1 - last * last) for x, y in pairs]
         polynomial = [arb(1), *rest[1:-1]]
     return "proved"
+
+
+def products_less_one(polynomial: Sequence[Any]) -> Any:
+    """The product of all 1 - x y of two roots, a determinant of Jury's."""
+    size = len(polynomial) - 2
+
+    def entry(k: int) -> Any:
+        return polynomial[k] if 0 <= k <= size + 1 else arb(0)
+
+    rows = [[entry(j - i) - entry(2 * size - i - j) for j in range(size)] for i in range(size)]
+    return (-1) ** size * characteristic(matrix(rows))[-1]
+
+
+def paired(polynomial: Sequence[Any]) -> bool:
+    """Whether two roots whose product may be 1 are surely conjugate, and not real."""
+    try:
+        roots = acb_poly([acb(range_of(c)) for c in reversed(polynomial)]).roots()
+    except ValueError:
+        return False
+    for first, second in combinations(roots, 2):
+        if (first * second).contains(1):
+            # the conjugate is a root, and in no other ball it is the second
+            like = [x for x in roots if first.conjugate().overlaps(x)]
+            if first.imag.contains(0) or len(like) != 1 or like[0] is not second:
+                return False
+    return True

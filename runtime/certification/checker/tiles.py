@@ -9,7 +9,7 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from nonsmooth.runtime.certification.checker.constants import constant, independent
+from nonsmooth.runtime.certification.checker.constants import constant, independent, numbers_at
 from nonsmooth.runtime.certification.checker.declared import Declared
 from nonsmooth.runtime.certification.checker.exact import (
     Failure,
@@ -158,17 +158,7 @@ def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callabl
         space.variable(axis, arb((low + high) / 2), arb((high - low) / 2))
         for axis, (low, high) in enumerate(where)
     ]
-    values += constants
-    found: dict[Any, Any] = {}
-
-    def number(entry: Any) -> Any:
-        if not callable(entry):
-            return arb(entry)
-        if entry not in found:
-            found[entry] = entry(values)
-        return found[entry]
-
-    return number
+    return numbers_at([*values, *constants])
 
 
 def _cut(space: Space) -> Callable[[Any], Any]:

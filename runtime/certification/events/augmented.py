@@ -7,7 +7,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.boxes.region import Region
-from nonsmooth.runtime.certification.boxes.tile import equations_over
+from nonsmooth.runtime.certification.boxes.tile import conserved, equations_over
 from nonsmooth.runtime.certification.chain import Equations, Flows, Passage
 from nonsmooth.runtime.certification.models import matrix, middle_of, range_of, space_of
 from nonsmooth.runtime.certification.multipliers import reduced_map
@@ -20,7 +20,7 @@ from nonsmooth.runtime.validation.facts import evaluate
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = ["Augmented", "augmented"]
+__all__ = ["Augmented", "augmented", "instant_of"]
 
 _LARGEST_MAP = 6  # multipliers
 
@@ -58,6 +58,17 @@ class Augmented(NamedTuple):
 
     def __call__(self, middles: Sequence[arb], halves: Sequence[arb]) -> list[Any]:
         """The left-hand sides as models over a box, of the first order in its coordinates."""
+        here = self._here(middles, halves)
+        return [*here.now.values.entries(), *self.values(here)]
+
+    def closes(self, middles: Sequence[arb], halves: Sequence[arb]) -> bool:
+        """Whether what is no equation follows: the energy returns the coordinate left out."""
+        if self.region.closing.form is None:
+            return True
+        here = self._here(middles, halves)
+        return conserved(here.region, here.number, here.now)
+
+    def _here(self, middles: Sequence[arb], halves: Sequence[arb]) -> _Here:
         region = self.region
         space = space_of(len(middles), 1)
         box = [
@@ -68,8 +79,7 @@ class Augmented(NamedTuple):
         equations = equations_over(region, number)
         flows = Flows(equations.chain, equations.dwell(box[:count]))
         now = equations.passage(box[:count], flows)
-        here = _Here(region, number, equations, now, box[:count], box[count + 1 :])
-        return [*now.values.entries(), *self.values(here)]
+        return _Here(region, number, equations, now, box[:count], box[count + 1 :])
 
 
 def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
@@ -110,6 +120,8 @@ def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
 
 def _map(here: _Here) -> Any:
     closing = here.region.closing
+    if any(len(transition.boundaries) > 1 for transition in here.region.cycle.transitions):
+        raise NotCovered("boundaries are reached together: the map is one-sided")
     timed = closing.kind == "forcing"
     equations = here.equations
     maps = equations.timed_maps(here.now) if timed else equations.section_maps(here.now)
@@ -178,6 +190,15 @@ def _determinant(rows: Sequence[Sequence[Any]]) -> Any:
     return found
 
 
+def instant_of(event: Event) -> str:
+    """When in its phase an event happens: at the start, inside, or at the end."""
+    if event.kind == "grazing":
+        return "inside"
+    if event.kind in ("simultaneous", "condition") or (event.kind == "tangent" and event.time):
+        return "end"
+    return "start" if event.kind in ("entry", "tangent") else ""
+
+
 def _place(event: Event) -> int:
     if event.phase is None:
         raise NotCovered(f"{event.kind}: no phase is named")
@@ -204,8 +225,12 @@ def _grazing(event: Event) -> Callable[[_Here], list[Any]]:
         (time,) = here.more
         field = here.equations.chain.fields[plan.place]
         state = (field * time).exp() * here.now.starts[plan.place]
-        row = matrix([watched.row])
-        return [(row * state)[0, 0], (row * (field * state))[0, 0]]
+        row, speed = matrix([watched.row]), field * state
+        if not (time > 0 and here.equations.dwell(here.unknowns)[plan.place] - time > 0):
+            raise NotCovered("the boundary is not touched inside the phase")
+        if not (row * (field * speed))[0, 0] < 0:
+            raise NotCovered("the boundary is not surely touched from inside")
+        return [(row * state)[0, 0], (row * speed)[0, 0]]
 
     return values
 
@@ -215,7 +240,7 @@ def _ending(event: Event) -> Callable[[_Here], list[Any]]:
 
     def values(here: _Here) -> list[Any]:
         plan, watched = _watched(here, event)
-        if event.kind == "simultaneous" or (event.kind == "tangent" and event.time):
+        if instant_of(event) == "end":
             row = watched.ends if event.kind == "simultaneous" else watched.speed
             return [evaluate(row, here.now.ends[plan.place].entries()[:-1])]
         if watched.begins is None:

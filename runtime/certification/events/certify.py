@@ -13,14 +13,19 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.certification.boxes.region import region_of
+from nonsmooth.runtime.certification.boxes.region import BITS, Region, region_of
 from nonsmooth.runtime.certification.certificate import GUARD, Unknown
 from nonsmooth.runtime.certification.certify import FEWEST_BITS, MOST_BITS, stated
-from nonsmooth.runtime.certification.events.augmented import Augmented, augmented
+from nonsmooth.runtime.certification.events.augmented import Augmented, augmented, instant_of
 from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.certification.location import unknown_names
-from nonsmooth.runtime.certification.statement import decimals, rational
-from nonsmooth.runtime.certification.subject import NotCovered, guess_of
+from nonsmooth.runtime.certification.statement import (
+    closing_json,
+    decimals,
+    declaration_json,
+    rational,
+)
+from nonsmooth.runtime.certification.subject import NotCovered, chosen_of, guess_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.continuation.event import Event
 from nonsmooth.runtime.continuation.record import Branch
@@ -82,31 +87,63 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
         raise InputError("certify_event takes a branch and one of its events")
     if event not in branch.events:
         raise InputError(f"{event.text}: this is no event of the branch")
-    empty = EventCertificate(
-        branch.name, event.kind, event.text, event.parameter, event.phase,
-        event.configuration, event.boundary, "undecided", "", {}, (), bits,
-    )  # fmt: skip
+    found = _undecided(branch, event, bits)
     try:
-        system, guess = _problem(branch, event)
+        orbit = _orbit_near(branch, event)
+        region = _region(orbit, event)
+        found = _about(found, orbit, region)
+        system, guess = _problem(region, event)
         names, enclosures, box = _enclosed(system, guess, bits)
     except NotCovered as reason:
-        return replace(empty, reason=str(reason))
+        return replace(found, reason=str(reason))
     with flint_precision(bits + GUARD):
         told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
-    return replace(empty, claim="proved", enclosures=told, box=box)
+    return replace(found, claim="proved", enclosures=told, box=box)
 
 
-def _problem(branch: Branch, event: Event) -> tuple[Augmented, list[arb]]:
-    """The event's equations, and their unknowns about."""
-    from flint import arb
+def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
+    orbit = branch.orbit
+    return EventCertificate(
+        branch.name, _system_of(orbit), {**orbit.given, **orbit.opened}, (), (),
+        event.kind, event.text, event.parameter, event.phase, event.configuration,
+        event.boundary, instant_of(event), "undecided", "", {}, (), bits, (), {}, {},
+    )  # fmt: skip
 
-    orbit = _orbit_near(branch, event)
+
+def _about(
+    empty: EventCertificate, orbit: Orbit | ComposedOrbit, region: Region
+) -> EventCertificate:
+    """With all that the equations are made from."""
+    chosen = chosen_of(orbit) if isinstance(orbit, Orbit) else {}
+    return replace(
+        empty,
+        parameters={**orbit.given, **orbit.opened, **chosen},
+        chosen=tuple(chosen),
+        itinerary=region.cycle.itinerary,
+        constants=region.constants,
+        declaration=declaration_json(region.tables, region.cycle),
+        closing=closing_json(region.closing, region.cycle, BITS),
+    )
+
+
+def _system_of(orbit: Orbit | ComposedOrbit) -> str:
+    return orbit.kernels.system.name if isinstance(orbit, Orbit) else orbit.kernels.name
+
+
+def _region(orbit: Orbit | ComposedOrbit, event: Event) -> Region:
+    """The orbit over values of the parameter around the event's."""
     if not float(orbit.residual) < _KNOWN:
         raise NotCovered(f"the orbit at the event is not known well enough: {orbit.message}")
     value, own = Fraction(event.value), orbit.given[event.parameter].exact
     assert own is not None  # a double
     width = (abs(value) or Fraction(1)) / 10**6
-    region = region_of(orbit, {event.parameter: (min(value, own) - width, max(value, own) + width)})
+    return region_of(orbit, {event.parameter: (min(value, own) - width, max(value, own) + width)})
+
+
+def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
+    """The event's equations, and their unknowns about."""
+    from flint import arb
+
     subject, known = region.subject, event.unknowns
     if known.keys() >= {*subject.start_names, *subject.dwell_names}:
         subject = replace(
@@ -115,7 +152,10 @@ def _problem(branch: Branch, event: Event) -> tuple[Augmented, list[arb]]:
             dwell=[arb(known[name]) for name in subject.dwell_names],
         )
     system = augmented(region, event, unknown_names(subject, region.closing))
-    guess = [*guess_of(subject, region.closing, region.near([value])), arb(event.value)]
+    guess = [
+        *guess_of(subject, region.closing, region.near([Fraction(event.value)])),
+        arb(event.value),
+    ]
     if event.kind == "grazing":
         guess.append(arb(float(event.time or 0.0)))
     return system, guess
@@ -164,6 +204,8 @@ def _enclosed(
             halves = [arb(rational(side.rad)) for side in box]
             inside = _solved(system, middles, halves)
             if inside is not None and all(abs(e) < 1 for e in inside):
+                if not system.closes(middles, halves):
+                    raise NotCovered("the energy does not give the coordinate that is left out")
                 moved = zip(middles, halves, inside, strict=True)
                 return system.names, [x + r * e for x, r, e in moved], box
     raise NotCovered("the equations of the event are singular there, or nearly so")

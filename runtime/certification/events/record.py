@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from nonsmooth.runtime.certification.certificate import Stated, Unknown
+from nonsmooth.runtime.values import Value
 
 __all__ = ["EventCertificate"]
 
@@ -17,12 +19,20 @@ class EventCertificate:
 
     Attributes
     ----------
-    orbit : str
+    orbit, system : str
+    parameters : dict of str to Value
+        All that was given for an orbit near it; the branch's parameter has that orbit's value.
+    chosen : tuple of str
+        Parameters that the orbit leaves open and that were chosen.
+    itinerary : tuple of (configuration, boundary)
+        Empty where the equations were not set up.
     kind, text : str
         Of the event, as in `Event`.
     parameter : str
     phase : int or None
     configuration, boundary : str
+    instant : {"", "start", "inside", "end"}
+        Of that phase, where it happens at one.
     claim : {"proved", "undecided"}
         The box contains at least one such event, and all that it contains lie in the
         enclosures.
@@ -31,21 +41,34 @@ class EventCertificate:
     enclosures : dict of str to Stated
         The parameter, and the unknowns of the orbit's equations: physical start and dwell times.
     box : tuple of Unknown
+        The unknowns of the orbit's equations, the parameter, and for a grazing its time.
     bits : int
+    constants : tuple of Value
+        Irrational parameters.
+    declaration, closing : dict
+        As in a `BoxCertificate`, in rational functions of the parameter and these.
     """
 
     orbit: str
+    system: str
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    itinerary: tuple[tuple[str, str], ...]
     kind: str
     text: str
     parameter: str
     phase: int | None
     configuration: str
     boundary: str
+    instant: str
     claim: str
     reason: str
     enclosures: Mapping[str, Stated]
     box: tuple[Unknown, ...]
     bits: int
+    constants: tuple[Value, ...] = field(repr=False)
+    declaration: Mapping[str, Any] = field(repr=False)
+    closing: Mapping[str, Any] = field(repr=False)
 
     @property
     def proved(self) -> bool:
@@ -61,15 +84,32 @@ class EventCertificate:
         """All of it as JSON: numbers as decimal strings."""
         return {
             "orbit": self.orbit,
+            "system": self.system,
+            "parameters": {name: value.text for name, value in self.parameters.items()},
+            "chosen": list(self.chosen),
+            "itinerary": [list(phase) for phase in self.itinerary],
             "kind": self.kind,
             "text": self.text,
             "parameter": self.parameter,
             "phase": self.phase,
             "configuration": self.configuration,
             "boundary": self.boundary,
+            "instant": self.instant,
             "claim": self.claim,
             "reason": self.reason,
             "bits": self.bits,
             "enclosures": {n: {"mid": x.mid, "rad": x.rad} for n, x in self.enclosures.items()},
             "box": [{"name": x.name, "mid": x.mid, "rad": x.rad} for x in self.box],
         }
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the certificate to a file; `nonsmooth.load_event_certificates` reads it.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written.
+        """
+        from nonsmooth.runtime.certification.events.saved import save_events
+
+        save_events([self], path)
