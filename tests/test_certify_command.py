@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -104,6 +105,8 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     assert told["box"] == {"V": ["3/5", "13/10"]}
     assert told["files"] == [str(path)]
     assert told["shares"]["undecided"] > 0.01
+    widths = [Fraction(high) - Fraction(low) for (low, high) in (x["V"] for x in told["undecided"])]
+    assert float(sum(widths)) == pytest.approx(0.7 * told["shares"]["undecided"])
     assert float(told["enclosures"]["trace"]["rad"]) > 0
     code, out, err = run(*box, "--resume", str(path), "--plot", str(picture))
     assert (code, err) == (0, "")

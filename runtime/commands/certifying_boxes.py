@@ -75,7 +75,12 @@ def certify_over(
         save_figure(box_figure(found), plot)
         written.append(plot)
     if as_json:
-        print_json({**found.to_json(), "files": list(map(str, written))})
+        undecided = [
+            {name: [str(low), str(high)] for name, (low, high) in where.items()}
+            for where in found.undecided
+        ]
+        files = list(map(str, written))
+        print_json({**found.to_json(), "undecided": undecided, "files": files})
     else:
         show_box(found)
         for path in written:
