@@ -127,6 +127,8 @@ def certify(
         return _check(check, require, as_json=as_json)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
+    if every and events:
+        raise InputError("--all and --events are two questions: ask one of them")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
