@@ -14,10 +14,11 @@ from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import read_file
 from nonsmooth.runtime.saved import check_entries, checksum_of, parsed, write_content
 
-__all__ = ["Form", "naming"]
+__all__ = ["WRONG_SHAPE", "Form", "naming"]
 
 _COMMON: dict[str, type] = {"format": str, "version": int, "package": str, "sha256": str}
-_WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
+# what entries of the wrong shape raise where they are read
+WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 
 
 @dataclass(frozen=True)
@@ -51,9 +52,13 @@ class Form:
         InputError
             If the file cannot be written.
         """
+        write_content(Path(path), self.content(entries))
+
+    def content(self, entries: Mapping[str, Any]) -> dict[str, Any]:
+        """Entries with the format, version, package and checksum."""
         head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
         content = {**head, **entries}
-        write_content(Path(path), {**content, "sha256": checksum_of(content)})
+        return {**content, "sha256": checksum_of(content)}
 
     def read(self, path: Path) -> dict[str, Any]:
         """Entries of a file, of the right types.
@@ -63,19 +68,19 @@ class Form:
         InputError
             If the file cannot be read, or is cut, edited or foreign.
         """
-        content = parsed(read_file(path, self.most, self.what))
-        if not isinstance(content, dict) or content.get("format") != self.name:
-            raise InputError(f"not a {self.what}, such as --save or save() writes")
+        content: dict[str, Any] = parsed(read_file(path, self.most, self.what))
         self.check(content)
         return content
 
-    def check(self, content: Mapping[str, Any]) -> None:
-        """Refuse content of another version, with other entries, or with another checksum.
+    def check(self, content: Any) -> None:
+        """Refuse content of another format or version, with other entries or checksum.
 
         Raises
         ------
         InputError
         """
+        if not isinstance(content, dict) or content.get("format") != self.name:
+            raise InputError(f"not a {self.what}, such as --save or save() writes")
         check_entries(content, self.version, {**_COMMON, **self.fields})
 
 
@@ -86,5 +91,5 @@ def naming(path: str | os.PathLike[str]) -> Iterator[Path]:
         yield Path(path)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
-    except _WRONG_SHAPE as problem:
+    except WRONG_SHAPE as problem:
         raise InputError(f"{os.fspath(path)}: not in order: {problem}") from None

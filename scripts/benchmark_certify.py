@@ -12,11 +12,11 @@ from nonsmooth.runtime.certification.boxes.certify import certify_box
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.certificate import GUARD
 from nonsmooth.runtime.certification.certify import certify
+from nonsmooth.runtime.certification.checking import check_certificate
 from nonsmooth.runtime.certification.counting.count import certify_all
 from nonsmooth.runtime.certification.events.certify import certify_event
 from nonsmooth.runtime.certification.location import locate
 from nonsmooth.runtime.certification.multipliers import product_of, trace_of
-from nonsmooth.runtime.certification.saved import check_certificate
 from nonsmooth.runtime.certification.subject import closing_of, subject_of
 from nonsmooth.runtime.certification.tables import tables_of
 from nonsmooth.runtime.continuation.branch import continue_orbit

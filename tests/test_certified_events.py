@@ -152,7 +152,7 @@ def test_an_event_that_is_elsewhere_is_not_proved() -> None:
     assert found.claim == "undecided"
     for bits in (10, 1.5, True, 10**6):
         with pytest.raises(InputError, match="bits"):
-            ns.certify_event(whole, flip, bits)  # type: ignore[arg-type]
+            ns.certify_event(whole, flip, bits)  # type: ignore[arg-type]  # that is what is refused
 
 
 def test_json_has_every_digit() -> None:

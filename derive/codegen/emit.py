@@ -38,6 +38,8 @@ PROVENANCE = "PROVENANCE.json"
 COMMAND = "python scripts/regenerate.py"
 
 
+# SymPy says NotImplementedError of what it cannot print in C
+_NOT_IN_C = (DerivationError, NotImplementedError)
 _MOST_ENTRIES = 4096  # of one point, so that a block of points fits on the stack of a thread
 
 
@@ -144,18 +146,17 @@ def _c_functions(derived: DerivedSystem) -> list[_Function]:
     """Everything that C can hold: kernels, then solvers and admissibility tests."""
     name = derived.system.name
     found = []
-    # SymPy says NotImplementedError of what it cannot print in C
     for kernel, orbit in derived.kernels:
-        with suppress(DerivationError, NotImplementedError):
+        with suppress(*_NOT_IN_C):
             (wrapped,) = wrapped_functions(name, [(kernel, orbit)])
             definition = c_kernel(kernel, name, orbit)
             found.append(_Function(c_prototype(kernel, name, orbit), definition, wrapped))
     for equations in derived.derived:
         solver, test = wrapped_solvers(equations)
-        with suppress(DerivationError, NotImplementedError):
+        with suppress(*_NOT_IN_C):
             definition = solve_source(equations)
             found.append(_Function(solve_prototype(equations), definition, solver))
-        with suppress(DerivationError, NotImplementedError):
+        with suppress(*_NOT_IN_C):
             definition = admissible_source(equations)
             found.append(_Function(admissible_prototype(equations), definition, test))
     return found

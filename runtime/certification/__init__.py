@@ -16,7 +16,9 @@
 `subject`         what is to be proved: an orbit of any kind as a cycle of its system
 `certify`         all of it together
 `certificate`     what is proved, with enclosures; JSON
-`saved`           certificates in files, and their check
+`saved`           certificates in files
+`comparing`       whether a certificate is of the system that it names
+`checking`        the check of a file of any kind
 `checker`         the sceptic's own proof, from the file alone: to be read in one sitting
 ================  ============================================================
 

@@ -189,8 +189,10 @@ def _certify(
 
 def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
     from nonsmooth.runtime.certification.certificate import Certificate
-    from nonsmooth.runtime.certification.saved import check_certificate
+    from nonsmooth.runtime.certification.checking import check_certificate
+    from nonsmooth.runtime.certification.counting.census import Census
     from nonsmooth.runtime.commands.display import steps
+    from nonsmooth.runtime.commands.display_census import show_census
     from nonsmooth.runtime.commands.display_certificates import show_box, show_claims
 
     with steps(f"proving {path} again"):
@@ -199,6 +201,8 @@ def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
     claims: Mapping[str, str] = {}
     if isinstance(certificate, tuple):
         claims = events_claim(certificate)
+    elif isinstance(certificate, Census):
+        claims = {"orbits": "proved" if certificate.decided else "undecided"}
     elif certificate is not None:
         claims = certificate.claims
     if as_json:
@@ -209,9 +213,12 @@ def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
             show_claims(certificate)
         elif isinstance(certificate, tuple):
             show_checked_events(certificate)
+        elif isinstance(certificate, Census):
+            show_census(certificate)
         else:
             show_box(certificate)
-        print(f"{path}: every claim holds; all was proved again from the file")
+        what = "the certificate of each orbit" if isinstance(certificate, Census) else "every claim"
+        print(f"{path}: {what} holds; all of that was proved again from the file")
         if found.note:
             print(found.note)
     if certificate is None:

@@ -14,13 +14,14 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
     from nonsmooth.runtime.certification.certificate import Certificate
     from nonsmooth.runtime.certification.certify import certify
+    from nonsmooth.runtime.certification.checking import Check, check_certificate
     from nonsmooth.runtime.certification.counting.census import Census
     from nonsmooth.runtime.certification.counting.count import certify_all
     from nonsmooth.runtime.certification.counting.saved import load_census
     from nonsmooth.runtime.certification.events.certify import certify_event
     from nonsmooth.runtime.certification.events.record import EventCertificate
     from nonsmooth.runtime.certification.events.saved import load_event_certificates
-    from nonsmooth.runtime.certification.saved import check_certificate, load_certificate
+    from nonsmooth.runtime.certification.saved import load_certificate
     from nonsmooth.runtime.charting.chart import chart, load_chart
     from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
     from nonsmooth.runtime.composition.recurring import Recurrence, itinerary_of
@@ -55,6 +56,7 @@ __all__ = [
     "Branch",
     "Census",
     "Certificate",
+    "Check",
     "ComposedOrbit",
     "Event",
     "EventCertificate",
@@ -109,6 +111,7 @@ __all__ = [
 _HOMES = {
     "BoxCertificate": "certification.boxes.record",
     "Census": "certification.counting.census",
+    "Check": "certification.checking",
     "Certificate": "certification.certificate",
     "Branch": "continuation.record",
     "ComposedOrbit": "composition.composed",
@@ -132,7 +135,7 @@ _HOMES = {
     "certify_box": "certification.boxes.certify",
     "certify_event": "certification.events.certify",
     "certify_all": "certification.counting.count",
-    "check_certificate": "certification.saved",
+    "check_certificate": "certification.checking",
     "chart": "charting.chart",
     "compose": "composition.composed",
     "compose_many": "composition.composed",

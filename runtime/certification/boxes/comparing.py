@@ -9,12 +9,12 @@ from typing import Any
 
 from nonsmooth.runtime.certification.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.certification.checker import Failure
+from nonsmooth.runtime.certification.comparing import named_system
 from nonsmooth.runtime.certification.statement import declaration_json, entry
 from nonsmooth.runtime.certification.subject import NotCovered, period_name, physical_values
 from nonsmooth.runtime.certification.tables import tables_over
 from nonsmooth.runtime.composition.passage import cycle_of
-from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import SystemKernels, load_orbit, load_system
+from nonsmooth.runtime.kernels import SystemKernels, load_orbit
 from nonsmooth.runtime.saved import given_value
 from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import structure_of
@@ -38,10 +38,9 @@ def compare_box(content: Mapping[str, Any], folder: Path) -> str | None:
     """
     if not content["declaration"]:
         return None
-    try:
-        kernels = load_system(content["system"], folder)
-    except InputError:
-        return f"{content['system']} is not here: its declaration is as the file says"
+    kernels = named_system(content, folder)
+    if isinstance(kernels, str):
+        return kernels
     box = {n: (Fraction(low), Fraction(high)) for n, (low, high) in content["box"].items()}
     try:
         constants, numbers = entries_over(box, _numbers(content, kernels, folder))

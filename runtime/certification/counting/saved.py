@@ -4,17 +4,34 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from fractions import Fraction
+from itertools import combinations
+from pathlib import Path
 from typing import Any
 
+from nonsmooth.runtime.certification.checker import Failure, check
+from nonsmooth.runtime.certification.checker.exact import demand
+from nonsmooth.runtime.certification.comparing import compare_certificate
 from nonsmooth.runtime.certification.counting.census import Bounds, Census, Counted, Open
-from nonsmooth.runtime.certification.saved import certificate_content, certificate_of
+from nonsmooth.runtime.certification.saved import (
+    certificate_content,
+    certificate_entries,
+    certificate_of,
+)
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import Form, naming
-from nonsmooth.runtime.saved import given_value
+from nonsmooth.runtime.saved import checksum_of, given_value
 
-__all__ = ["load_census", "save_census"]
+__all__ = [
+    "CENSUS",
+    "census_of",
+    "check_census",
+    "compare_census",
+    "load_census",
+    "save_census",
+]
 
-_FORM = Form(
+CENSUS = Form(
     "nonsmooth census",
     "census",
     {
@@ -50,7 +67,7 @@ def save_census(census: Census, path: str | os.PathLike[str]) -> None:
     for told, orbit in zip(content["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
             told["certificate"] = certificate_content(orbit.certificate)
-    _FORM.write(path, content)
+    CENSUS.write(path, content)
 
 
 def load_census(path: str | os.PathLike[str]) -> Census:
@@ -62,10 +79,17 @@ def load_census(path: str | os.PathLike[str]) -> Census:
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
     with naming(path) as file:
-        return _census(_FORM.read(file))
+        return census_of(CENSUS.read(file))
 
 
-def _census(content: Mapping[str, Any]) -> Census:
+def census_of(content: Mapping[str, Any]) -> Census:
+    """The census that a file's entries describe.
+
+    Raises
+    ------
+    InputError
+        If what is counted does not follow from the orbits.
+    """
     census = Census(
         content["orbit"],
         content["system"],
@@ -86,8 +110,62 @@ def _census(content: Mapping[str, Any]) -> Census:
     return census
 
 
+def check_census(content: dict[str, Any]) -> None:
+    """Prove the certificate of each orbit again, from the file alone, and that no two are one.
+
+    Raises
+    ------
+    Failure
+    """
+    demand(content["sha256"] == checksum_of(content), "edited or damaged: the checksum differs")
+    for number, orbit in enumerate(content["orbits"], 1):
+        found = orbit["certificate"]
+        if found is None:
+            continue
+        try:
+            same = all(found[name] == content[name] for name in ("system", "itinerary"))
+            demand(same, "it is an orbit of something else")
+            for name, (least, most) in orbit["unique"].items():
+                low, high = _ends(found["enclosures"][name])
+                inside = Fraction(least) <= low and high <= Fraction(most)
+                demand(inside, f"{name} is not where it was counted")
+            check(found)
+        except Failure as problem:
+            raise Failure(f"orbit {number}: {problem}") from None
+    certified = (orbit["certificate"] for orbit in content["orbits"])
+    found = [certificate["enclosures"] for certificate in certified if certificate is not None]
+    demand(all(_apart(*pair) for pair in combinations(found, 2)), "two orbits may be one")
+
+
+def compare_census(content: Mapping[str, Any], folder: Path) -> str:
+    """Compare the declarations of all orbits with that of the system.
+
+    Raises
+    ------
+    Failure
+        If they differ.
+    """
+    orbits = [orbit["certificate"] for orbit in content["orbits"]]
+    notes = [compare_certificate(found, folder) for found in orbits if found is not None]
+    told = [*filter(None, notes[:1]), "that there are no other orbits is not proved again"]
+    return "; ".join(told)
+
+
+def _ends(enclosure: Mapping[str, str]) -> tuple[Fraction, Fraction]:
+    middle, radius = Fraction(enclosure["mid"]), Fraction(enclosure["rad"])
+    return middle - radius, middle + radius
+
+
+def _apart(first: Mapping[str, Any], second: Mapping[str, Any]) -> bool:
+    """Whether some number of two orbits differs."""
+    pairs = ((_ends(first[name]), _ends(second[name])) for name in first.keys() & second.keys())
+    return any(high < its_low or its_high < low for (low, high), (its_low, its_high) in pairs)
+
+
 def _counted(entry: Any) -> Counted:
     found = entry["certificate"]
+    if found is not None:
+        certificate_entries(found)
     certificate = None if found is None else certificate_of(found)
     return Counted(_bounds(entry["unique"]), certificate, entry["reason"])
 
