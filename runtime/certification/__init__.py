@@ -15,6 +15,7 @@
 `multipliers`     trace, multipliers, and on which side of the unit circle they are
 `subject`         what is to be proved: an orbit of any kind as a cycle of its system
 `certify`         all of it together
+`statement`       the exact system, as files state it
 `certificate`     what is proved, with enclosures; JSON
 `saved`           certificates in files
 `comparing`       whether a certificate is of the system that it names

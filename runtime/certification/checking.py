@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from operator import attrgetter
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -17,16 +18,18 @@ from nonsmooth.runtime.certification.boxes.comparing import compare_box
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.boxes.saved import BOX, box_of
 from nonsmooth.runtime.certification.certificate import Certificate
-from nonsmooth.runtime.certification.checker import Failure, check, check_events, check_tiles
+from nonsmooth.runtime.certification.checker import (
+    Failure,
+    check,
+    check_census,
+    check_events,
+    check_tiles,
+)
 from nonsmooth.runtime.certification.comparing import compare_certificate
 from nonsmooth.runtime.certification.counting.census import Census
-from nonsmooth.runtime.certification.counting.saved import (
-    CENSUS,
-    census_of,
-    check_census,
-    compare_census,
-)
-from nonsmooth.runtime.certification.events.record import EventCertificate
+from nonsmooth.runtime.certification.counting.comparing import compare_census
+from nonsmooth.runtime.certification.counting.saved import CENSUS, census_of
+from nonsmooth.runtime.certification.events.record import EventCertificate, events_claim
 from nonsmooth.runtime.certification.events.saved import (
     EVENTS,
     compare_events,
@@ -61,27 +64,33 @@ class Check:
         What could not be compared, since the system is not there, or is not proved again.
     certificate : Certificate, BoxCertificate, Census, tuple of EventCertificate, or None
         What was proved again; None if something is wrong with it.
+    claims : dict of str to {"proved", "refuted", "undecided"}
+        Of it.
     """
 
     difference: str | None
     note: str | None = None
     certificate: Proven | None = None
+    claims: Mapping[str, str] = field(default_factory=dict)
 
 
 class _Kind(NamedTuple):
-    """What is done with a file: entries of its format, proof, record, comparison."""
+    """What is done with a file: entries of its format, proof, record, claims, comparison."""
 
     entries: Callable[[Mapping[str, Any]], None]
     check: Callable[[dict[str, Any]], None]
-    of: Callable[[Mapping[str, Any]], Proven]
+    of: Callable[[Mapping[str, Any]], Any]
+    claims: Callable[[Any], Mapping[str, str]]
     compare: Callable[[Mapping[str, Any], Path], str | None]
 
 
 _KINDS = {
-    CERTIFICATE.name: _Kind(certificate_entries, check, certificate_of, compare_certificate),
-    BOX.name: _Kind(BOX.check, check_tiles, box_of, compare_box),
-    EVENTS.name: _Kind(event_entries, check_events, events_of, compare_events),
-    CENSUS.name: _Kind(CENSUS.check, check_census, census_of, compare_census),
+    CERTIFICATE.name: _Kind(
+        certificate_entries, check, certificate_of, attrgetter("claims"), compare_certificate
+    ),
+    BOX.name: _Kind(BOX.check, check_tiles, box_of, attrgetter("claims"), compare_box),
+    EVENTS.name: _Kind(event_entries, check_events, events_of, events_claim, compare_events),
+    CENSUS.name: _Kind(CENSUS.check, check_census, census_of, attrgetter("claims"), compare_census),
 }
 
 
@@ -104,13 +113,10 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     folder = Path(path).parent
     try:
         content = parsed(read_file(Path(path), CERTIFICATE.most, CERTIFICATE.what))
-        named = content.get("format") if isinstance(content, dict) else None
-        kind = _KINDS.get(str(named), _KINDS[CERTIFICATE.name])
-        if isinstance(content, dict):
-            content = {**content, "sha256": content.get("sha256")}
-            kind.entries({**content, "sha256": checksum_of(content)})  # that is the checker's
-        else:
-            kind.entries(content)
+        if not isinstance(content, dict) or content.get("format") not in _KINDS:
+            raise InputError("not a certificate, such as --save or save() writes")
+        kind = _KINDS[content["format"]]
+        kind.entries({**content, "sha256": checksum_of(content)})  # that is the checker's
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
@@ -122,4 +128,4 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
         return Check(str(problem))
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
-    return Check(None, note, found)
+    return Check(None, note, found, kind.claims(found))

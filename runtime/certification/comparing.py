@@ -18,15 +18,18 @@ from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import structure_of
 from nonsmooth.runtime.values import flint_precision
 
-__all__ = ["compare_certificate", "named_system"]
+__all__ = ["NOT_HERE", "compare_certificate", "named_system"]
 
 
-def named_system(content: Mapping[str, Any], folder: Path) -> SystemKernels | str:
-    """The system that a file names, or a note that it is not there."""
+NOT_HERE = "{} is not here: its declaration is as the file says"
+
+
+def named_system(content: Mapping[str, Any], folder: Path) -> SystemKernels | None:
+    """The system that a file names, if it is there."""
     try:
         return load_system(content["system"], folder)
     except InputError:
-        return f"{content['system']} is not here: its declaration is as the file says"
+        return None
 
 
 def compare_certificate(content: Mapping[str, Any], folder: Path) -> str | None:
@@ -45,8 +48,8 @@ def compare_certificate(content: Mapping[str, Any], folder: Path) -> str | None:
     if not content["declaration"]:
         return None
     kernels = named_system(content, folder)
-    if isinstance(kernels, str):
-        return kernels
+    if kernels is None:
+        return NOT_HERE.format(content["system"])
     given = {name: given_value(name, text) for name, text in content["parameters"].items()}
     values = system_parameters(kernels, given)
     cycle = cycle_of(structure_of(kernels), [(c, b) for c, b in content["itinerary"]])

@@ -24,7 +24,6 @@ from nonsmooth.runtime.commands.application import (
 from nonsmooth.runtime.commands.certifying_boxes import certify_over, is_box
 from nonsmooth.runtime.commands.certifying_events import (
     certify_events,
-    events_claim,
     show_checked_events,
 )
 from nonsmooth.runtime.commands.counting import Every, count_orbits
@@ -197,14 +196,7 @@ def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
 
     with steps(f"proving {path} again"):
         found = check_certificate(path)
-    certificate = found.certificate
-    claims: Mapping[str, str] = {}
-    if isinstance(certificate, tuple):
-        claims = events_claim(certificate)
-    elif isinstance(certificate, Census):
-        claims = {"orbits": "proved" if certificate.decided else "undecided"}
-    elif certificate is not None:
-        claims = certificate.claims
+    certificate, claims = found.certificate, found.claims
     if as_json:
         told = {"file": str(path), "same": certificate is not None, "claims": dict(claims)}
         print_json({**told, "difference": found.difference, "note": found.note})

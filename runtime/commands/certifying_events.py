@@ -12,7 +12,7 @@ from nonsmooth.runtime.commands.certifying_boxes import box_and_values, solved_i
 if TYPE_CHECKING:
     from nonsmooth.runtime.certification.events.record import EventCertificate
 
-__all__ = ["certify_events", "events_claim", "show_checked_events"]
+__all__ = ["certify_events", "show_checked_events"]
 
 
 def certify_events(
@@ -26,6 +26,7 @@ def certify_events(
 ) -> dict[str, str]:
     """Follow the orbit over a range, enclose what happens and keep it; gives what is claimed."""
     from nonsmooth.runtime.certification.events.certify import certify_event
+    from nonsmooth.runtime.certification.events.record import events_claim
     from nonsmooth.runtime.certification.events.saved import save_events
     from nonsmooth.runtime.commands.display import counted, steps
     from nonsmooth.runtime.commands.display_certificates import show_events
@@ -67,12 +68,6 @@ def certify_events(
         if save is not None:
             print(f"\n{save} written")
     return events_claim(found)
-
-
-def events_claim(found: Sequence[EventCertificate]) -> dict[str, str]:
-    """What is claimed of all of them."""
-    proved = all(certificate.proved for certificate in found)
-    return {"events": "proved" if proved else "undecided"}
 
 
 def show_checked_events(found: Sequence[EventCertificate]) -> None:

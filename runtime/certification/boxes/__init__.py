@@ -1,6 +1,7 @@
 """Proofs for all parameters of a box.
 
 ==============  ==============================================================
+`place`         where a tile is
 `dependence`    numbers as rational functions of a box's parameters
 `region`        an orbit over a box of parameters: its system in rational functions of them
 `tile`          the proof on one tile, in Taylor models

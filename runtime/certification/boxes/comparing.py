@@ -9,7 +9,7 @@ from typing import Any
 
 from nonsmooth.runtime.certification.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.certification.checker import Failure
-from nonsmooth.runtime.certification.comparing import named_system
+from nonsmooth.runtime.certification.comparing import NOT_HERE, named_system
 from nonsmooth.runtime.certification.statement import declaration_json, entry
 from nonsmooth.runtime.certification.subject import NotCovered, period_name, physical_values
 from nonsmooth.runtime.certification.tables import tables_over
@@ -39,8 +39,8 @@ def compare_box(content: Mapping[str, Any], folder: Path) -> str | None:
     if not content["declaration"]:
         return None
     kernels = named_system(content, folder)
-    if isinstance(kernels, str):
-        return kernels
+    if kernels is None:
+        return NOT_HERE.format(content["system"])
     box = {n: (Fraction(low), Fraction(high)) for n, (low, high) in content["box"].items()}
     try:
         constants, numbers = entries_over(box, _numbers(content, kernels, folder))

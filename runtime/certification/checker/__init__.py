@@ -13,13 +13,15 @@ only the arithmetic is imported, Taylor models and rational functions. Read in t
     points     a certificate at one parameter point
     tiles      a map of tiles in a box of parameters
     events     bifurcations and limits of admissibility
+    census     orbits that were counted
 
 ``python -m nonsmooth.runtime.certification.checker FILE`` checks a file.
 """
 
+from nonsmooth.runtime.certification.checker.census import check_census
 from nonsmooth.runtime.certification.checker.events import check_events
 from nonsmooth.runtime.certification.checker.exact import Failure
 from nonsmooth.runtime.certification.checker.points import check
 from nonsmooth.runtime.certification.checker.tiles import check_tiles
 
-__all__ = ["Failure", "check", "check_events", "check_tiles"]
+__all__ = ["Failure", "check", "check_census", "check_events", "check_tiles"]

@@ -3,7 +3,7 @@
 import json
 import sys
 
-from nonsmooth.runtime.certification.checker import check, check_events, check_tiles
+from nonsmooth.runtime.certification.checker import check, check_census, check_events, check_tiles
 
 with open(sys.argv[1], encoding="utf-8") as file:
     content = json.load(file)
@@ -11,6 +11,8 @@ if "tiles" in content:
     check_tiles(content)
 elif "events" in content:
     check_events(content)
+elif "orbits" in content:
+    check_census(content)
 else:
     check(content)
 print("every claim is proved")

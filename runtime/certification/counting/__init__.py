@@ -11,5 +11,6 @@
 `count`           all of it together
 `census`          what was counted; JSON
 `saved`           a census in a file
+`comparing`       whether it is of the system that it names
 ================  ============================================================
 """

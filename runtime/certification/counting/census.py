@@ -107,6 +107,11 @@ class Census:
         return not self.undecided
 
     @property
+    def claims(self) -> dict[str, str]:
+        """Of the census as a whole: whether the count is exact."""
+        return {"orbits": "proved" if self.decided else "undecided"}
+
+    @property
     def statement(self) -> str:
         """What is proved, as a sentence."""
         data = ", ".join(f"{name} = {value}" for name, value in self.parameters.items())

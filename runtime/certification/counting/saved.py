@@ -4,14 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from fractions import Fraction
-from itertools import combinations
-from pathlib import Path
 from typing import Any
 
-from nonsmooth.runtime.certification.checker import Failure, check
-from nonsmooth.runtime.certification.checker.exact import demand
-from nonsmooth.runtime.certification.comparing import compare_certificate
 from nonsmooth.runtime.certification.counting.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.certification.saved import (
     certificate_content,
@@ -20,13 +14,11 @@ from nonsmooth.runtime.certification.saved import (
 )
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import Form, naming
-from nonsmooth.runtime.saved import checksum_of, given_value
+from nonsmooth.runtime.saved import given_value
 
 __all__ = [
     "CENSUS",
     "census_of",
-    "check_census",
-    "compare_census",
     "load_census",
     "save_census",
 ]
@@ -108,58 +100,6 @@ def census_of(content: Mapping[str, Any]) -> Census:
         if content[name] != told[name]:
             raise InputError(f"{name!r} is not what the orbits give")
     return census
-
-
-def check_census(content: dict[str, Any]) -> None:
-    """Prove the certificate of each orbit again, from the file alone, and that no two are one.
-
-    Raises
-    ------
-    Failure
-    """
-    demand(content["sha256"] == checksum_of(content), "edited or damaged: the checksum differs")
-    for number, orbit in enumerate(content["orbits"], 1):
-        found = orbit["certificate"]
-        if found is None:
-            continue
-        try:
-            same = all(found[name] == content[name] for name in ("system", "itinerary"))
-            demand(same, "it is an orbit of something else")
-            for name, (least, most) in orbit["unique"].items():
-                low, high = _ends(found["enclosures"][name])
-                inside = Fraction(least) <= low and high <= Fraction(most)
-                demand(inside, f"{name} is not where it was counted")
-            check(found)
-        except Failure as problem:
-            raise Failure(f"orbit {number}: {problem}") from None
-    certified = (orbit["certificate"] for orbit in content["orbits"])
-    found = [certificate["enclosures"] for certificate in certified if certificate is not None]
-    demand(all(_apart(*pair) for pair in combinations(found, 2)), "two orbits may be one")
-
-
-def compare_census(content: Mapping[str, Any], folder: Path) -> str:
-    """Compare the declarations of all orbits with that of the system.
-
-    Raises
-    ------
-    Failure
-        If they differ.
-    """
-    orbits = [orbit["certificate"] for orbit in content["orbits"]]
-    notes = [compare_certificate(found, folder) for found in orbits if found is not None]
-    told = [*filter(None, notes[:1]), "that there are no other orbits is not proved again"]
-    return "; ".join(told)
-
-
-def _ends(enclosure: Mapping[str, str]) -> tuple[Fraction, Fraction]:
-    middle, radius = Fraction(enclosure["mid"]), Fraction(enclosure["rad"])
-    return middle - radius, middle + radius
-
-
-def _apart(first: Mapping[str, Any], second: Mapping[str, Any]) -> bool:
-    """Whether some number of two orbits differs."""
-    pairs = ((_ends(first[name]), _ends(second[name])) for name in first.keys() & second.keys())
-    return any(high < its_low or its_high < low for (low, high), (its_low, its_high) in pairs)
 
 
 def _counted(entry: Any) -> Counted:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from nonsmooth.runtime.certification.certificate import Stated, Unknown
 from nonsmooth.runtime.values import Value
 
-__all__ = ["EventCertificate"]
+__all__ = ["EventCertificate", "events_claim"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,3 +113,9 @@ class EventCertificate:
         from nonsmooth.runtime.certification.events.saved import save_events
 
         save_events([self], path)
+
+
+def events_claim(found: Sequence[EventCertificate]) -> dict[str, str]:
+    """What is claimed of all of them."""
+    proved = all(certificate.proved for certificate in found)
+    return {"events": "proved" if proved else "undecided"}
