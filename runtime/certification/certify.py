@@ -12,6 +12,7 @@ from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known, known_of
 from nonsmooth.runtime.certification.location import Missing, Root, locate
 from nonsmooth.runtime.certification.multipliers import (
+    CORNER,
     apart,
     eigenvalues_of,
     inside_circle,
@@ -127,17 +128,11 @@ def stability_of(
     subject: Subject, tables: Tables, closing: Closing, known: Known | None, root: Root
 ) -> Stability:
     """Trace, multipliers and the verdict, over the enclosure of the orbit."""
-    claim = "stable" if closing.form is None else "neutral"
-    timed = closing.kind == "forcing"
-    maps = (
-        root.equations.timed_maps(root.passage)
-        if timed
-        else root.equations.section_maps(root.passage)
-    )
+    claim = closing.stability
+    maps = root.equations.maps(root.passage)
     if not all(x.is_finite() for matrix in maps for x in matrix.entries()):
         return Stability(claim, "undecided", "a boundary may be reached tangentially", None, ())
-    forced = [state for pair in closing.pairs for state in pair]
-    square = reduced_map(maps, known, forced, timed=timed, number=tables.number)
+    square = reduced_map(maps, known, closing, tables.number)
     trace = trace_of(square)
     if closing.form is not None:
         inside, pairs = neutral_pairs(product_of(maps), trace)
@@ -145,9 +140,8 @@ def stability_of(
         inside, pairs = inside_circle(square), eigenvalues_of(square)
     multipliers = apart(pairs or (), len(root.equations.free), trivial=closing.form is not None)
     multipliers = tuple(sorted(multipliers, key=lambda m: -float(abs(m).mid())))
-    if any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
-        reason = "boundaries are reached together: the Poincare map has a corner"
-        return Stability(claim, "undecided", reason, trace, ())
+    if subject.cycle.one_sided:
+        return Stability(claim, "undecided", CORNER, trace, ())
     if inside is None:
         reason = "a multiplier cannot be told from the unit circle"
         if closing.form is not None:

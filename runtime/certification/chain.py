@@ -16,7 +16,7 @@ from nonsmooth.runtime.certification.models import Model, matrix, middle_of
 from nonsmooth.runtime.certification.tables import Number, Tables, numbers
 from nonsmooth.runtime.composition.passage import Cycle
 
-__all__ = ["Chain", "Equations", "Flows", "Passage", "chain_of"]
+__all__ = ["Chain", "Equations", "Flows", "Passage", "chain_of", "equations_in"]
 
 
 class Chain(NamedTuple):
@@ -91,15 +91,14 @@ class Equations:
         self,
         chain: Chain,
         closing: Closing,
-        period: Any = None,
-        speeds: Sequence[Any] = (),
+        period: Any,
+        speeds: Sequence[Any],
     ) -> None:
         from flint import arb_mat
 
         self.chain, self.closing, self.period, self.speeds = chain, closing, period, speeds
         self.size = chain.fields[0].nrows() - 1
-        forced = {state for pair in closing.pairs for state in pair}
-        self.free = [k for k in range(self.size) if k not in forced]
+        self.free = [k for k in range(self.size) if k not in closing.forced]
         self.closed = [k for k in self.free if k != closing.dropped]
         self.first = len(self.free) + bool(closing.pairs)
         self.count = self.first + len(chain.fields)
@@ -155,6 +154,10 @@ class Equations:
         flat, starts, ends, speeds = found
         return Passage(matrix([[v] for v in values]), matrix(rows), flat, starts, ends, speeds)
 
+    def maps(self, now: Passage) -> list[Any]:
+        """Derivative (N, N) of each phase's start by that before it, as the cycle closes."""
+        return self.timed_maps(now) if self.closing.timed else self.section_maps(now)
+
     def section_maps(self, now: Passage) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, on the sections."""
         found = []
@@ -180,3 +183,23 @@ class Equations:
         """The part that acts on changes of the state."""
         size = self.size
         return matrix([[whole[i, j] for j in range(size)] for i in range(size)])
+
+
+def equations_in(chain: Chain, closing: Closing, number: Number, period: Any) -> Equations:
+    """The equations of a cycle in a chain's numbers.
+
+    Parameters
+    ----------
+    chain : Chain
+    closing : Closing
+    number : function
+        From the closing's exact entries to the chain's numbers.
+    period : arb, Model or None
+        What the dwell times sum up to, where it is given.
+    """
+    from flint import arb
+
+    speeds = [number(speed) for speed in closing.speeds]
+    if closing.timed:
+        period = 2 * arb.pi() * closing.turns / speeds[0]
+    return Equations(chain, closing, period, speeds)

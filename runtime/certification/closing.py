@@ -40,8 +40,8 @@ class Closing:
     Attributes
     ----------
     kind : {"state", "period", "forcing"}
-    period : Value or None
-        What the dwell times sum up to, for "period".
+    period : Value, fmpq, Quotient or None
+        What the dwell times sum up to, for "period": over a box of parameters exactly.
     dropped : int
         The coordinate whose closure follows from the energy; -1 for none.
     form : Form or None
@@ -60,6 +60,21 @@ class Closing:
     speeds: tuple[Any, ...] = ()
     turns: int = 0
     pairs: tuple[tuple[int, int], ...] = field(default=())
+
+    @property
+    def timed(self) -> bool:
+        """Whether the orbit is a function of time: the map is that at fixed times."""
+        return self.kind == "forcing"
+
+    @property
+    def forced(self) -> tuple[int, ...]:
+        """The states of all forcings."""
+        return tuple(state for pair in self.pairs for state in pair)
+
+    @property
+    def stability(self) -> str:
+        """What is claimed of the multipliers: "stable", or "neutral" of a conservative one."""
+        return "stable" if self.form is None else "neutral"
 
 
 def forcing_speeds(tables: Tables, cycle: Cycle) -> tuple[Any, ...] | str:

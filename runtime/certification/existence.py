@@ -57,7 +57,7 @@ def newton(
         with flint_precision(precision + 16):
             equations = equations_at(precision + 16)
             point = [x.mid() for x in point]
-            change = _step(equations, equations.passage(point, _flows(equations, point)))
+            change = _step(equations.passage(point, _flows(equations, point)))
             if change is None:
                 return None
             point = [(x - d).mid() for x, d in zip(point, change, strict=True)]
@@ -145,7 +145,7 @@ def _flows(equations: Equations, point: Sequence[Any]) -> Flows:
     return Flows(equations.chain, equations.dwell(point))
 
 
-def _step(equations: Equations, now: Passage) -> list[arb] | None:
+def _step(now: Passage) -> list[arb] | None:
     try:
         # in floating point, which the midpoints are: the next step corrects it
         change = now.jacobian.mid().solve(now.values.mid()).entries()

@@ -6,7 +6,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.certificate import GUARD, Unknown
-from nonsmooth.runtime.certification.chain import Equations, Flows, Passage, chain_of
+from nonsmooth.runtime.certification.chain import (
+    Equations,
+    Flows,
+    Passage,
+    chain_of,
+    equations_in,
+)
 from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.existence import Contraction, krawczyk, newton
 from nonsmooth.runtime.certification.statement import decimals, rational
@@ -43,16 +49,9 @@ class Missing(Exception):
 
 def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
     """Equations of a subject, at the working precision of so many bits."""
-    from flint import arb
-
     tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
-    period = None
-    if closing.kind == "period":
-        period = closing.period.ball(bits)
-    elif closing.kind == "forcing":
-        period = 2 * arb.pi() * closing.turns / tables.number(closing.speeds[0])
-    speeds = list(map(tables.number, closing.speeds))
-    return Equations(chain_of(tables, subject.cycle), closing, period, speeds)
+    period = None if closing.period is None else closing.period.ball(bits)
+    return equations_in(chain_of(tables, subject.cycle), closing, tables.number, period)
 
 
 def locate(subject: Subject, closing: Closing, bits: int) -> Root:
@@ -137,8 +136,7 @@ def _box(
 
 def unknown_names(subject: Subject, closing: Closing) -> list[str]:
     """Names of the unknowns of the equations."""
-    forced = {state for pair in closing.pairs for state in pair}
-    free = [name for k, name in enumerate(subject.start_names) if k not in forced]
+    free = [name for k, name in enumerate(subject.start_names) if k not in closing.forced]
     return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]
 
 

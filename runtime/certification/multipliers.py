@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known
 from nonsmooth.runtime.certification.models import matrix, range_of
 from nonsmooth.runtime.certification.tables import Number, numbers
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from flint import acb, arb, arb_mat, arb_poly
 
 __all__ = [
+    "CORNER",
     "apart",
     "eigenvalues_of",
     "inside_circle",
@@ -23,18 +25,12 @@ __all__ = [
     "trace_of",
 ]
 
+CORNER = "boundaries are reached together: the Poincare map has a corner"
 _MOST_SQUARINGS = 48
 _LEAST_SLOPE = 2.0**-72
 
 
-def reduced_map(
-    maps: Sequence[Any],
-    known: Known | None,
-    forced: Sequence[int],
-    *,
-    timed: bool,
-    number: Number | None = None,
-) -> Any:
+def reduced_map(maps: Sequence[Any], known: Known | None, closing: Closing, number: Number) -> Any:
     """The product of the phases' maps on the smallest section that is known.
 
     Its other multipliers are exactly zero.
@@ -43,18 +39,17 @@ def reduced_map(
     ----------
     maps : sequence of matrices (N, N)
     known : Known or None
-    forced : sequence of int
-        States of forcings, which do not change from period to period.
-    timed : bool
-        Whether the maps are at fixed times: then only facts that last hold for changes.
-    number : function, optional
-        From the facts' exact entries to the maps' numbers; to balls, if not given.
+    closing : Closing
+        Where the maps are at fixed times, only facts that last hold for changes, and the states
+        of forcings do not change from period to period.
+    number : function
+        From the facts' exact entries to the maps' numbers.
     """
     size = maps[0].nrows()
-    facts = (
-        [Facts((), ())] * len(maps) if known is None else known.lasting if timed else known.starts
-    )
-    tangents = [_tangent(f, forced, size) for f in facts]
+    facts: Sequence[Facts] = [Facts((), ())] * len(maps)
+    if known is not None:
+        facts = known.lasting if closing.timed else known.starts
+    tangents = [_tangent(f, closing.forced, size) for f in facts]
     first = min(range(len(maps)), key=lambda k: len(tangents[k][0]))
     free, basis = tangents[first]
     found = numbers(basis, number)

@@ -8,24 +8,21 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.quotients import Quotient
-from nonsmooth.runtime.certification.tables import Tables
+from nonsmooth.runtime.certification.tables import Tables, rational_of
 from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
-    from flint import arb
+    from flint import arb, fmpq
 
 __all__ = ["closing_json", "decimals", "declaration_json", "entry", "rational", "value_json"]
 
 _RADIUS = 3  # digits that a radius needs
 
 
-def rational(text: str) -> Any:
+def rational(text: str) -> fmpq:
     """A decimal or a fraction, exactly."""
-    from flint import fmpq
-
-    value = Fraction(text)
-    return fmpq(value.numerator, value.denominator)
+    return rational_of(Fraction(text))
 
 
 def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:

@@ -298,7 +298,6 @@ def guess_of(subject: Subject, closing: Closing, near: Callable[[Any], float]) -
         return [*subject.start, *subject.dwell]
     from flint import arb
 
-    forced = {state for pair in closing.pairs for state in pair}
     start = [float(x) for x in subject.start]
     speeds = [near(speed) for speed in closing.speeds]
     angles = [math.atan2(start[s], start[c]) for c, s in closing.pairs]
@@ -310,5 +309,5 @@ def guess_of(subject: Subject, closing: Closing, near: Callable[[Any], float]) -
 
     times = [(angles[0] + 2 * math.pi * k) / speeds[0] for k in range(_MOST_TURNS)]
     time = times[0] if len(speeds) == 1 else min(times, key=missed)
-    free = [x for k, x in enumerate(subject.start) if k not in forced]
+    free = [x for k, x in enumerate(subject.start) if k not in closing.forced]
     return [*free, arb(time), *subject.dwell]

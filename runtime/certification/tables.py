@@ -26,6 +26,7 @@ __all__ = [
     "constant_symbols",
     "exact_tables",
     "numbers",
+    "rational_of",
     "tables_of",
     "tables_over",
 ]
@@ -109,7 +110,7 @@ def _symbolic(
 ) -> Tables:
     found = constant_symbols((), constants)
     place = dict(zip(constants, found, strict=True))
-    point = [_rational(v.exact) if v.exact is not None else place[v] for v in values]
+    point = [rational_of(v.exact) if v.exact is not None else place[v] for v in values]
     return replace(tables_over(kernels, point), constants=constants)
 
 
@@ -132,10 +133,11 @@ def tables_over(kernels: SystemKernels, values: Sequence[fmpq | Quotient]) -> Ta
 
 @lru_cache(maxsize=64)
 def _exact(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
-    return _tables(kernels, list(map(_rational, fractions)), _Rationals(), exact=True)
+    return _tables(kernels, list(map(rational_of, fractions)), _Rationals(), exact=True)
 
 
-def _rational(value: Fraction) -> fmpq:
+def rational_of(value: Fraction) -> fmpq:
+    """The same number for FLINT."""
     from flint import fmpq
 
     return fmpq(value.numerator, value.denominator)
@@ -161,8 +163,6 @@ def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bo
     return Tables(cut(fields, 0), tuple(rows), cut(resets, 1), exact)
 
 
-def numbers(rows: Sequence[Sequence[Any]], number: Number | None = None) -> Any:
+def numbers(rows: Sequence[Sequence[Any]], number: Number) -> Any:
     """A matrix of balls, or of models where numbers are, at the working precision."""
-    from flint import arb
-
-    return matrix([list(map(number or arb, row)) for row in rows])
+    return matrix([list(map(number, row)) for row in rows])

@@ -204,8 +204,8 @@ class ComposedPoints:
             maps = stroboscopic_maps(cycle, fields, found.starts[here, 0], maps, driven)
         trace = np.trace(maps, axis1=-2, axis2=-1)
         values = np.linalg.eigvals(maps)
-        if any(len(transition.boundaries) > 1 for transition in cycle.transitions):
-            return trace, np.full(len(maps), np.nan)  # motions next to it do other things
+        if cycle.one_sided:
+            return trace, np.full(len(maps), np.nan)
         if np.isnan(group.period).all():
             margin = 1 - np.abs(values).max(axis=-1)
         else:

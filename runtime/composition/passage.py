@@ -63,6 +63,11 @@ class Cycle:
         ends = zip(self.configurations, self.boundaries, strict=True)
         return tuple(self.structure.boundaries[c][b].row for c, b in ends)
 
+    @property
+    def one_sided(self) -> bool:
+        """Whether boundaries are reached together: motions next to it do other things."""
+        return any(len(transition.boundaries) > 1 for transition in self.transitions)
+
     @cached_property
     def packed(self) -> np.ndarray:
         """What the compiled engine reads: configurations, rows, resets; pairs of forcing states."""

@@ -204,8 +204,7 @@ class ComposedOrbit:
         self._check_found()
         arrays = (self.cycle, self._numbers, self.passage, self.dwell_times)
         found = assess(*arrays, self.family, self._functions, self._error)
-        together = any(len(transition.boundaries) > 1 for transition in self.cycle.transitions)
-        return replace(found, verdict="undecided") if together else found
+        return replace(found, verdict="undecided") if self.cycle.one_sided else found
 
     @cached_property
     def part_stability(self) -> ComposedStability:

@@ -265,7 +265,7 @@ def _record(
         chosen,
         () if region is None else region.cycle.itinerary,
         dict(box),
-        "stable" if region is None or region.closing.form is None else "neutral",
+        "stable" if region is None else region.closing.stability,
         tuple(tiles),
         () if region is None else region.constants,
         {} if region is None else declaration_json(region.tables, region.cycle),

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from nonsmooth.runtime.certification.boxes.place import Interval
 from nonsmooth.runtime.certification.subject import NotCovered
-from nonsmooth.runtime.certification.tables import constant_symbols
+from nonsmooth.runtime.certification.tables import constant_symbols, rational_of
 from nonsmooth.runtime.values import Value, as_value
 
-if TYPE_CHECKING:
-    from flint import fmpq
-
-__all__ = ["PERIOD", "Entries", "entries_over", "rational_of"]
+__all__ = ["PERIOD", "Entries", "entries_over"]
 
 PERIOD = ""  # stands for the period among the names of parameters
 
@@ -78,13 +75,6 @@ def entries_over(
         return total
 
     return Entries(constants, {name: entry(name, value) for name, value in base.items()})
-
-
-def rational_of(value: Fraction) -> fmpq:
-    """The same number for FLINT."""
-    from flint import fmpq
-
-    return fmpq(value.numerator, value.denominator)
 
 
 def _exact(name: str, value: Value) -> Fraction:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.certification.boxes.dependence import PERIOD, entries_over, rational_of
+from nonsmooth.runtime.certification.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.certification.boxes.place import Interval
 from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known, known_of
@@ -27,7 +27,7 @@ from nonsmooth.runtime.certification.subject import (
     physical_values,
     subject_near,
 )
-from nonsmooth.runtime.certification.tables import Tables, tables_over
+from nonsmooth.runtime.certification.tables import Tables, rational_of, tables_over
 from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError, unknown_name

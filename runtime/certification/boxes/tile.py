@@ -12,11 +12,9 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.admissibility import judge
-from nonsmooth.runtime.certification.boxes.dependence import rational_of
 from nonsmooth.runtime.certification.boxes.place import Interval, Place
 from nonsmooth.runtime.certification.boxes.region import BITS, Region
-from nonsmooth.runtime.certification.chain import Chain, Equations, Passage, chain_of
-from nonsmooth.runtime.certification.closing import Closing
+from nonsmooth.runtime.certification.chain import Chain, Equations, Passage, chain_of, equations_in
 from nonsmooth.runtime.certification.existence import Contraction, Krawczyk, krawczyk, newton
 from nonsmooth.runtime.certification.models import (
     Model,
@@ -27,13 +25,14 @@ from nonsmooth.runtime.certification.models import (
     space_of,
 )
 from nonsmooth.runtime.certification.multipliers import (
+    CORNER,
     inside_circle,
     neutral_pairs,
     product_of,
     reduced_map,
     trace_of,
 )
-from nonsmooth.runtime.certification.tables import Number, numbers
+from nonsmooth.runtime.certification.tables import Number, numbers, rational_of
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
@@ -132,9 +131,9 @@ def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> Proof
 def equations_over(region: Region, number: Number) -> Equations:
     """The equations of a region's orbit in numbers."""
     closing = region.closing
-    speeds = [number(speed) for speed in closing.speeds]
+    period = None if closing.period is None else number(closing.period)
     chain = chain_of(region.tables, region.cycle, number)
-    return Equations(chain, closing, _given_period(closing, number), speeds)
+    return equations_in(chain, closing, number, period)
 
 
 def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
@@ -154,16 +153,14 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
     dwell = equations.dwell(found.image)
     if closing.form is not None and not conserved(region, number, now):
         return _undecided("the energy does not give the coordinate that is left out")
-    timed = closing.kind == "forcing"
-    maps = equations.timed_maps(now) if timed else equations.section_maps(now)
-    forced = [state for pair in closing.pairs for state in pair]
-    square = reduced_map(maps, region.known, forced, timed=timed, number=number)
+    maps = equations.maps(now)
+    square = reduced_map(maps, region.known, closing, number)
     total = trace_of(square)
     trace = range_of(total)
     inside: bool | None = None
     told = _STABILITY[None]
-    if any(len(t.boundaries) > 1 for t in region.cycle.transitions):
-        told = "boundaries are reached together: the Poincare map has a corner"
+    if region.cycle.one_sided:
+        told = CORNER
     elif trace.is_finite():
         if closing.form is not None:
             inside, _ = neutral_pairs(range_of(product_of(maps)), trace)
@@ -217,14 +214,6 @@ def _variables(region: Region, place: Place, space: Space) -> list[Model]:
         lower, upper = (rational_of(end) for end in place.interval(axis, region.box))
         found.append(space.variable(axis, arb((lower + upper) / 2), arb((upper - lower) / 2)))
     return found
-
-
-def _given_period(closing: Closing, number: Number) -> Any:
-    from flint import arb
-
-    if closing.kind == "forcing":
-        return 2 * arb.pi() * closing.turns / number(closing.speeds[0])
-    return None if closing.period is None else number(closing.period)
 
 
 def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[Any] | None:

@@ -10,7 +10,7 @@ from nonsmooth.runtime.certification.boxes.region import Region
 from nonsmooth.runtime.certification.boxes.tile import conserved, equations_over
 from nonsmooth.runtime.certification.chain import Equations, Flows, Passage
 from nonsmooth.runtime.certification.models import matrix, middle_of, range_of, space_of
-from nonsmooth.runtime.certification.multipliers import reduced_map
+from nonsmooth.runtime.certification.multipliers import CORNER, reduced_map
 from nonsmooth.runtime.certification.plan import Plan, Watched
 from nonsmooth.runtime.certification.subject import NotCovered
 from nonsmooth.runtime.certification.tables import Number
@@ -119,14 +119,11 @@ def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
 
 
 def _map(here: _Here) -> Any:
-    closing = here.region.closing
-    if any(len(transition.boundaries) > 1 for transition in here.region.cycle.transitions):
-        raise NotCovered("boundaries are reached together: the map is one-sided")
-    timed = closing.kind == "forcing"
-    equations = here.equations
-    maps = equations.timed_maps(here.now) if timed else equations.section_maps(here.now)
-    forced = [state for pair in closing.pairs for state in pair]
-    found = reduced_map(maps, here.region.known, forced, timed=timed, number=here.number)
+    region = here.region
+    if region.cycle.one_sided:
+        raise NotCovered(CORNER)
+    maps = here.equations.maps(here.now)
+    found = reduced_map(maps, region.known, region.closing, here.number)
     if found.nrows() > _LARGEST_MAP:
         raise NotCovered(f"more than {_LARGEST_MAP} multipliers")
     return found
