@@ -19,6 +19,7 @@ __all__ = ["CLAIMS", "FORMAT", "GUARD", "VERSION", "Certificate", "Stated", "Unk
 FORMAT = "nonsmooth certificate"
 VERSION = 1
 GUARD = 32  # bits beyond those of the enclosures
+NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")
 
 

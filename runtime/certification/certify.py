@@ -5,8 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.certification.admissibility import Judgement, judge
-from nonsmooth.runtime.certification.certificate import CLAIMS, GUARD, Certificate, Stated
+from nonsmooth.runtime.certification.admissibility import Judgement, Margin, judge
+from nonsmooth.runtime.certification.certificate import (
+    CLAIMS,
+    GUARD,
+    NO_ORBIT,
+    Certificate,
+    Stated,
+)
 from nonsmooth.runtime.certification.chain import chain_of
 from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known, known_of
@@ -32,6 +38,7 @@ from nonsmooth.runtime.certification.subject import (
     Subject,
     closing_of,
     subject_of,
+    system_of,
 )
 from nonsmooth.runtime.certification.tables import Tables, exact_tables
 from nonsmooth.runtime.composition.record import ComposedOrbit
@@ -190,7 +197,7 @@ def _certificate(
     margins: tuple[dict[str, Any], ...] = ()
     if isinstance(root, Missing):
         claims["existence"], reasons["existence"] = root.verdict, root.reason
-        reasons |= dict.fromkeys(CLAIMS[1:], "no orbit is proved to exist")
+        reasons |= dict.fromkeys(CLAIMS[1:], NO_ORBIT)
     else:
         assert stability is not None
         assert judgement is not None
@@ -250,7 +257,7 @@ def stated(ball: arb, bits: int, size: int = 0) -> Stated:
     return Stated.around(wide, bits)
 
 
-def _margin(margin: Any) -> dict[str, Any]:
+def _margin(margin: Margin) -> dict[str, Any]:
     text, _ = decimals(margin.least * 0.99, 8)  # rounded down: few digits are enough
     return {
         "phase": margin.phase,
@@ -263,12 +270,9 @@ def _margin(margin: Any) -> dict[str, Any]:
 
 def _uncovered(orbit: Orbit | ComposedOrbit, bits: int, reason: str) -> Certificate:
     """The certificate of an orbit that no proof can be about."""
-    system = orbit.kernels.system if isinstance(orbit, Orbit) else orbit.kernels
-    reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], "no orbit is proved to exist")
+    reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], NO_ORBIT)
     claims = dict.fromkeys(CLAIMS, "undecided")
-    given = dict(orbit.given)
-    none: dict[str, Any] = {}
     return Certificate(
-        orbit.name, system.name, given, (), (), claims, "stable", reasons, {}, (), (), (), bits,
-        (), (), None, (), none, none,
+        orbit.name, system_of(orbit), dict(orbit.given), (), (), claims, "stable", reasons, {}, (),
+        (), (), bits, (), (), None, (), {}, {},
     )  # fmt: skip

@@ -40,6 +40,7 @@ __all__ = [
     "physical_values",
     "subject_near",
     "subject_of",
+    "system_of",
 ]
 
 _MOST_TURNS = 1000
@@ -93,6 +94,11 @@ def subject_of(orbit: Orbit | ComposedOrbit) -> Subject:
     """
     check_converged(orbit)
     return subject_near(orbit)
+
+
+def system_of(orbit: Orbit | ComposedOrbit) -> str:
+    """Name of the system that it is an orbit of."""
+    return orbit.kernels.system.name if isinstance(orbit, Orbit) else orbit.kernels.name
 
 
 def check_converged(orbit: Orbit | ComposedOrbit) -> None:

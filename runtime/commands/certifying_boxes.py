@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.commands.application import assignments, print_json
+from nonsmooth.runtime.commands.options import PICTURES
 from nonsmooth.runtime.errors import InputError, NoConvergence
 from nonsmooth.runtime.values import Value, as_value, parse
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
 __all__ = ["box_and_values", "certify_over", "is_box", "solved_in"]
 
-_PICTURES = (".png", ".svg", ".pdf")
 _ENOUGH = Fraction(99, 100)  # share of a box that has to be decided for an answer
 
 
@@ -46,7 +46,7 @@ def certify_over(
     from nonsmooth.runtime.files import check_ending, check_target
 
     if plot is not None:
-        check_ending(plot, _PICTURES)
+        check_ending(plot, PICTURES)
     save = resume if save is None else save
     for path in (save, plot):
         if path is not None:

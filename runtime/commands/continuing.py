@@ -15,7 +15,7 @@ from nonsmooth.runtime.commands.application import (
     print_json,
     ranges,
 )
-from nonsmooth.runtime.commands.options import AsJson, OrbitName
+from nonsmooth.runtime.commands.options import PICTURES, AsJson, OrbitName
 from nonsmooth.runtime.continuation.event import KINDS, Event
 from nonsmooth.runtime.errors import InputError, unknown_name
 
@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.values import Value
 
 __all__ = ["follow"]
-
-_PICTURES = (".png", ".svg", ".pdf")
 
 
 @app.command(
@@ -129,7 +127,7 @@ def follow(
     from nonsmooth.runtime.solve import solve
 
     if plot is not None:
-        check_ending(plot, _PICTURES)
+        check_ending(plot, PICTURES)
     for path in (plot, save):
         if path is not None:
             check_target(path)

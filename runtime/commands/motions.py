@@ -18,12 +18,10 @@ from nonsmooth.runtime.commands.application import (
     ranges,
     split,
 )
-from nonsmooth.runtime.commands.options import AsJson, Physical, SystemName
+from nonsmooth.runtime.commands.options import PICTURES, AsJson, Physical, SystemName
 from nonsmooth.runtime.errors import InputError
 
 __all__ = ["find", "simulate", "sweep"]
-
-PICTURES = (".png", ".svg", ".pdf")
 
 
 @app.command(

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 __all__ = [
+    "PICTURES",
     "AsJson",
     "Assignments",
     "Digits",
@@ -24,6 +25,9 @@ __all__ = [
     "SystemName",
     "Unknown",
 ]
+
+
+PICTURES = (".png", ".svg", ".pdf")  # endings of files
 
 
 class Format(StrEnum):

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -347,11 +347,11 @@ def locate_limits(
         if point is None or beyond is None:
             continue
         violations = curve.at(beyond).admissibility.violations
-        monitor, time = Monitor("admissibility"), None
+        monitor = Monitor("admissibility")
         if violations:
             monitor = Monitor("admissibility", violations[0].phase, violations[0].boundary)
         limits.append(
-            Found(row + inside, point, describe(curve, monitor, point, row + inside, time))
+            Found(row + inside, point, describe(curve, monitor, point, row + inside, None))
         )
     return limits
 
@@ -360,7 +360,7 @@ def describe(
     curve: Curve, monitor: Monitor, point: np.ndarray, place: float, time: float | None
 ) -> Event:
     """The event of a monitor at a point of the branch."""
-    phase: Any = None
+    phase: int | None = None
     configuration = where = ""
     if monitor.phase >= 0:
         phase = monitor.phase

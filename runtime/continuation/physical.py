@@ -18,7 +18,7 @@ from nonsmooth.runtime.values import Value, as_value
 if TYPE_CHECKING:
     from nonsmooth.runtime.continuation.record import Branch
 
-__all__ = ["SystemAt", "composed_family", "physical_parameters"]
+__all__ = ["SystemAt", "composed_family"]
 
 SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
 
@@ -51,15 +51,13 @@ def composed_family(
     if name not in kernels.parameter_names:
         raise InputError(f"{name} is no parameter of {kernels.name}: follow one that is")
     conservative = bool(kernels.table["conservative"])
-    opened = {
-        **base.opened,
-        **{p.name: physical_parameters(base, chosen)[p.name] for p in kernels.open_parameters},
-    }
+    own = _physical_parameters(base, chosen)
+    opened = {**base.opened, **{p.name: own[p.name] for p in kernels.open_parameters}}
 
     def derived_at(value: float) -> tuple[dict[str, Value], Value | None]:
         moved = replace(base, given={**base.given, name: as_value(value)}, opened=opened)
         period = as_value(float(moved.period)) if conservative else None
-        return physical_parameters(moved, chosen), period
+        return _physical_parameters(moved, chosen), period
 
     here, period = derived_at(float(base.values[name]))
     phases = [tuple(phase[:2]) for phase in kernels.table["phases"]]
@@ -70,7 +68,7 @@ def composed_family(
     return found, derived_at
 
 
-def physical_parameters(orbit: Orbit, chosen: Mapping[str, Any] | None = None) -> dict[str, Value]:
+def _physical_parameters(orbit: Orbit, chosen: Mapping[str, Any] | None) -> dict[str, Value]:
     """All parameters of the system of an orbit that has kernels.
 
     Those that it leaves open and that were not given are as large as admissibility needs, and
@@ -94,8 +92,8 @@ def physical_parameters(orbit: Orbit, chosen: Mapping[str, Any] | None = None) -
     for name, terms in kernels.combined.items():
         missing = [term for term in terms if term not in known]
         if name in known and len(missing) == 1:
-            rest = sum(f * float(_value(known[t])) for t, f in terms.items() if t in known)
-            known[missing[0]] = (float(_value(known[name])) - rest) / terms[missing[0]]
+            rest = sum(f * float(as_value(known[t])) for t, f in terms.items() if t in known)
+            known[missing[0]] = (float(as_value(known[name])) - rest) / terms[missing[0]]
     names = [p.name for p in kernels.system.parameters]
     for name, value in (chosen or {}).items():
         if name not in names and name not in known:
@@ -106,8 +104,4 @@ def physical_parameters(orbit: Orbit, chosen: Mapping[str, Any] | None = None) -
             f"{orbit.name} does not determine {', '.join(undetermined)}: give them too, or compose"
             " it from its itinerary at all physical parameters, and follow that"
         )
-    return {name: _value(known[name]) for name in names}
-
-
-def _value(number: Any) -> Value:
-    return number if isinstance(number, Value) else as_value(number)
+    return {name: as_value(known[name]) for name in names}

@@ -49,12 +49,12 @@ class Path(NamedTuple):
     start: int
 
 
-def tangent_at(curve: Curve, z: np.ndarray, like: np.ndarray | None = None) -> np.ndarray:
+def tangent_at(curve: Curve, z: np.ndarray, like: np.ndarray) -> np.ndarray:
     """Unit tangent (n + 1,) in the curve's units, turned to another one."""
     _, jacobian = curve.equations(z)
     scaled = scaled_rows(jacobian * curve.sizes)[0]
     direction = np.linalg.svd(scaled)[2][-1]
-    if like is not None and direction @ like < 0:
+    if direction @ like < 0:
         direction = -direction
     return np.asarray(direction)
 

@@ -64,7 +64,7 @@ def other_branch(
     """
     if not event.switches:
         raise InputError(f"no other branch meets this one at a {event.kind}: {event.text}")
-    base, system_at = composed_family(branch, _away(branch, event), parameters)
+    base, system_at = composed_family(branch, _away(event), parameters)
     parameter = branch.parameter if branch.parameter in base.parameters else PERIOD
     if parameter == PERIOD and base.given_period is None:
         raise InputError(f"{branch.parameter} is no parameter of {base.system}: follow one that is")
@@ -94,7 +94,7 @@ def other_branch(
     return found[0]
 
 
-def _away(branch: Branch, event: Event) -> int:
+def _away(event: Event) -> int:
     """The point of the branch beside the event that is not too near to it."""
     before = math.floor(event.place)
     if event.place == before:

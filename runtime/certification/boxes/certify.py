@@ -22,7 +22,7 @@ from nonsmooth.runtime.certification.boxes.region import (
 from nonsmooth.runtime.certification.boxes.tile import Anchor, Proof, Tube, prove
 from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
 from nonsmooth.runtime.certification.statement import closing_json, declaration_json
-from nonsmooth.runtime.certification.subject import NotCovered
+from nonsmooth.runtime.certification.subject import NotCovered, system_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.orbit import Orbit
@@ -260,7 +260,7 @@ def _record(
 ) -> BoxCertificate:
     return BoxCertificate(
         orbit.name,
-        orbit.kernels.system.name if isinstance(orbit, Orbit) else orbit.kernels.name,
+        system_of(orbit),
         {**orbit.given, **orbit.opened},
         chosen,
         () if region is None else region.cycle.itinerary,

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from nonsmooth.runtime.certification.boxes.place import Interval, Place
-from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
+from nonsmooth.runtime.certification.certificate import CLAIMS, NO_ORBIT, Stated
 from nonsmooth.runtime.certification.statement import rational
 from nonsmooth.runtime.values import Value, as_value, flint_precision
 
@@ -17,7 +17,6 @@ __all__ = ["DIGITS", "FORMAT", "VERDICTS", "BoxCertificate", "Tile"]
 
 DIGITS = 6  # of the radii that are stated: they are as wide as the box
 FORMAT = "nonsmooth box certificate"
-_NO_ORBIT = "no orbit is proved to exist"
 VERDICTS = ("proved", "unstable", "not admissible", "undecided")
 
 
@@ -138,7 +137,7 @@ class BoxCertificate:
                 tiles = [tile for tile in self.tiles if tile.claims[name] == verdict]
                 largest = max(tiles, key=lambda tile: tile.place.share)
                 share = float(100 * sum(tile.place.share for tile in tiles))
-                told = largest.reasons.get(name, largest.reasons.get("existence", _NO_ORBIT))
+                told = largest.reasons.get(name, largest.reasons.get("existence", NO_ORBIT))
                 found[name] = f"on {share:.3g} % of the box: {told}"
         return found
 

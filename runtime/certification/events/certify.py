@@ -25,7 +25,7 @@ from nonsmooth.runtime.certification.statement import (
     declaration_json,
     rational,
 )
-from nonsmooth.runtime.certification.subject import NotCovered, chosen_of, guess_of
+from nonsmooth.runtime.certification.subject import NotCovered, chosen_of, guess_of, system_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.continuation.event import Event
 from nonsmooth.runtime.continuation.record import Branch
@@ -104,7 +104,7 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
 def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
     orbit = branch.orbit
     return EventCertificate(
-        branch.name, _system_of(orbit), {**orbit.given, **orbit.opened}, (), (),
+        branch.name, system_of(orbit), {**orbit.given, **orbit.opened}, (), (),
         event.kind, event.text, event.parameter, event.phase, event.configuration,
         event.boundary, instant_of(event), "undecided", "", {}, (), bits, (), {}, {},
     )  # fmt: skip
@@ -124,10 +124,6 @@ def _about(
         declaration=declaration_json(region.tables, region.cycle),
         closing=closing_json(region.closing, region.cycle, BITS),
     )
-
-
-def _system_of(orbit: Orbit | ComposedOrbit) -> str:
-    return orbit.kernels.system.name if isinstance(orbit, Orbit) else orbit.kernels.name
 
 
 def _region(orbit: Orbit | ComposedOrbit, event: Event) -> Region:
