@@ -9,6 +9,7 @@
 `assembly`       motion, reactions and boundaries of the products of regimes
 `impacts`        Newton's law of impact for any mass matrix
 `resting`        contacts at rest: the small complementarity problem
+`loads`          contacts with friction that lift, land, are exhausted or recover
 ===============  ==============================================================
 """
 

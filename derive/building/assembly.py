@@ -73,6 +73,11 @@ class Assembly:
         """Parts that may be active."""
         return tuple(i for i, p in enumerate(self.parts) if not isinstance(p, SwitchPart))
 
+    def pressed(self, index: int, regimes: Regimes) -> bool:
+        """Whether what bears the normal load of a contact with friction touches."""
+        bearer = self.friction(index).bearer
+        return bearer is None or regimes[bearer] == "contact"
+
     def active(self, regimes: Regimes) -> tuple[int, ...]:
         """Parts that hold their direction."""
         return tuple(i for i in self.holders if regimes[i] == self.holder(i).holding)
@@ -118,16 +123,23 @@ class Assembly:
     def exists(self, regimes: Regimes) -> bool:
         """Whether regimes go together.
 
-        The active directions are independent, and none slips against its velocity.
+        The active directions are independent, none slips against its velocity, and a contact
+        that a soft stop presses is lifted where the stop does not touch.
         """
         if not self._independent(self.active(regimes)):
             return False
-        for i in self.holders:
-            if isinstance(self.parts[i], FrictionPart) and regimes[i] != "stick":
-                drift = self.drift(i, regimes)
-                wrong = 1 if regimes[i] == "slip" else -1
-                if drift is not None and self.frame.sign(drift) == wrong:
+        for i, (part, regime) in enumerate(zip(self.parts, regimes, strict=True)):
+            if not isinstance(part, FrictionPart):
+                continue
+            if self.pressed(i, regimes):
+                if regime == "lifted" and not part.lifts:
                     return False
+            elif regime != "lifted":
+                return False
+            side = part.slides(regime)
+            drift = self.drift(i, regimes) if side else None
+            if drift is not None and self.frame.sign(drift) == -side:
+                return False
         return True
 
     @remembered
@@ -164,8 +176,7 @@ class Assembly:
             if isinstance(part, SwitchPart):
                 if regime in part.forces:
                     total += part.forces[regime]
-            elif isinstance(part, FrictionPart) and regime != "stick":
-                force = part.slipping if regime == "slip" else part.overshooting
+            elif isinstance(part, FrictionPart) and (force := part.force(regime)) is not None:
                 total += force * part.direction.T
         return total.expand()
 
@@ -285,10 +296,15 @@ class Assembly:
         if isinstance(part, StopPart):
             fixed = drift is not None and self.frame.sign(drift) in (0, -1)
             return () if fixed else (Boundary(names[0], part.gap),)
-        if drift is not None and self.frame.sign(drift) is not None:
+        if not self.pressed(index, regimes):
             return ()
-        sign = 1 if regime == "slip" else -1
-        return (Boundary(names[0], sign * part.relative, acts_when="reached"),)
+        losses = part.losses(regime)
+        if regime not in part.outcomes or (
+            drift is not None and self.frame.sign(drift) is not None
+        ):
+            return losses
+        sign = -part.slides(regime)
+        return (Boundary(names[0], sign * part.relative, acts_when="reached"), *losses)
 
     def contacts(self, products: Sequence[Regimes]) -> tuple[Contact, ...]:
         """The forces of the surroundings on the oscillator."""
@@ -305,8 +321,8 @@ class Assembly:
                         forces[name] = part.pushes[regime]
                 elif regime == part.holding:
                     forces[name] = self.reaction(index, regimes)
-                elif isinstance(part, FrictionPart):
-                    forces[name] = part.slipping if regime == "slip" else part.overshooting
+                elif isinstance(part, FrictionPart) and (force := part.force(regime)) is not None:
+                    forces[name] = force
             if isinstance(part, SwitchPart):
                 kind = part.kind
             elif isinstance(part, StopPart):

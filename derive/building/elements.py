@@ -152,14 +152,23 @@ class Friction:
 
     * `slip`, r < 0: kinetic normal + falling r,
     * `overshoot`, r > 0: -(kinetic normal - falling r),
-    * `stick`, r = 0: what holds it, up to static normal either way.
+    * `stick`, r = 0: what holds it, up to static normal either way,
+    * `lifted`, where the normal load is not positive: none,
+    * `exhausted-slip` and `exhausted-overshoot`, where `falling` |r| is above `kinetic` normal:
+      none.
 
-    At r = 0 a contact sticks if it can. Contacts that the mass matrix couples are decided
-    together. Where `kinetic` normal falls below `falling` |r|, or the normal load below zero,
-    the law has left its field; neither is watched.
+    A normal load that changes with the state may vanish: the contact lifts, and when the load
+    returns it slips, overshoots, or, at r = 0, sticks if it can. A positive constant load adds
+    no configuration, nor does a `falling` that is not positive. At r = 0 a contact sticks if it
+    can. Contacts that the mass matrix couples are decided together. An impact acts on no
+    friction; behind it the velocities that have jumped, and a load that depends on them, tell
+    the regime.
 
     Boundaries ``NAME-reaches-belt`` (of `slip` and `overshoot`), ``NAME-breaks-forward`` and
-    ``NAME-breaks-backward`` (of `stick`; forward into `slip`).
+    ``NAME-breaks-backward`` (of `stick`; forward into `slip`); ``NAME-exhausts`` (of `slip` and
+    `overshoot`) and ``NAME-recovers`` where the kinetic force is exhausted and returns;
+    ``NAME-lifts`` and ``NAME-lands`` where the normal load vanishes and returns. A contact that
+    sticks breaks before it lifts: its limit vanishes with the load.
 
     Parameters
     ----------
@@ -170,9 +179,11 @@ class Friction:
     velocity : number or expression
         Velocity of the belt.
     falling : number or expression
-        Slope by which the kinetic force falls with |r|.
-    normal : number or expression
-        Normal load, affine in the state: symbols bear the names of the states.
+        Slope by which the kinetic force falls with |r|; a negative number lets it rise.
+    normal : number, expression, SoftStop or str
+        Normal load: an expression affine in the state, whose symbols bear the names of the
+        states; or a soft stop of the oscillator, itself or its name, whose push is the load
+        while it touches.
     name : str
         The coordinate when omitted.
 

@@ -25,7 +25,11 @@ _Impact = tuple[tuple[Condition, ...], Regimes, sp.Matrix]
 
 
 def impacts(
-    assembly: Assembly, regimes: Regimes, reached: Sequence[int], moved: Sequence[int]
+    assembly: Assembly,
+    regimes: Regimes,
+    reached: Sequence[int],
+    moved: Sequence[int],
+    landing: Sequence[int],
 ) -> Iterator[_Impact]:
     """Conditions, next regimes and velocities (n x 1) of all impacts, in their order.
 
@@ -37,13 +41,16 @@ def impacts(
     reached : indices of stops
         At the stop, perhaps with a velocity.
     moved : indices of all parts that have reached a boundary
+    landing : indices of contacts that regain their normal load
     """
     velocities = sp.Matrix(assembly.frame.velocities)
     for strikes in product((True, False), repeat=len(reached)):
         struck = [i for i, strike in zip(reached, strikes, strict=True) if strike]
         if struck:
             for conditions, following, after in _struck(assembly, regimes, struck, velocities):
-                yield from _settled(assembly, conditions, regimes, following, after, struck, moved)
+                yield from _settled(
+                    assembly, conditions, regimes, following, after, struck, moved, landing
+                )
 
 
 def _struck(
@@ -108,33 +115,39 @@ def _settled(
     after: sp.Matrix,
     struck: Sequence[int],
     moved: Sequence[int],
+    landing: Sequence[int],
 ) -> Iterator[_Impact]:
     """Regimes of friction behind impacts, by the sign of each velocity that has jumped."""
-    jump = (after - sp.Matrix(assembly.frame.velocities)).expand()
+    velocities = assembly.frame.velocities
+    jump = (after - sp.Matrix(velocities)).expand()
+    behind = dict(zip(velocities, after, strict=True))
     along = conditions[0].along
     members = [i for i in assembly.holders if isinstance(assembly.parts[i], FrictionPart)]
     options: list[tuple[tuple[str, tuple[Condition, ...]], ...]] = []
     for i in members:
         part = assembly.friction(i)
         step = sp.expand((part.direction * jump)[0])
-        if step == 0:
+        load = sp.expand(part.load.xreplace(behind))
+        loads = part.lifts and sp.expand(load - part.load) != 0
+        lifted = following[i] == "lifted" and not (loads or i in landing)
+        if lifted or (step == 0 and not loads and i not in landing):
             options.append((("stick" if i in moved else following[i], ()),))
             continue
         # a direction at rest moves on with the jump alone
         relative = sp.expand(step if before[i] == "stick" or i in moved else part.relative + step)
-        sign = _sign_behind(assembly, relative, struck)
-        if sign == -1:
-            options.append((("slip", ()),))
-        elif sign == 1:
-            options.append((("overshoot", ()),))
+        regimes_behind = {"lifted": -load} if loads else {}
+        regimes_behind |= part.sliding(relative, load)
+        ways: list[tuple[str, tuple[Condition, ...]]] = []
+        for regime, function in regimes_behind.items():
+            sign = _sign_behind(assembly, function, struck)
+            if sign == 1:
+                ways.append((regime, ()))
+                break
+            if sign != -1:
+                ways.append((regime, (Condition(function, along),)))
         else:
-            options.append(
-                (
-                    ("slip", (Condition(-relative, along),)),
-                    ("overshoot", (Condition(relative, along),)),
-                    ("stick", ()),
-                )
-            )
+            ways.append(("stick", ()))
+        options.append(tuple(ways))
     for chosen in product(*options):
         regimes, more = following, conditions
         for i, (regime, condition) in zip(members, chosen, strict=True):

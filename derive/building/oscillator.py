@@ -134,7 +134,7 @@ def _assembled(
         forces += frame.column(harmonic.cosine, "cosine amplitudes") * cosine
         forces += frame.column(harmonic.sine, "sine amplitudes") * sine
         rates += [(cosine, -frequency * sine), (sine, frequency * cosine)]
-    parts = tuple(part_of(element, frame) for element in elements)
+    parts = tuple(part_of(element, frame, elements) for element in elements)
     assembly = Assembly(frame, parts, sp.ImmutableMatrix(forces), phases, tuple(rates))
     _check_independence(assembly)
     return assembly
@@ -171,14 +171,29 @@ def _check_independence(assembly: Assembly) -> None:
 
 
 def _constraints(assembly: Assembly) -> tuple[sp.Expr, ...]:
-    """Static friction is not below kinetic, where both are parameters."""
-    found = []
+    """What the laws of friction need of the parameters, where their domains leave it open.
+
+    Neither the kinetic friction nor a constant load is negative, static friction is not below
+    kinetic, and friction that may fall does not rise instead.
+    """
+    found = dict[sp.Expr, None]()
     for part in assembly.parts:
-        if isinstance(part, FrictionPart):
-            kinetic = sp.expand((part.slipping - part.overshooting) / 2)
-            if part.limit.is_Symbol and kinetic.is_Symbol and part.limit != kinetic:
-                found.append(part.limit - kinetic)
-    return tuple(dict.fromkeys(found))
+        if not isinstance(part, FrictionPart):
+            continue
+        needed = {
+            "kinetic friction": part.kinetic,
+            "static friction, less the kinetic": part.static - part.kinetic,
+            "the slope of falling friction": part.falling if part.exhausts else sp.S.Zero,
+            "the normal load": sp.S.Zero if part.loses_load else part.load,
+        }
+        for what, value in needed.items():
+            value = sp.expand(value)
+            sign = assembly.frame.sign(value)
+            if sign == -1:
+                raise DeclarationError(f"element {part.name!r}: {what} is negative: {value}")
+            if sign is None and not value.is_nonnegative:
+                found[value] = None
+    return tuple(found)
 
 
 def _unique(names: Sequence[str], what: str) -> None:

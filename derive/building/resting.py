@@ -30,7 +30,7 @@ def unsettled(assembly: Assembly, regimes: Regimes) -> tuple[int, ...]:
     """Contacts that slide in name only: stops hold their direction, perhaps at rest."""
     found = []
     for i in assembly.holders:
-        if isinstance(assembly.parts[i], FrictionPart) and regimes[i] != "stick":
+        if isinstance(assembly.parts[i], FrictionPart) and regimes[i] in ("slip", "overshoot"):
             drift = assembly.drift(i, regimes)
             if drift is not None and assembly.frame.sign(drift) in (0, None):
                 found.append(i)
@@ -117,7 +117,7 @@ def _complementary(
 ) -> Iterator[Choice]:
     """Every combination of a cluster with the conditions that make it consistent."""
     combinations = []
-    for regimes_of in product(*(assembly.holder(i).regimes for i in cluster)):
+    for regimes_of in product(*(assembly.holder(i).outcomes for i in cluster)):
         candidate = regimes
         for i, regime in zip(cluster, regimes_of, strict=True):
             candidate = changed(candidate, i, regime)

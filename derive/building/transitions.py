@@ -9,6 +9,7 @@ import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes
 from nonsmooth.derive.building.impacts import impacts
+from nonsmooth.derive.building.loads import landed, loaded
 from nonsmooth.derive.building.parts import Exit, FrictionPart, StopPart, SwitchPart
 from nonsmooth.derive.building.resting import at_rest, changed, unsettled
 from nonsmooth.derive.system import Condition, Transition
@@ -18,33 +19,52 @@ __all__ = ["transitions_from"]
 
 def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
     """Every set of boundaries that one configuration can reach at one instant."""
-    events = [
-        [None, *(b.name for b in assembly.boundaries(i, regimes))]
-        for i in range(len(assembly.parts))
-    ]
-    for names in product(*events):
-        reached = {i: n for i, n in enumerate(names) if n is not None}
+    events = [[None, *_reachable(assembly, i, regimes)] for i in range(len(assembly.parts))]
+    for sets in product(*events):
+        reached = {i: names for i, names in enumerate(sets) if names is not None}
         if reached and not _exclusive(assembly, regimes, reached):
             yield from _event(assembly, regimes, reached)
 
 
-def _exclusive(assembly: Assembly, regimes: Regimes, reached: Mapping[int, str]) -> bool:
-    """Whether two stops are among them that a mass cannot reach together."""
+def _reachable(assembly: Assembly, index: int, regimes: Regimes) -> list[frozenset[str]]:
+    """Boundaries of one part: one at a time; those of friction meet where its load vanishes."""
+    part = assembly.parts[index]
+    names = [b.name for b in assembly.boundaries(index, regimes)]
+    found = [frozenset({name}) for name in names]
+    if len(names) > 1 and isinstance(part, FrictionPart) and part.loses_load:
+        found.append(frozenset(names))
+    return found
+
+
+def _exclusive(assembly: Assembly, regimes: Regimes, reached: Mapping[int, frozenset[str]]) -> bool:
+    """Whether two stops are among them that a mass cannot reach together.
+
+    Or boundaries that meet without a load, where what bears it does not let go.
+    """
+    for i, names in reached.items():
+        if len(names) > 1:
+            part = assembly.friction(i)
+            if not part.lifts and part.bearer not in reached:
+                return True
     stops = [i for i in reached if isinstance(assembly.parts[i], StopPart) and regimes[i] == "free"]
     return bool(assembly.rows(stops).rank() < len(stops))
 
 
-def _event(assembly: Assembly, source: Regimes, reached: Mapping[int, str]) -> Iterator[Transition]:
+def _event(
+    assembly: Assembly, source: Regimes, reached: Mapping[int, frozenset[str]]
+) -> Iterator[Transition]:
     """Transitions for one set of boundaries: impacts first, then what is at rest."""
     regimes, own = source, dict[sp.Symbol, sp.Expr]()
-    for i, boundary in reached.items():
+    for i, boundaries in reached.items():
         part = assembly.parts[i]
         if isinstance(part, SwitchPart):
-            exit_ = _exit(part, source[i], boundary)
+            exit_ = _exit(part, source[i], *boundaries)
             regimes, own = changed(regimes, i, exit_.target), own | dict(exit_.reset)
-    moved = [i for i in reached if i in assembly.holders]
+    regimes, landing = loaded(assembly, source, regimes, reached)
+    moved = [i for i in reached if i in assembly.holders and regimes[i] == source[i]]
+    moved = [i for i in moved if i not in landing]
     stops = [i for i in moved if source[i] == "free"]
-    leads, names = assembly.name(source), frozenset(reached.values())
+    leads, names = assembly.name(source), frozenset[str]().union(*reached.values())
     frame = assembly.frame
     known_velocities = [
         *assembly.active(source),
@@ -53,28 +73,34 @@ def _event(assembly: Assembly, source: Regimes, reached: Mapping[int, str]) -> I
     approaches = [assembly.approach(i, known_velocities) for i in stops]
     if -1 in approaches:  # a mass that is carried away does not arrive
         return
-    for conditions, target, after in impacts(assembly, regimes, stops, moved):
+    for conditions, target, after in impacts(assembly, regimes, stops, moved, landing):
         reset = own | {s: e for s, e in zip(frame.velocities, after, strict=True) if s != e}
         begun = [i for i in moved if target[i] == "stick" != source[i]]
         reset |= _pins(assembly, begun, target, impact=True)
         yield Transition(leads, names, assembly.name(target), conditions, reset)
     if 1 in approaches:
         return
-    doubtful = [i for i in unsettled(assembly, source) if i not in moved]
-    if not moved:
-        doubtful = []
-    unknown = [i for i in doubtful if frame.sign(assembly.drift(i, source)) is None]
-    still = tuple(
-        Condition(sign * assembly.friction(i).relative, leads, holds=False)
-        for i in unknown
-        for sign in (-1, 1)
-    )
-    for conditions, target in at_rest(assembly, regimes, moved, doubtful):
-        yield _resting(assembly, source, leads, names, target, still + conditions, own, moved)
-    if unknown:
-        known = [i for i in doubtful if i not in unknown]
-        for conditions, target in at_rest(assembly, regimes, moved, known):
-            yield _resting(assembly, source, leads, names, target, conditions, own, moved)
+    for sides, settled, rest in landed(assembly, regimes, landing):
+        resting = [*moved, *rest]
+        doubtful = [
+            i
+            for i in unsettled(assembly, source)
+            if resting and i not in moved and settled[i] == source[i]
+        ]
+        unknown = [i for i in doubtful if frame.sign(assembly.drift(i, source)) is None]
+        still = tuple(
+            Condition(sign * assembly.friction(i).relative, leads, holds=False)
+            for i in unknown
+            for sign in (-1, 1)
+        )
+        for conditions, target in at_rest(assembly, settled, resting, doubtful):
+            every = sides + still + conditions
+            yield _resting(assembly, source, leads, names, target, every, own, resting)
+        if unknown:
+            known = [i for i in doubtful if i not in unknown]
+            for conditions, target in at_rest(assembly, settled, resting, known):
+                every = sides + conditions
+                yield _resting(assembly, source, leads, names, target, every, own, resting)
 
 
 def _resting(

@@ -1,0 +1,90 @@
+"""Contacts with friction that lose their normal load or their force, and regain it.
+
+The relative velocity r and the load span a plane, of which each regime is a sector: lifted
+below a load of zero; above it slip and overshoot on either side of stick, which is a ray; and
+outside of them, towards large |r|, the sectors of exhausted friction. At their edges the force
+is continuous, but at those of stick.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+
+from nonsmooth.derive.building.assembly import Assembly, Regimes
+from nonsmooth.derive.building.parts import FrictionPart
+from nonsmooth.derive.building.resting import changed
+from nonsmooth.derive.system import Condition
+
+__all__ = ["landed", "loaded"]
+
+
+def loaded(
+    assembly: Assembly, source: Regimes, regimes: Regimes, reached: Mapping[int, frozenset[str]]
+) -> tuple[Regimes, tuple[int, ...]]:
+    """Regimes behind boundaries that lose or regain a force, and the contacts that land.
+
+    Parameters
+    ----------
+    assembly : Assembly
+    source, regimes : tuple of str
+        Before the event, and with those of switching parts already replaced.
+    reached : mapping of the index of a part to its boundaries
+    """
+    landing = []
+    for i, part in enumerate(assembly.parts):
+        if not isinstance(part, FrictionPart):
+            continue
+        names, before = reached.get(i, frozenset()), source[i]
+        pressed = assembly.pressed(i, regimes)
+        if before == "lifted":
+            if pressed and (names or not assembly.pressed(i, source)):
+                landing.append(i)
+        elif not pressed or len(names) > 1 or f"{part.name}-lifts" in names:
+            regimes = changed(regimes, i, "lifted")
+        elif f"{part.name}-exhausts" in names:
+            regimes = changed(regimes, i, f"exhausted-{before}")
+        elif f"{part.name}-recovers" in names:
+            regimes = changed(regimes, i, before.removeprefix("exhausted-"))
+    return regimes, tuple(landing)
+
+
+def landed(
+    assembly: Assembly, regimes: Regimes, landing: Sequence[int]
+) -> Iterator[tuple[tuple[Condition, ...], Regimes, tuple[int, ...]]]:
+    """All ways in which contacts land, by their velocities: conditions, regimes, and those at rest.
+
+    Those at rest slide in name; they have still to be decided.
+    """
+    options = [_sides(assembly, regimes, landing, i) for i in landing]
+    for chosen in product(*options):
+        settled, conditions, rest = regimes, tuple[Condition, ...](), []
+        for i, (regime, condition) in zip(landing, chosen, strict=True):
+            conditions += condition
+            settled = changed(settled, i, regime or "slip")
+            rest += [] if regime else [i]
+        yield conditions, settled, tuple(rest)
+
+
+def _sides(
+    assembly: Assembly, regimes: Regimes, landing: Sequence[int], index: int
+) -> list[tuple[str | None, tuple[Condition, ...]]]:
+    """Regimes in which one contact may land, with their conditions; None where it is at rest."""
+    part = assembly.friction(index)
+
+    def beside(regime: str) -> Regimes | None:
+        """An existing configuration with that regime."""
+        every = [
+            (regime,) if i == index else ("lifted", "slip", "overshoot") if i in landing else (r,)
+            for i, r in enumerate(regimes)
+        ]
+        return next(filter(assembly.exists, product(*every)), None)
+
+    possible = {r: found for r in ("stick", *part.regimes) if (found := beside(r))}
+    along = assembly.name(next(iter(possible.values())))
+    sides: list[tuple[str | None, tuple[Condition, ...]]] = [
+        (regime, (Condition(function, along),))
+        for regime, function in part.sliding(part.relative, part.load).items()
+        if regime in possible
+    ]
+    return [*sides, (None if "stick" in possible else sides[-1][0], ())]
