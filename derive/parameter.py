@@ -11,7 +11,7 @@ import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Parameter", "check_finite", "exact", "is_positive"]
+__all__ = ["Parameter", "check_finite", "exact", "is_positive", "is_rational"]
 
 
 def exact(expression: Any) -> Any:
@@ -114,6 +114,17 @@ def is_positive(expression: sp.Expr, parameters: Iterable[Parameter]) -> bool:
     if numerator.is_positive and denominator.is_positive:
         return True
     return _one_sign(numerator) * _one_sign(denominator) > 0
+
+
+def is_rational(expression: sp.Expr) -> bool:
+    """Whether an expression is a rational function with rational coefficients."""
+    for part in sp.fraction(sp.together(expression)):
+        if not part.is_polynomial():
+            return False
+        symbols = part.free_symbols or {sp.Dummy()}
+        if not all(c.is_Rational for c in sp.Poly(part, *symbols).coeffs()):
+            return False
+    return True
 
 
 def _one_sign(expression: sp.Expr) -> int:

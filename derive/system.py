@@ -17,7 +17,7 @@ import sympy as sp
 
 from nonsmooth.derive.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter, check_finite, exact
+from nonsmooth.derive.parameter import Parameter, check_finite, exact, is_rational
 from nonsmooth.derive.soundness import check_soundness
 
 __all__ = [
@@ -192,7 +192,7 @@ class System:
     transitions : tuple of Transition
         Ordered: the first whose set of boundaries matches and whose conditions hold.
     constraints : tuple of expressions
-        Relations between parameters, each nonnegative.
+        Rational functions of the parameters, each nonnegative.
     contacts : tuple of Contact
         Forces of the surroundings, to be observed along a motion.
     forcing : tuple of (symbol, symbol)
@@ -240,6 +240,10 @@ class System:
             where = f"constraint {constraint} >= 0"
             check_finite(constraint, where)
             self._check_symbols(constraint.free_symbols, where, states_allowed=False)
+            if not is_rational(constraint):
+                raise DeclarationError(
+                    f"{where} is no rational function of parameters with rational coefficients"
+                )
         for configuration in self.configurations:
             self._check_configuration(configuration)
         for transition in self.transitions:

@@ -14,7 +14,7 @@ from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, 
 from nonsmooth.derive.building.parts import FrictionPart, part_of, slider_state
 from nonsmooth.derive.building.transitions import transitions_from
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.parameter import Parameter, is_rational
 from nonsmooth.derive.system import System
 
 __all__ = ["oscillator"]
@@ -182,7 +182,7 @@ def _constraints(assembly: Assembly) -> tuple[sp.Expr, ...]:
             continue
         needed = {
             "kinetic friction": part.kinetic,
-            "static friction, less the kinetic": part.static - part.kinetic,
+            "static friction less the kinetic": part.static - part.kinetic,
             "the slope of falling friction": part.falling if part.exhausts else sp.S.Zero,
             "the normal load": sp.S.Zero if part.loses_load else part.load,
         }
@@ -192,6 +192,11 @@ def _constraints(assembly: Assembly) -> tuple[sp.Expr, ...]:
             if sign == -1:
                 raise DeclarationError(f"element {part.name!r}: {what} is negative: {value}")
             if sign is None and not value.is_nonnegative:
+                if not is_rational(value):
+                    raise DeclarationError(
+                        f"element {part.name!r}: {what} is {value}, of unknown sign: make it a"
+                        " parameter of its own"
+                    )
                 found[value] = None
     return tuple(found)
 

@@ -47,7 +47,7 @@ def system_table(declaration: Declaration) -> dict[str, Any]:
         "description": system.description,
         "states": [str(s) for s in system.states],
         "parameters": [_parameter(p) for p in system.parameters],
-        "constraints": [{"text": f"{c} >= 0", "terms": _linear(c)} for c in system.constraints],
+        "constraints": [{"text": f"{c} >= 0", "terms": _products(c)} for c in system.constraints],
         "configurations": {
             c.name: [{"name": b.name, "acts_when": b.acts_when} for b in c.boundaries]
             for c in system.configurations
@@ -176,6 +176,14 @@ def _combined(presentation: Presentation) -> dict[str, dict[str, int]]:
     ]
     solution = sp.solve(rules, symbols, dict=True)[0] if rules else {}
     return {str(s): _linear(solution[s]) for s in symbols}
+
+
+def _products(expression: sp.Expr) -> dict[str, int]:
+    """Products of parameters with factors, whose sum has the sign of a rational function."""
+    numerator, denominator = sp.fraction(sp.together(expression))
+    terms = sp.expand(numerator * denominator).as_coefficients_dict()
+    scale = sp.ilcm(*(factor.q for factor in terms.values()))
+    return {str(product): int(scale * factor) for product, factor in terms.items() if factor}
 
 
 def _linear(expression: sp.Expr) -> dict[str, int]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -78,14 +77,11 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
     tables = {p.name: p for p in kernels.parameters}
     _check_names(kernels, given)
     values = {name: value_of(table, given[name]) for name, table in tables.items()}
+    numbers = {n: float(v) if v.exact is None else v.exact for n, v in values.items()}
     for constraint in kernels.table["constraints"]:
-        terms = [(factor, values[name]) for name, factor in constraint["terms"].items()]
-        if all(value.exact is not None for _, value in terms):
-            total = float(sum(Fraction(f) * v.exact for f, v in terms if v.exact is not None))
-        else:
-            total = sum(factor * float(value) for factor, value in terms)
-        if total < 0:
-            told = ", ".join(f"{name} = {values[name]}" for name in constraint["terms"])
+        if _sum_of(constraint["terms"], numbers) < 0:
+            names = [name for name in values if name in _names_in(constraint["terms"])]
+            told = ", ".join(f"{name} = {values[name]}" for name in names)
             raise InputError(f"{told}: {constraint['text']} does not hold")
     return values
 
@@ -166,11 +162,32 @@ def parameter_points(
         shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(tables, arrays, strict=True))
         raise InputError(f"the parameters do not broadcast: {shapes}") from None
     points = np.stack([array.ravel() for array in joined], axis=-1)
-    names = list(tables)
-    for constraint in kernels.table["constraints"]:
-        total = sum(f * points[:, names.index(n)] for n, f in constraint["terms"].items())
-        points[np.asarray(total) < 0] = np.nan
+    columns = dict(zip(tables, points.T, strict=True))
+    broken = [_sum_of(found["terms"], columns) < 0 for found in kernels.table["constraints"]]
+    for outside in broken:
+        points[outside] = np.nan
     return points, joined[0].shape
+
+
+def _sum_of(terms: Mapping[str, int], numbers: Mapping[str, Any]) -> Any:
+    """Sum of products of parameters, each with its factor: ``{"a*b**2": 3, "1": -1}``."""
+    total: Any = 0
+    for text, factor in terms.items():
+        product: Any = factor
+        for name, power in _powers(text):
+            product = product * numbers[name] ** power
+        total = total + product
+    return total
+
+
+def _names_in(terms: Mapping[str, int]) -> set[str]:
+    return {name for text in terms for name, _ in _powers(text)}
+
+
+def _powers(product: str) -> list[tuple[str, int]]:
+    """Names and powers of a product such as ``a*b**2``; none of ``1``."""
+    parts = (part.partition("^") for part in product.replace("**", "^").split("*"))
+    return [(name, int(power or 1)) for name, _, power in parts if name != "1"]
 
 
 class PointGroup(NamedTuple):
