@@ -1,8 +1,16 @@
-"""Kinds of result files: JSON with a format, a version and a checksum."""
+"""The codec of result files: a format, a version, a checksum, whole or not at all.
+
+Every kind of result file is a `Form`: its name, what it holds, and the entries that are
+expected. Files are written atomically, and read only if nothing of them is missing, unknown,
+cut, edited or of another release.
+"""
 
 from __future__ import annotations
 
+import hashlib
+import json
 import os
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -11,19 +19,19 @@ from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.files import read_file
-from nonsmooth.runtime.saved import check_entries, checksum_of, parsed, write_content
+from nonsmooth.runtime.files import read_file, write_file
 
-__all__ = ["WRONG_SHAPE", "Form", "naming"]
+__all__ = ["WRONG_SHAPE", "Form", "checksum_of", "format_in", "naming", "parsed"]
 
 _COMMON: dict[str, type] = {"format": str, "version": int, "package": str, "sha256": str}
+_BEGINNING = 400  # characters of a file in which its format is named
 # what entries of the wrong shape raise where they are read
 WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 
 
 @dataclass(frozen=True)
 class Form:
-    """A kind of file.
+    """A kind of result file.
 
     Attributes
     ----------
@@ -52,13 +60,14 @@ class Form:
         InputError
             If the file cannot be written.
         """
-        write_content(Path(path), self.content(entries))
+        text = json.dumps(self.content(entries), indent=2, allow_nan=False) + "\n"
+        write_file(Path(path), text.encode())
 
-    def content(self, entries: Mapping[str, Any]) -> dict[str, Any]:
-        """Entries with the format, version, package and checksum."""
+    def content(self, entries: Mapping[str, Any], *numbers: bytes) -> dict[str, Any]:
+        """Entries with the format, version, package and checksum; that covers numbers too."""
         head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
         content = {**head, **entries}
-        return {**content, "sha256": checksum_of(content)}
+        return {**content, "sha256": checksum_of(content, *numbers)}
 
     def read(self, path: Path) -> dict[str, Any]:
         """Entries of a file, of the right types.
@@ -79,9 +88,67 @@ class Form:
         ------
         InputError
         """
+        self.check_entries(content)
+        self.check_sum(content)
+
+    def check_entries(self, content: Any) -> None:
+        """Refuse content of another format or version, or with other entries.
+
+        Raises
+        ------
+        InputError
+        """
         if not isinstance(content, dict) or content.get("format") != self.name:
             raise InputError(f"not a {self.what}, such as --save or save() writes")
-        check_entries(content, self.version, {**_COMMON, **self.fields})
+        if content.get("version") != self.version:
+            raise InputError(
+                f"version {content.get('version')!r} of the format, where {self.version} is"
+                " known: use the release that wrote it"
+            )
+        expected = {**_COMMON, **self.fields}
+        for name in sorted(expected.keys() ^ content.keys()):
+            raise InputError(f"{name!r} is {'missing' if name in expected else 'unknown'}")
+        for name, kind in expected.items():
+            if type(content[name]) is not kind:
+                raise InputError(f"{name!r} is of the wrong type")
+
+    def check_sum(self, content: Mapping[str, Any], *numbers: bytes) -> None:
+        """Refuse content, or numbers beside it, with another checksum.
+
+        Raises
+        ------
+        InputError
+        """
+        if content["sha256"] != checksum_of(content, *numbers):
+            raise InputError("edited or damaged: the checksum differs")
+
+
+def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
+    """Hash of a file's other entries, and of numbers that are kept beside them."""
+    covered = {name: entry for name, entry in content.items() if name != "sha256"}
+    found = hashlib.sha256(json.dumps(covered, sort_keys=True).encode())
+    for part in numbers:
+        found.update(part)
+    return found.hexdigest()
+
+
+def parsed(found: bytes) -> Any:
+    """What JSON text holds; InputError if it is none."""
+    try:
+        return json.loads(found.decode("utf-8"))
+    except (ValueError, RecursionError):
+        raise InputError("cut, or not JSON") from None
+
+
+def format_in(path: Path) -> str | None:
+    """The format that a file's beginning names; None for what has none or cannot be read."""
+    try:
+        with path.open(encoding="utf-8") as file:
+            beginning = file.read(_BEGINNING)
+    except (OSError, ValueError):
+        return None
+    named = re.search(r'"format"\s*:\s*"([^"\\]*)"', beginning)
+    return named[1] if named else None
 
 
 @contextmanager

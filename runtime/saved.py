@@ -7,8 +7,6 @@ read has to solve the equations of the kernels that are there.
 
 from __future__ import annotations
 
-import hashlib
-import json
 import math
 import os
 from collections.abc import Mapping
@@ -21,7 +19,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.files import read_file, write_file
+from nonsmooth.runtime.files import read_file
+from nonsmooth.runtime.form import Form, naming, parsed
 from nonsmooth.runtime.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.orbit import DOUBLE, Orbit
@@ -33,45 +32,37 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.composition.record import ComposedOrbit
 
 __all__ = [
-    "FORMAT",
-    "VERSION",
+    "ORBIT",
     "bits_of",
     "check_counts",
-    "check_entries",
-    "check_fields",
-    "checksum_of",
+    "check_texts",
     "given_value",
     "load_orbit_file",
     "number_text",
     "orbit_content",
     "orbit_of",
-    "parsed",
     "read_number",
     "save_orbit",
-    "write_content",
 ]
 
-FORMAT = "nonsmooth orbit"
-VERSION = 1
-
-_FIELDS: dict[str, type] = {
-    "format": str,
-    "version": int,
-    "package": str,
-    "orbit": str,
-    "derivation": str,
-    "given": dict,
-    "opened": dict,
-    "unknowns": dict,
-    "arithmetic": str,
-    "bits": int,
-    "residual": str,
-    "digits": int,
-    "iterations": int,
-    "status": int,
-    "sha256": str,
-}
-_LARGEST_FILE = 50_000_000  # bytes
+ORBIT = Form(
+    "nonsmooth orbit",
+    "saved orbit",
+    {
+        "orbit": str,
+        "derivation": str,
+        "given": dict,
+        "opened": dict,
+        "unknowns": dict,
+        "arithmetic": str,
+        "bits": int,
+        "residual": str,
+        "digits": int,
+        "iterations": int,
+        "status": int,
+    },
+    most=50_000_000,
+)
 _DOUBLE_BITS = 53
 _MOST_BITS = 8 * MOST_DIGITS
 _LARGEST_EXPONENT, _LEAST_EXPONENT = 308, -10 * MOST_DIGITS  # decimal
@@ -93,20 +84,19 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
     InputError
         If the orbit has not converged or the file cannot be written.
     """
-    write_content(Path(path), orbit_content(orbit))
+    ORBIT.write(path, _entries(orbit))
 
 
 def orbit_content(orbit: Orbit) -> dict[str, Any]:
-    """Entries of an orbit's file; InputError if it has not converged."""
-    from importlib.metadata import version
+    """What is in an orbit's file; InputError if it has not converged."""
+    return ORBIT.content(_entries(orbit))
 
+
+def _entries(orbit: Orbit) -> dict[str, Any]:
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
     bits = max(map(bits_of, (*orbit.unknowns.values(), orbit.residual)))
-    content: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "package": version("nonsmooth"),
+    return {
         "orbit": orbit.name,
         "derivation": _derivation(orbit.kernels),
         "given": {name: value.text for name, value in orbit.given.items()},
@@ -119,13 +109,6 @@ def orbit_content(orbit: Orbit) -> dict[str, Any]:
         "iterations": orbit.iterations,
         "status": orbit.status,
     }
-    return {**content, "sha256": checksum_of(content)}
-
-
-def write_content(path: Path, content: Mapping[str, Any]) -> None:
-    """Write entries as JSON; what was there stays until the new content is complete."""
-    text = json.dumps(content, indent=2, allow_nan=False) + "\n"
-    write_file(path, text.encode())
 
 
 def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
@@ -144,19 +127,8 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
         If the file cannot be read, is cut, edited or foreign, or holds what is no orbit of
         the kernels that are installed. The message names the file.
     """
-    try:
-        content = parsed(read_file(Path(path), _LARGEST_FILE, "saved orbit"))
-        return orbit_of(content, Path(path).parent)
-    except InputError as problem:
-        raise InputError(f"{os.fspath(path)}: {problem}") from None
-
-
-def parsed(found: bytes) -> Any:
-    """What JSON text holds; InputError if it is none."""
-    try:
-        return json.loads(found.decode("utf-8"))
-    except (ValueError, RecursionError):
-        raise InputError("cut, or not JSON") from None
+    with naming(path) as file:
+        return orbit_of(parsed(read_file(file, ORBIT.most, ORBIT.what)), file.parent)
 
 
 def orbit_of(content: Any, folder: Path) -> Orbit | ComposedOrbit:
@@ -167,12 +139,11 @@ def orbit_of(content: Any, folder: Path) -> Orbit | ComposedOrbit:
     InputError
         As for `load_orbit_file`, without the name of a file.
     """
-    checked = _content(content)
-    if checked["format"] == FORMAT:
-        return _orbit(checked, folder)
-    from nonsmooth.runtime.composition.saved import composed_orbit
+    from nonsmooth.runtime.composition.saved import COMPOSED, composed_orbit
 
-    return composed_orbit(checked, folder)
+    composed = isinstance(content, dict) and content.get("format") == COMPOSED.name
+    (COMPOSED if composed else ORBIT).check(content)
+    return composed_orbit(content, folder) if composed else _orbit(content, folder)
 
 
 def bits_of(number: Any) -> int:
@@ -189,49 +160,16 @@ def number_text(number: Any, bits: int) -> str:
     return decimal_string(number, math.ceil(bits * math.log10(2)))
 
 
-def checksum_of(content: Mapping[str, Any]) -> str:
-    """Hash of a file's other entries."""
-    covered = {name: entry for name, entry in content.items() if name != "sha256"}
-    return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
-
-
-def _content(content: Any) -> dict[str, Any]:
-    """Entries of a file of one of the two formats."""
-    from nonsmooth.runtime.composition import saved as composed
-
-    known = {FORMAT: (VERSION, _FIELDS), composed.FORMAT: (composed.VERSION, composed.FIELDS)}
-    if not isinstance(content, dict) or content.get("format") not in (FORMAT, composed.FORMAT):
-        raise InputError("not a saved orbit, such as Orbit.save or --save writes")
-    check_fields(content, *known[content["format"]])
-    return content
-
-
-def check_fields(content: Mapping[str, Any], version: int, fields: Mapping[str, type]) -> None:
-    """As `check_entries`, for content in which every mapping is one to decimal strings."""
-    check_entries(content, version, fields)
-    for name, kind in fields.items():
-        if kind is dict and not all(isinstance(text, str) for text in content[name].values()):
+def check_texts(content: Mapping[str, Any], *names: str) -> None:
+    """Refuse entries that map to something else than texts."""
+    for name in names:
+        if not all(isinstance(text, str) for text in content[name].values()):
             raise InputError(f"{name!r} holds something else than decimal strings")
-
-
-def check_entries(content: Mapping[str, Any], version: int, fields: Mapping[str, type]) -> None:
-    """Refuse content of another version, with other entries, or with another checksum."""
-    if content.get("version") != version:
-        raise InputError(
-            f"version {content.get('version')!r} of the format, where {version} is known:"
-            " use the release that wrote it"
-        )
-    for name in fields.keys() ^ content.keys():
-        raise InputError(f"{name!r} is {'missing' if name in fields else 'unknown'}")
-    for name, kind in fields.items():
-        if type(content[name]) is not kind:
-            raise InputError(f"{name!r} is of the wrong type")
-    if content["sha256"] != checksum_of(content):
-        raise InputError("edited or damaged: the checksum differs")
 
 
 def _orbit(content: Mapping[str, Any], folder: Path) -> Orbit:
     """The orbit that a file's entries describe, checked against the kernels."""
+    check_texts(content, "given", "opened", "unknowns")
     kernels = load_orbit(content["orbit"], folder)
     _check_names(kernels, content)
     check_counts(content)

@@ -26,7 +26,7 @@ from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.certification.checker import Failure, check
 from nonsmooth.runtime.certification.checker.stability import _inside, _neutral, characteristic
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.saved import checksum_of
+from nonsmooth.runtime.form import checksum_of
 from tests.certified import forced, loop
 
 STICK = "dry-friction/global-stick"

@@ -24,8 +24,8 @@ from nonsmooth.runtime.certification.quotients import symbols
 from nonsmooth.runtime.cli import app
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.form import checksum_of
 from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.saved import checksum_of
 from tests.certified import loop
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.cli import app
-from nonsmooth.runtime.saved import checksum_of
+from nonsmooth.runtime.form import checksum_of
 from tests.certified import LOOP, kicked
 
 

@@ -38,8 +38,8 @@ from nonsmooth.runtime.certification.checker.stability import (
 from nonsmooth.runtime.certification.events.saved import save_events
 from nonsmooth.runtime.cli import app
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.form import checksum_of
 from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.saved import checksum_of
 from tests import test_continuation_forced as impacts
 from tests.certified import LOOP, loop
 

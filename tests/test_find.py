@@ -333,9 +333,9 @@ def test_edited_and_foreign_files_are_refused(saved, tmp_path):
     text, path = saved.read_text(), tmp_path / "file.json"
     cases = [
         (text.replace('"starts": 120', '"starts": 121', 1), "edited or damaged"),
-        (text.replace("nonsmooth found orbits", "nonsmooth orbit"), "no file of found orbits"),
-        ("[1, 2]", "no file of found orbits"),
-        ("{}", "no file of found orbits"),
+        (text.replace("nonsmooth found orbits", "nonsmooth orbit"), "not a file of found orbits"),
+        ("[1, 2]", "not a file of found orbits"),
+        ("{}", "not a file of found orbits"),
         ("\x00" * 50, "not JSON"),
         (signed(edited(text, lambda c: c.update(version=99))), "version 99"),
         (signed(edited(text, lambda c: c.update(system="none"))), "unknown system 'none'"),

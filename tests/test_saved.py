@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -251,7 +252,7 @@ def test_foreign_files_are_refused(text: bytes, part: str, path: Path) -> None:
 
 def test_a_report_is_no_saved_orbit(path: Path) -> None:
     path.write_text(json.dumps(orbit().to_json()), encoding="utf-8")
-    assert "not a saved orbit, such as Orbit.save or --save writes" in refusal(path)
+    assert "not a saved orbit, such as --save or save() writes" in refusal(path)
 
 
 def put(where: str, entry: object) -> Callable[[dict[str, Any]], None]:
@@ -366,7 +367,7 @@ def test_files_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert refusal(tmp_path / "missing.json") == "cannot be read: no such file or directory"
     assert refusal(tmp_path).startswith("cannot be read: ")
     (tmp_path / "large").write_bytes(b" " * 101)
-    monkeypatch.setattr(saved, "_LARGEST_FILE", 100)
+    monkeypatch.setattr(saved, "ORBIT", replace(saved.ORBIT, most=100))
     assert refusal(tmp_path / "large") == "too large for a saved orbit"
 
 

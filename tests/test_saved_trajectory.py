@@ -273,14 +273,16 @@ def test_an_archive_that_unpacks_to_too_much(
     path = tmp_path / "motion.npz"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
         file.writestr("times.npy", b"\0" * 3_000_000)
-    monkeypatch.setattr(saved_trajectory, "_LARGEST_FILE", 1_000_000)
+    monkeypatch.setattr(
+        saved_trajectory, "MOTION", replace(saved_trajectory.MOTION, most=1_000_000)
+    )
     assert path.stat().st_size < 10_000
     assert refusal(path) == "too large for a saved motion"
 
 
 def test_files_that_are_too_large(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     friction().save(path)
-    monkeypatch.setattr(saved_trajectory, "_LARGEST_FILE", 1000)
+    monkeypatch.setattr(saved_trajectory, "MOTION", replace(saved_trajectory.MOTION, most=1000))
     assert refusal(path) == "too large for a saved motion"
     content = path.read_bytes()
     with pytest.raises(InputError, match=f"{path.name}: {friction().transitions} transitions are"):
@@ -319,7 +321,7 @@ def cell(name: str, place: int, entry: object) -> Change:
 @pytest.mark.parametrize(
     ("change", "part"),
     [
-        (put("format", "nonsmooth orbit"), "not a saved motion, such as Trajectory.save writes"),
+        (put("format", "nonsmooth orbit"), "not a saved motion, such as --save or save() writes"),
         (put("version", 2), "version 2 of the format, where 1 is known"),
         (put("version", "1"), "version '1' of the format"),
         (put("more", 1), "'more' is unknown"),

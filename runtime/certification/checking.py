@@ -43,8 +43,7 @@ from nonsmooth.runtime.certification.saved import (
 )
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import read_file
-from nonsmooth.runtime.form import WRONG_SHAPE
-from nonsmooth.runtime.saved import checksum_of, parsed
+from nonsmooth.runtime.form import WRONG_SHAPE, checksum_of, parsed
 from nonsmooth.runtime.values import flint_precision
 
 __all__ = ["Check", "check_certificate"]

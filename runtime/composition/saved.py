@@ -17,35 +17,34 @@ from nonsmooth.runtime.composition.passage import numbers_in
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.symmetry import symmetry_of
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.form import Form
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbit import DOUBLE
 from nonsmooth.runtime.simulation.piecewise import piecewise, system_parameters
 
-__all__ = ["FIELDS", "FORMAT", "VERSION", "composed_content", "composed_orbit", "save_composed"]
+__all__ = ["COMPOSED", "composed_content", "composed_orbit", "save_composed"]
 
-FORMAT = "nonsmooth composed orbit"
-VERSION = 1
-FIELDS: dict[str, type] = {
-    "format": str,
-    "version": int,
-    "package": str,
-    "system": str,
-    "label": str,
-    "derivation": str,
-    "parameters": dict,
-    "period": str,
-    "symmetry": list,
-    "phases": list,
-    "names": list,
-    "arithmetic": str,
-    "bits": int,
-    "residual": str,
-    "digits": int,
-    "iterations": int,
-    "status": int,
-    "sha256": str,
-}
-
+COMPOSED = Form(
+    "nonsmooth composed orbit",
+    "saved orbit",
+    {
+        "system": str,
+        "label": str,
+        "derivation": str,
+        "parameters": dict,
+        "period": str,
+        "symmetry": list,
+        "phases": list,
+        "names": list,
+        "arithmetic": str,
+        "bits": int,
+        "residual": str,
+        "digits": int,
+        "iterations": int,
+        "status": int,
+    },
+    most=50_000_000,
+)
 _PHASE = ("configuration", "boundary", "dwell_time", "start")
 _SLACK = 100  # times the error that the stated digits allow
 _MOST_MISSED = 1e-9  # the solver's residual, in units of the data
@@ -66,16 +65,16 @@ def save_composed(orbit: ComposedOrbit, path: str | os.PathLike[str]) -> None:
     InputError
         If the orbit has not converged or the file cannot be written.
     """
-    from nonsmooth.runtime.saved import write_content
-
-    write_content(Path(path), composed_content(orbit))
+    COMPOSED.write(path, _entries(orbit))
 
 
 def composed_content(orbit: ComposedOrbit) -> dict[str, Any]:
-    """Entries of an orbit's file; InputError if it has not converged."""
-    from importlib.metadata import version
+    """What is in an orbit's file; InputError if it has not converged."""
+    return COMPOSED.content(_entries(orbit))
 
-    from nonsmooth.runtime.saved import bits_of, checksum_of, number_text
+
+def _entries(orbit: ComposedOrbit) -> dict[str, Any]:
+    from nonsmooth.runtime.saved import bits_of, number_text
 
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
@@ -90,10 +89,7 @@ def composed_content(orbit: ComposedOrbit) -> dict[str, Any]:
         }
         for (configuration, boundary), time, row in zip(orbit.itinerary, dwell, states, strict=True)
     ]
-    content: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "package": version("nonsmooth"),
+    return {
         "system": orbit.system,
         "label": orbit.label or "",
         "derivation": _derivation(orbit.kernels),
@@ -109,7 +105,6 @@ def composed_content(orbit: ComposedOrbit) -> dict[str, Any]:
         "iterations": orbit.iterations,
         "status": orbit.status,
     }
-    return {**content, "sha256": checksum_of(content)}
 
 
 def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
@@ -120,8 +115,9 @@ def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
     InputError
         If the system is not there, or what the file holds is no orbit of it.
     """
-    from nonsmooth.runtime.saved import check_counts, given_value, read_number
+    from nonsmooth.runtime.saved import check_counts, check_texts, given_value, read_number
 
+    check_texts(content, "parameters")
     kernels = load_system(content["system"], folder)
     check_counts(content)
     bits = None if content["arithmetic"] == "double" else content["bits"]

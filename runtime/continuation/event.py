@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-__all__ = ["BORDER_COLLISIONS", "FORMAT", "KINDS", "LOCUS_FORMAT", "SWITCHES", "Event"]
-
-FORMAT, LOCUS_FORMAT = "nonsmooth branch", "nonsmooth locus"  # of their files
+__all__ = ["BORDER_COLLISIONS", "KINDS", "SWITCHES", "Event"]
 
 KINDS = {
     "fold": "the branch turns",

@@ -16,7 +16,7 @@ import numpy as np
 
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.saved import composed_content
-from nonsmooth.runtime.continuation.event import FORMAT, KINDS, Event
+from nonsmooth.runtime.continuation.event import KINDS, Event
 from nonsmooth.runtime.continuation.record import Branch
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import Form, naming
@@ -26,7 +26,7 @@ from nonsmooth.runtime.saved import orbit_content, orbit_of
 __all__ = ["load_branch", "numbers_of", "orbit_entries", "save_branch", "texts_of"]
 
 _FORM = Form(
-    FORMAT,
+    "nonsmooth branch",
     "saved branch",
     {
         "name": str,

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.runtime.continuation.event import KINDS, LOCUS_FORMAT
+from nonsmooth.runtime.continuation.event import KINDS
 from nonsmooth.runtime.continuation.locus import Locus
 from nonsmooth.runtime.continuation.saved import numbers_of, orbit_entries, texts_of
 from nonsmooth.runtime.errors import InputError
@@ -16,7 +16,7 @@ from nonsmooth.runtime.saved import orbit_of
 __all__ = ["load_locus", "save_locus"]
 
 _FORM = Form(
-    LOCUS_FORMAT,
+    "nonsmooth locus",
     "saved curve of events",
     {
         "name": str,

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 from pathlib import Path
 from typing import Any
@@ -12,16 +10,32 @@ import numpy as np
 
 from nonsmooth.runtime.composition.composed import compose
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.files import read_file, write_file
 from nonsmooth.runtime.finding.find import Found, FoundOrbit
+from nonsmooth.runtime.form import Form, naming
 from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.stability import Multiplier
 
-__all__ = ["FORMAT", "found_json", "load_found", "save_found"]
+__all__ = ["FOUND", "found_json", "load_found", "save_found"]
 
-FORMAT, VERSION = "nonsmooth found orbits", 1
-_LARGEST_FILE = 200_000_000  # bytes
+FOUND = Form(
+    "nonsmooth found orbits",
+    "file of found orbits",
+    {
+        "system": str,
+        "parameters": dict,
+        "starts": int,
+        "transitions": int,
+        "box": dict,
+        "orbits": list,
+        "resting": str,
+        "unclassified": str,
+        "start_states": list,
+        "labels": list,
+    },
+    version=2,
+    most=200_000_000,
+)
 _DIGITS_KEPT = 1e-9  # relative change of a dwell time that solving again may make
 
 
@@ -50,15 +64,14 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    content = {
-        "format": FORMAT,
-        "version": VERSION,
-        **found_json(found),
-        "start_states": [[repr(x) for x in row] for row in found.starts.tolist()],
-        "labels": found.labels.tolist(),
-    }
-    content["sha256"] = _checksum(content)
-    write_file(Path(path), (json.dumps(content, indent=1, allow_nan=False) + "\n").encode())
+    FOUND.write(
+        path,
+        {
+            **found_json(found),
+            "start_states": [[repr(x) for x in row] for row in found.starts.tolist()],
+            "labels": found.labels.tolist(),
+        },
+    )
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:
@@ -70,13 +83,8 @@ def load_found(path: str | os.PathLike[str]) -> Found:
         For a file that cannot be read, is cut, edited or foreign, or holds what is no orbit
         of the system that is installed. The message names the file.
     """
-    try:
-        content = _content(read_file(Path(path), _LARGEST_FILE, "file of found orbits"))
-        return _found(content, Path(path).parent)
-    except InputError as problem:
-        raise InputError(f"{os.fspath(path)}: {problem}") from None
-    except (AttributeError, KeyError, TypeError, ValueError):
-        raise InputError(f"{os.fspath(path)}: not what find --save writes") from None
+    with naming(path) as file:
+        return _found(FOUND.read(file), file.parent)
 
 
 def _orbit_json(found: Found, entry: FoundOrbit) -> dict[str, Any]:
@@ -106,25 +114,6 @@ def _multiplier_json(multiplier: Multiplier) -> dict[str, Any]:
         "im": repr(float(multiplier.imaginary)),
         "trivial": multiplier.trivial,
     }
-
-
-def _checksum(content: dict[str, Any]) -> str:
-    covered = {name: entry for name, entry in content.items() if name != "sha256"}
-    return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
-
-
-def _content(data: bytes) -> dict[str, Any]:
-    try:
-        content = json.loads(data.decode("utf-8"))
-    except (ValueError, RecursionError):
-        raise InputError("cut, or not JSON") from None
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise InputError("no file of found orbits, such as find --save writes")
-    if content.get("version") != VERSION:
-        raise InputError(f"version {content.get('version')!r} of the format, {VERSION} is known")
-    if content.get("sha256") != _checksum(content):
-        raise InputError("edited or damaged: the checksum differs")
-    return content
 
 
 def _found(content: dict[str, Any], folder: Path) -> Found:

@@ -2,35 +2,32 @@
 
 from __future__ import annotations
 
-import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nonsmooth.runtime.certification.boxes.record import FORMAT as BOX
-from nonsmooth.runtime.continuation.event import FORMAT as BRANCH
-from nonsmooth.runtime.continuation.event import LOCUS_FORMAT as LOCUS
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.finding import saved as found_orbits
+from nonsmooth.runtime.form import format_in
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = ["figure_of"]
 
-_BEGINNING = 400  # characters of a file in which its format is named
+Drawn = tuple[dict[str, str], "Figure"]  # what was drawn: the name of the orbit or the system
 
 
-def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figure]:
+def figure_of(path: Path, kind: str, periods: int) -> Drawn:
     """Read a file and draw what is in it.
 
     Parameters
     ----------
     path : Path
-        JSON of an orbit, a branch, a curve of events, a proven map or found orbits; .npz or .csv
-        of a motion; folder of a chart.
+        JSON of an orbit, a branch, a curve of events, a proven map, found orbits or a sweep;
+        .npz or .csv of a motion; folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
-        and a chart only "all".
+        and what is drawn in one way only "all".
     periods : int
         How many periods of an orbit to draw against time.
 
@@ -46,48 +43,21 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
         If the file cannot be read or is cut, edited or foreign, or for a kind that it has not.
     """
     if path.is_dir():
-        from nonsmooth.runtime.charting.chart import load_chart
-        from nonsmooth.runtime.charting.classes import title_of
-        from nonsmooth.runtime.pictures.charts import chart_figure
-        from nonsmooth.runtime.pictures.drawing import check_picture
-
-        check_picture(kind, ("all",))
-        chart = load_chart(path)
-        return {"chart": title_of(chart)}, chart_figure(chart)
+        return _in_one_way("a chart", kind, _chart, path)
     if path.suffix.lower() in (".npz", ".csv"):
         from nonsmooth.runtime.pictures.scenes import trajectory_figure
         from nonsmooth.runtime.simulation.saved import load_trajectory
 
         motion = load_trajectory(path)
         return {"system": motion.name}, trajectory_figure(motion, kind)
-    if _holds(path, BRANCH):
-        from nonsmooth.runtime.continuation.drawing import branch_figure
-        from nonsmooth.runtime.continuation.saved import load_branch
-
-        branch = load_branch(path)
-        if kind != "all":
-            raise InputError(f"a branch has one kind of picture, all, not {kind}")
-        return {"orbit": branch.name}, branch_figure(branch)
-    if _holds(path, BOX):
-        from nonsmooth.runtime.certification.boxes.drawing import box_figure
-        from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
-
-        certificate = load_box_certificate(path)
-        if kind != "all":
-            raise InputError(f"a proven map has one kind of picture, all, not {kind}")
-        return {"orbit": certificate.orbit}, box_figure(certificate)
-    if _holds(path, LOCUS):
-        from nonsmooth.runtime.continuation.drawing import locus_figure
-        from nonsmooth.runtime.continuation.saved_locus import load_locus
-
-        locus = load_locus(path)
-        if kind != "all":
-            raise InputError(f"a curve of events has one kind of picture, all, not {kind}")
-        return {"orbit": locus.name}, locus_figure(locus)
-    if _holds(path, found_orbits.FORMAT):
+    form = format_in(path)
+    if form in _IN_ONE_WAY:
+        return _in_one_way(_IN_ONE_WAY[form][0], kind, _IN_ONE_WAY[form][1], path)
+    if form == "nonsmooth found orbits":
+        from nonsmooth.runtime.finding.saved import load_found
         from nonsmooth.runtime.pictures.found import found_figure
 
-        found = found_orbits.load_found(path)
+        found = load_found(path)
         return {"system": found.system}, found_figure(found, kind, periods=periods)
     from nonsmooth.runtime.orbit import Orbit
     from nonsmooth.runtime.saved import load_orbit_file
@@ -102,11 +72,47 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     return {"orbit": orbit.name}, composed_figure(orbit, kind, periods=periods)
 
 
-def _holds(path: Path, form: str) -> bool:
-    """Whether a file begins as one of a format does; what cannot be read does not."""
-    try:
-        with path.open(encoding="utf-8") as file:
-            beginning = file.read(_BEGINNING)
-    except (OSError, ValueError):
-        return False
-    return json.dumps(form) in beginning
+def _in_one_way(what: str, kind: str, draw: Callable[[Path], Drawn], path: Path) -> Drawn:
+    if kind != "all":
+        raise InputError(f"{what} has one kind of picture, all, not {kind}")
+    return draw(path)
+
+
+def _chart(path: Path) -> Drawn:
+    from nonsmooth.runtime.charting.chart import load_chart
+    from nonsmooth.runtime.charting.classes import title_of
+    from nonsmooth.runtime.pictures.charts import chart_figure
+
+    chart = load_chart(path)
+    return {"chart": title_of(chart)}, chart_figure(chart)
+
+
+def _branch(path: Path) -> Drawn:
+    from nonsmooth.runtime.continuation.drawing import branch_figure
+    from nonsmooth.runtime.continuation.saved import load_branch
+
+    branch = load_branch(path)
+    return {"orbit": branch.name}, branch_figure(branch)
+
+
+def _locus(path: Path) -> Drawn:
+    from nonsmooth.runtime.continuation.drawing import locus_figure
+    from nonsmooth.runtime.continuation.saved_locus import load_locus
+
+    locus = load_locus(path)
+    return {"orbit": locus.name}, locus_figure(locus)
+
+
+def _proven_map(path: Path) -> Drawn:
+    from nonsmooth.runtime.certification.boxes.drawing import box_figure
+    from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
+
+    certificate = load_box_certificate(path)
+    return {"orbit": certificate.orbit}, box_figure(certificate)
+
+
+_IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
+    "nonsmooth branch": ("a branch", _branch),
+    "nonsmooth locus": ("a curve of events", _locus),
+    "nonsmooth box certificate": ("a proven map", _proven_map),
+}

@@ -9,13 +9,12 @@ as they were written, and a checksum covers the content.
 from __future__ import annotations
 
 import csv
-import hashlib
 import io
 import json
 import math
 import os
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,6 +23,7 @@ import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.files import check_target, read_file, write_file
+from nonsmooth.runtime.form import Form, naming
 from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.saved import given_value
 from nonsmooth.runtime.simulation.flows import flow_states
@@ -32,26 +32,23 @@ from nonsmooth.runtime.simulation.run import Grazing, Run, Status
 from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["ENDINGS", "FORMAT", "VERSION", "load_trajectory", "save_trajectory"]
+__all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
 
-FORMAT = "nonsmooth trajectory"
-VERSION = 1
+MOTION = Form(
+    "nonsmooth trajectory",
+    "saved motion",
+    {
+        "system": str,
+        "derivation": str,
+        "parameters": dict,
+        "states": list,
+        "status": str,
+        "end": str,
+        "grazings": list,
+    },
+    # also of what an archive unpacks to
+)
 ENDINGS = (".npz", ".csv")
-
-_FIELDS: dict[str, type] = {
-    "format": str,
-    "version": int,
-    "package": str,
-    "system": str,
-    "derivation": str,
-    "parameters": dict,
-    "states": list,
-    "status": str,
-    "end": str,
-    "grazings": list,
-    "sha256": str,
-}
-_LARGEST_FILE = 500_000_000  # bytes, also of what an archive unpacks to
 _TOLERANCE = 1e-8  # of motions by another derivation
 
 
@@ -80,8 +77,6 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
     InputError
         For another ending, a motion that is too large, or a file that cannot be written.
     """
-    from importlib.metadata import version
-
     target = Path(path)
     ending = _ending(target)
     check_target(target)
@@ -93,10 +88,7 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
         run.states,
         run.before,
     )
-    header: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "package": version("nonsmooth"),
+    entries = {
         "system": trajectory.name,
         "derivation": _derivation(trajectory.name),
         "parameters": {name: value.text for name, value in trajectory.parameters.items()},
@@ -105,9 +97,9 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
         "end": repr(float(run.end)),
         "grazings": [_grazing_texts(structure, grazing) for grazing in run.grazings],
     }
-    header["sha256"] = _checksum(header, table)
+    header = MOTION.content(entries, *_numbers(table))
     content = (_npz if ending == ".npz" else _csv)(header, table)
-    if len(content) > _LARGEST_FILE:
+    if len(content) > MOTION.most:
         raise InputError(
             f"cannot write {target}: {trajectory.transitions} transitions are too many"
         )
@@ -130,17 +122,11 @@ def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
         If the file cannot be read, is cut, edited or foreign, or holds what is no motion of
         the systems that are installed. The message names the file.
     """
-    source = Path(path)
-    try:
-        read = _from_npz if _ending(source) == ".npz" else _from_csv
-        header, table = read(read_file(source, _LARGEST_FILE, "saved motion"))
-        if header["sha256"] != _checksum(header, table):
-            raise InputError("edited or damaged: the checksum differs")
+    read = _from_npz if _ending(Path(path)) == ".npz" else _from_csv
+    with naming(path) as source:
+        header, table = read(read_file(source, MOTION.most, MOTION.what))
+        MOTION.check_sum(header, *_numbers(table))
         return _trajectory(header, table, source.parent)
-    except InputError as problem:
-        message = str(problem)
-        named = message.startswith(str(source))
-        raise InputError(message if named else f"{source}: {message}") from None
 
 
 def _ending(path: Path) -> str:
@@ -160,14 +146,12 @@ def _grazing_texts(structure: Structure, grazing: Grazing) -> list[str]:
     return [repr(float(grazing.time)), configuration, boundary, repr(float(grazing.depth))]
 
 
-def _checksum(header: Mapping[str, Any], table: _Table) -> str:
-    covered = {name: entry for name, entry in header.items() if name != "sha256"}
-    found = hashlib.sha256(json.dumps(covered, sort_keys=True).encode())
+def _numbers(table: _Table) -> Iterator[bytes]:
+    """What the checksum covers beside the header."""
     for numbers in (table.times, table.states, table.before):
-        found.update(np.ascontiguousarray(numbers, dtype="<f8").tobytes())
+        yield np.ascontiguousarray(numbers, dtype="<f8").tobytes()
     for names in (table.configurations, table.boundaries):
-        found.update("\n".join(names.tolist()).encode())
-    return found.hexdigest()
+        yield "\n".join(names.tolist()).encode()
 
 
 def _csv(header: Mapping[str, Any], table: _Table) -> bytes:
@@ -238,7 +222,7 @@ def _from_npz(found: bytes) -> tuple[dict[str, Any], _Table]:
     try:
         with zipfile.ZipFile(io.BytesIO(found)) as file:
             sizes = {entry.filename: entry.file_size for entry in file.infolist()}
-            if sum(sizes.values()) > _LARGEST_FILE:
+            if sum(sizes.values()) > MOTION.most:
                 raise InputError("too large for a saved motion")
             if sorted(sizes) != sorted(f"{name}.npy" for name in names):
                 raise InputError("not a saved motion, such as Trajectory.save writes")
@@ -267,25 +251,15 @@ def _from_npz(found: bytes) -> tuple[dict[str, Any], _Table]:
 
 def _checked(entries: Any) -> dict[str, Any]:
     """Header of a file, complete and of the right types."""
-    if not isinstance(entries, dict) or entries.get("format") != FORMAT:
-        raise InputError("not a saved motion, such as Trajectory.save writes")
-    if entries.get("version") != VERSION:
-        raise InputError(
-            f"version {entries.get('version')!r} of the format, where {VERSION} is known:"
-            " use the release that wrote it"
-        )
-    for name in sorted(_FIELDS.keys() ^ entries.keys()):
-        raise InputError(f"{name!r} is {'missing' if name in _FIELDS else 'unknown'}")
-    for name, kind in _FIELDS.items():
-        if type(entries[name]) is not kind:
-            raise InputError(f"{name!r} is of the wrong type")
+    MOTION.check_entries(entries)
+    header: dict[str, Any] = entries
     texts = [*entries["parameters"].values(), *entries["states"]]
     grazings = entries["grazings"]
     if not all(isinstance(entry, list) and len(entry) == 4 for entry in grazings):
         raise InputError("'grazings' holds something else than four texts each")
     if not all(isinstance(text, str) for text in (*texts, *(t for g in grazings for t in g))):
         raise InputError("the header holds something else than texts")
-    return entries
+    return header
 
 
 def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Trajectory:

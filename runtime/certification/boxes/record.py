@@ -13,10 +13,9 @@ from nonsmooth.runtime.certification.certificate import CLAIMS, NO_ORBIT, Stated
 from nonsmooth.runtime.certification.statement import rational
 from nonsmooth.runtime.values import Value, as_value, flint_precision
 
-__all__ = ["DIGITS", "FORMAT", "VERDICTS", "BoxCertificate", "Tile"]
+__all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
 
 DIGITS = 6  # of the radii that are stated: they are as wide as the box
-FORMAT = "nonsmooth box certificate"
 VERDICTS = ("proved", "unstable", "not admissible", "undecided")
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from nonsmooth.runtime.certification.boxes.place import Place
-from nonsmooth.runtime.certification.boxes.record import FORMAT, BoxCertificate, Tile
+from nonsmooth.runtime.certification.boxes.record import BoxCertificate, Tile
 from nonsmooth.runtime.certification.boxes.region import BITS
 from nonsmooth.runtime.certification.certificate import Stated
 from nonsmooth.runtime.errors import InputError
@@ -18,7 +18,7 @@ from nonsmooth.runtime.saved import given_value
 __all__ = ["BOX", "box_of", "load_box_certificate", "save_box"]
 
 BOX = Form(
-    FORMAT,
+    "nonsmooth box certificate",
     "proven map",
     {
         "orbit": str,
