@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import json
 import os
 import secrets
 from pathlib import Path
 
 from nonsmooth.runtime.errors import InputError
 
-__all__ = ["check_ending", "check_folder", "check_target", "read_file", "unwritable", "write_file"]
+__all__ = [
+    "check_ending",
+    "check_folder",
+    "check_target",
+    "is_of_format",
+    "read_file",
+    "unwritable",
+    "write_file",
+]
+
+_BEGINNING = 400  # characters of a file in which its format is named
 
 
 def check_target(out: Path) -> None:
@@ -77,3 +88,13 @@ def read_file(path: Path, largest: int, kind: str) -> bytes:
     if len(found) > largest:
         raise InputError(f"too large for a {kind}")
     return found
+
+
+def is_of_format(path: Path, form: str) -> bool:
+    """Whether a JSON file begins as one of a format does; what cannot be read does not."""
+    try:
+        with path.open(encoding="utf-8") as file:
+            beginning = file.read(_BEGINNING)
+    except (OSError, ValueError):
+        return False
+    return json.dumps(form) in beginning

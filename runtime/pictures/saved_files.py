@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,14 +9,14 @@ from nonsmooth.runtime.certification.boxes.record import FORMAT as BOX
 from nonsmooth.runtime.continuation.event import FORMAT as BRANCH
 from nonsmooth.runtime.continuation.event import LOCUS_FORMAT as LOCUS
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.files import is_of_format
 from nonsmooth.runtime.finding import saved as found_orbits
+from nonsmooth.runtime.kernels import is_saved
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = ["figure_of"]
-
-_BEGINNING = 400  # characters of a file in which its format is named
 
 
 def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figure]:
@@ -26,8 +25,8 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     Parameters
     ----------
     path : Path
-        JSON of an orbit, a branch, a curve of events, a proven map or found orbits; .npz or .csv
-        of a motion; folder of a chart.
+        JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
+        proven map or found orbits; .npz or .csv of a motion; folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and a chart only "all".
@@ -60,7 +59,7 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
 
         motion = load_trajectory(path)
         return {"system": motion.name}, trajectory_figure(motion, kind)
-    if _holds(path, BRANCH):
+    if is_of_format(path, BRANCH):
         from nonsmooth.runtime.continuation.drawing import branch_figure
         from nonsmooth.runtime.continuation.saved import load_branch
 
@@ -68,7 +67,7 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
         if kind != "all":
             raise InputError(f"a branch has one kind of picture, all, not {kind}")
         return {"orbit": branch.name}, branch_figure(branch)
-    if _holds(path, BOX):
+    if is_of_format(path, BOX):
         from nonsmooth.runtime.certification.boxes.drawing import box_figure
         from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
 
@@ -76,7 +75,7 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
         if kind != "all":
             raise InputError(f"a proven map has one kind of picture, all, not {kind}")
         return {"orbit": certificate.orbit}, box_figure(certificate)
-    if _holds(path, LOCUS):
+    if is_of_format(path, LOCUS):
         from nonsmooth.runtime.continuation.drawing import locus_figure
         from nonsmooth.runtime.continuation.saved_locus import load_locus
 
@@ -84,15 +83,17 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
         if kind != "all":
             raise InputError(f"a curve of events has one kind of picture, all, not {kind}")
         return {"orbit": locus.name}, locus_figure(locus)
-    if _holds(path, found_orbits.FORMAT):
+    if is_of_format(path, found_orbits.FORMAT):
         from nonsmooth.runtime.pictures.found import found_figure
 
         found = found_orbits.load_found(path)
         return {"system": found.system}, found_figure(found, kind, periods=periods)
     from nonsmooth.runtime.orbit import Orbit
     from nonsmooth.runtime.saved import load_orbit_file
+    from nonsmooth.runtime.saved_orbits import saved_orbit
 
-    orbit = load_orbit_file(path)
+    numbered = not path.exists() and is_saved(str(path))
+    orbit = saved_orbit(str(path)) if numbered else load_orbit_file(path)
     if isinstance(orbit, Orbit):
         from nonsmooth.runtime.pictures.plot import orbit_figure
 
@@ -100,13 +101,3 @@ def figure_of(path: Path, kind: str, periods: int) -> tuple[dict[str, str], Figu
     from nonsmooth.runtime.pictures.composed import composed_figure
 
     return {"orbit": orbit.name}, composed_figure(orbit, kind, periods=periods)
-
-
-def _holds(path: Path, form: str) -> bool:
-    """Whether a file begins as one of a format does; what cannot be read does not."""
-    try:
-        with path.open(encoding="utf-8") as file:
-            beginning = file.read(_BEGINNING)
-    except (OSError, ValueError):
-        return False
-    return json.dumps(form) in beginning
