@@ -360,7 +360,7 @@ class _Predictor:
 def _predictor(kernels: OrbitKernels) -> _Predictor:
     from nonsmooth.runtime.solve import solve_derived as solve
 
-    reference = solve(kernels.name)
+    reference = solve(kernels.address)
     sensitivities = [reference.sensitivity(name).unknowns for name in kernels.parameter_names]
     reduced = np.array([reference.unknowns[name] for name in kernels.reduced])
     slopes = np.array([[s[name] for name in kernels.reduced] for s in sensitivities])

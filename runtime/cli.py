@@ -147,7 +147,8 @@ def equations(
     "nonsmooth solve dry-friction/global-stick eta=0.98 V=1.01\n\n"
     "nonsmooth solve dry-friction/global-stick us2=0.8 us1=1 --require admissible\n\n"
     "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2\n\n"
-    "nonsmooth solve dry-friction/global-stick --save orbit.json"
+    "nonsmooth solve dry-friction/global-stick --save orbit.json\n\n"
+    "nonsmooth solve found.json:2 Omega=2.5 --digits 30"
 )
 @answering
 def solve(
@@ -193,6 +194,7 @@ def verify(
     "nonsmooth plot orbit.json\n\n"
     "nonsmooth plot orbit.json --kind phase --out phase.svg\n\n"
     "nonsmooth plot motion.npz --kind strip\n\n"
+    "nonsmooth plot found.json:2\n\n"
     "nonsmooth plot F.zarr --out F.png\n\n"
     "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
 )
@@ -203,8 +205,8 @@ def plot(
         typer.Argument(
             metavar="FILE",
             help="An orbit of `solve --save`, a motion of `simulate --save`, the orbits of"
-            " `find --save`, a branch or a curve of events of `continue --save`, a proven map of"
-            " `certify --save`, or a chart of `chart --out`.",
+            " `find --save` or one of them, FILE.json:N, a branch or a curve of events of"
+            " `continue --save`, a proven map of `certify --save`, or a chart of `chart --out`.",
         ),
     ],
     kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
@@ -224,7 +226,8 @@ def plot(
     from nonsmooth.runtime.pictures.plot import save_figure
     from nonsmooth.runtime.pictures.saved_files import figure_of
 
-    target = file.parent / f"{file.stem}.png" if out is None else out
+    own = file.with_name(f"{Path(file.name.replace('.json:', '-')).stem}.png")
+    target = own if out is None else out
     if target.resolve() == file.resolve():
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)

@@ -178,7 +178,7 @@ def _bisected(
 
 def _failure(kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, value: float) -> str:
     """What fails at a point that is not admissible."""
-    orbit = solve(kernels.name, {**others, parameter: value}, throw=False)
+    orbit = solve(kernels.address, {**others, parameter: value}, throw=False)
     if orbit.status == SINGULAR:
         return "the equations are singular"
     if orbit.status != CONVERGED:

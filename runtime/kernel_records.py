@@ -14,7 +14,7 @@ from scipy.linalg import expm
 from nonsmooth.runtime.errors import unknown_name
 from nonsmooth.runtime.vectorised import vectorised
 
-__all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SystemKernels"]
+__all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
 
 
 @dataclass(frozen=True)
@@ -153,17 +153,53 @@ class SystemKernels:
         return vectorised(self.source(kernel), inputs, outputs)
 
 
+@dataclass(frozen=True, eq=False)
+class SavedTable:
+    """The table of an orbit that a file of results holds, with that orbit as the reference.
+
+    Attributes
+    ----------
+    name : str
+        Of the orbit; where it has none of its own, the address.
+    address : str
+        What loads it again: the whole path ``FILE.json:N``.
+    entries : dict
+        As the table of a declared orbit.
+    """
+
+    name: str
+    address: str
+    entries: dict[str, Any]
+
+
 @dataclass(frozen=True)
 class OrbitKernels:
-    """Tables and kernels of one orbit of a system."""
+    """Tables and kernels of one orbit of a system.
+
+    Attributes
+    ----------
+    system : SystemKernels
+    orbit : str
+        Its name among the system's orbits; empty for one that the system does not declare.
+    saved : SavedTable or None
+        The table where a file of results holds it.
+    """
 
     system: SystemKernels
     orbit: str
+    saved: SavedTable | None = None
 
     @property
     def name(self) -> str:
         """``system/orbit``, or ``FILE.py:orbit`` and the like where it is not built in."""
+        if self.saved is not None:
+            return self.saved.name
         return f"{self.system.name}{'/' if self.system.built_in else ':'}{self.orbit}"
+
+    @property
+    def address(self) -> str:
+        """What loads it again."""
+        return self.name if self.saved is None else self.saved.address
 
     @property
     def derived(self) -> bool:
@@ -176,7 +212,9 @@ class OrbitKernels:
 
     @property
     def table(self) -> dict[str, Any]:
-        """The generated table of the orbit."""
+        """The table of the orbit, generated or saved."""
+        if self.saved is not None:
+            return self.saved.entries
         table: dict[str, Any] = self.system.module.ORBITS[self.orbit]
         return table
 

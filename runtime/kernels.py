@@ -39,6 +39,7 @@ __all__ = [
     "ParameterTable",
     "SystemKernels",
     "backend",
+    "is_saved",
     "kernels_of",
     "load_orbit",
     "load_system",
@@ -50,6 +51,10 @@ __all__ = [
 _PACKAGE = "nonsmooth.generated"
 _PROVENANCE = "PROVENANCE.json"
 _REMEDY = "run `nonsmooth regenerate`, or install the package again"
+_FIND = (
+    "it names none: `nonsmooth find {} ... --save found.json` finds its orbits,"
+    " then found.json:1 is the first of them"
+)
 
 
 def system_names() -> tuple[str, ...]:
@@ -92,7 +97,8 @@ def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitK
     ----------
     orbit : str or Itinerary
         ``system/orbit`` of a built-in system; ``FILE.py:orbit`` or ``FOLDER:orbit`` of a
-        user's own; or an itinerary, which is derived.
+        user's own; ``FILE.json`` or ``FILE.json:N`` of a saved one; or an itinerary, which is
+        derived.
     beside : Path, optional
         As for `load_system`.
 
@@ -105,6 +111,10 @@ def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitK
     if not isinstance(orbit, str) and isinstance(orbit, DeclaredOrbit):
         return _orbit(_kernels(load_declared(orbit.system, (orbit,))), orbit.name)
     name = _text(orbit, "orbit")
+    if is_saved(name):
+        from nonsmooth.runtime.saved_orbits import saved_kernels
+
+        return saved_kernels(name, beside)
     place, colon, label = name.rpartition(":")
     if colon and (origin := _located(place, beside)) is not None:
         found = _declared(origin, label)
@@ -118,7 +128,10 @@ def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitK
             return _orbit(built_in, label)
     elif (origin := _located(name, beside)) is not None:
         known = ", ".join(f"{name}:{label}" for label in _orbits(origin))
-        raise InputError(f"{name} is a system, not an orbit; its orbits: {known or 'none'}")
+        raise InputError(
+            f"{name} is a system, not an orbit; "
+            + (f"its orbits: {known}" if known else _FIND.format(name))
+        )
     raise unknown_name("orbit", name, orbit_names())
 
 
@@ -148,6 +161,11 @@ def load_system(system: str | DeclaredSystem, beside: Path | None = None) -> Sys
     if found is None:
         raise unknown_name("system", name, system_names())
     return found
+
+
+def is_saved(name: str) -> bool:
+    """Whether a name is that of an orbit in a file of results: ``FILE.json``, ``FILE.json:N``."""
+    return name.endswith(".json") or name.rpartition(":")[0].endswith(".json")
 
 
 def kernels_of(system: str | SystemKernels | DeclaredSystem) -> SystemKernels:

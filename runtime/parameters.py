@@ -104,7 +104,12 @@ def resolve(
             missing.append(name)
     if missing:
         raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
-    opened = {p.name: values[p.name] for p in kernels.open_parameters if p.name in values}
+    opened = {}
+    for name in (p.name for p in kernels.open_parameters):
+        if name in values:
+            opened[name] = values[name]
+        elif name in defaults:  # of an orbit that was saved with it
+            opened[name] = parse(defaults[name])
     for name, value in {**values, **point}.items():
         _check_domain(tables[name], value)
     return Point(point, opened)

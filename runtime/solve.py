@@ -54,7 +54,8 @@ def solve(
     ----------
     orbit : str
         ``system/orbit``, or a user's ``FILE.py:ORBIT``. One whose equations have no closed
-        form is composed numerically from its phases.
+        form is composed numerically from its phases. Of a file of orbits ``FILE.json:N``, the
+        N-th, counted from 1: its parameters are the defaults.
     parameters : mapping of str to number, text or Value, optional
         Those of the equations, or the physical ones in their place; absent ones take the
         reference point's values. Nondimensional.

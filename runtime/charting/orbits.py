@@ -138,7 +138,7 @@ def orbit_problem(orbit: str, given: Mapping[str, object], swept: Sequence[str])
     names = (*given, *swept)
     _, tables = _orbits(kernels, names)
     fixed = fixed_values(tables, given, swept, _defaults(kernels), kernels.name)
-    return OrbitProblem(kernels.name, fixed, names)
+    return OrbitProblem(kernels.address, fixed, names)
 
 
 @cache

@@ -60,7 +60,8 @@ def certify(
         str | None,
         typer.Argument(
             metavar="[SYSTEM/ORBIT]",
-            help="An orbit that `nonsmooth list` shows, or your own: FILE.py:ORBIT.",
+            help="An orbit that `nonsmooth list` shows, your own FILE.py:ORBIT, or FILE.json:N of"
+            " `find --save`.",
             show_default=False,
         ),
     ] = None,

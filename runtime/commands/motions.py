@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -173,12 +174,21 @@ def find(
     save: Annotated[
         Path | None, typer.Option("--save", metavar="FILE", help="Save all of it as JSON.")
     ] = None,
+    write: Annotated[
+        Path | None,
+        typer.Option(
+            "--write",
+            metavar="FILE.py",
+            help="Append the orbits as itineraries found-1, ... to the file of the system.",
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> int:
     """Find the periodic orbits that live in a system, stable and unstable, and their basins."""
     from nonsmooth.runtime.commands.display import counted, steps
     from nonsmooth.runtime.commands.display_motions import show_found
     from nonsmooth.runtime.files import check_ending, check_target
+    from nonsmooth.runtime.finding.declaring import check_declaration, write_itineraries
     from nonsmooth.runtime.finding.find import find_orbits
     from nonsmooth.runtime.finding.saved import found_json, save_found
 
@@ -191,6 +201,8 @@ def find(
     for path in (plot, save):
         if path is not None:
             check_target(path)
+    if write is not None:
+        check_declaration(system, write)
     axes = ranges("state", split([basins]), counts=True) if basins else {}
     if basins and len(axes) != 2:
         raise InputError(f"--basins takes two states, not {len(axes)}")
@@ -219,12 +231,20 @@ def find(
             plane = map_basins(found, x, y, others, progress=progress)
         save_figure(draw_basins(plane), plot)
         written.append(str(plot))
+    names: tuple[str, ...] = ()
+    if write is not None and found.orbits and _agreed(f"append the orbits to {write}?"):
+        names = write_itineraries(found, write)
+        written.append(str(write))
     if as_json:
-        print_json({**found_json(found), "files": written})
+        print_json({**found_json(found), "files": written, "itineraries": list(names)})
     else:
         show_found(found)
         for name in written:
             print(f"{name} written")
+        if save is not None and found.orbits:
+            print(f"nonsmooth solve, continue, certify, chart and plot take {save}:1 and so on")
+        for name in names:
+            print(f"{write}:{name}")
     return ANSWERED
 
 
@@ -318,3 +338,8 @@ def sweep(
         for path in written:
             print(f"{path} written")
     return ANSWERED
+
+
+def _agreed(question: str) -> bool:
+    """Ask on a terminal before a file of the user is changed; elsewhere the option says it."""
+    return not sys.stdin.isatty() or typer.confirm(question, err=True)

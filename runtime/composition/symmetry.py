@@ -22,6 +22,7 @@ from nonsmooth.runtime.values import Value, as_value, parse
 __all__ = [
     "Symmetry",
     "closing",
+    "images_of",
     "matrix_of",
     "part_of",
     "symmetry_of",
@@ -94,6 +95,15 @@ def matrix_of(structure: Structure, given: Mapping[str, str] | Any) -> np.ndarra
         found = array.astype(int)
     if not (abs(found).sum(axis=0) == 1).all() or not (abs(found).sum(axis=1) == 1).all():
         raise InputError("symmetry: no permutation: two states have the same image")
+    return found
+
+
+def images_of(matrix: np.ndarray, states: Sequence[str]) -> dict[str, str]:
+    """Images by name of a signed permutation, as `matrix_of` takes them."""
+    found = {}
+    for name, row in zip(states, matrix, strict=True):
+        (place,) = np.flatnonzero(row).tolist()
+        found[name] = f"{'-' if row[place] < 0 else ''}{states[place]}"
     return found
 
 

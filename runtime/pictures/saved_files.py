@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import format_in
+from nonsmooth.runtime.kernels import is_saved
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,8 +24,8 @@ def figure_of(path: Path, kind: str, periods: int) -> Drawn:
     Parameters
     ----------
     path : Path
-        JSON of an orbit, a branch, a curve of events, a proven map, found orbits or a sweep;
-        .npz or .csv of a motion; folder of a chart.
+        JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
+        proven map, found orbits or a sweep; .npz or .csv of a motion; folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and what is drawn in one way only "all".
@@ -61,8 +62,10 @@ def figure_of(path: Path, kind: str, periods: int) -> Drawn:
         return {"system": found.system}, found_figure(found, kind, periods=periods)
     from nonsmooth.runtime.orbit import Orbit
     from nonsmooth.runtime.saved import load_orbit_file
+    from nonsmooth.runtime.saved_orbits import saved_orbit
 
-    orbit = load_orbit_file(path)
+    numbered = not path.exists() and is_saved(str(path))
+    orbit = saved_orbit(str(path)) if numbered else load_orbit_file(path)
     if isinstance(orbit, Orbit):
         from nonsmooth.runtime.pictures.plot import orbit_figure
 
