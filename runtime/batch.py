@@ -16,7 +16,7 @@ from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable, load_orbit
 from nonsmooth.runtime.newton import CONVERGED, NEGATIVE, OUTSIDE, Solved, solve_reduced
 from nonsmooth.runtime.orbit import STATUS
-from nonsmooth.runtime.parameters import check_arrays, in_domains
+from nonsmooth.runtime.parameters import check_arrays, constrained, in_domains
 
 __all__ = ["Orbits", "solve_from", "solve_many"]
 
@@ -330,8 +330,10 @@ def _solve_points(
 
 
 def _inside(kernels: OrbitKernels, points: np.ndarray) -> np.ndarray:
-    """Which points lie in the domains of all parameters."""
+    """Which points lie in the domains of all parameters, and keep the system's constraints."""
     allowed = _allowed(kernels.parameters, kernels.parameter_names, points)
+    columns = dict(zip(kernels.parameter_names, points.T, strict=True))
+    allowed &= constrained(kernels.system, columns)
     return np.asarray(np.isfinite(points).all(axis=-1) & allowed)
 
 

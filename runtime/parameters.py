@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -10,12 +10,14 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, NoConvergence, unknown_name
-from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable
+from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable, SystemKernels
 from nonsmooth.runtime.values import Value, as_value, parse
 
 __all__ = [
     "Point",
     "check_arrays",
+    "check_constraints",
+    "constrained",
     "default_parameters",
     "in_domain",
     "in_domains",
@@ -110,8 +112,10 @@ def resolve(
             opened[name] = values[name]
         elif name in defaults:  # of an orbit that was saved with it
             opened[name] = parse(defaults[name])
-    for name, value in {**values, **point}.items():
+    known = {**values, **point}
+    for name, value in known.items():
         _check_domain(tables[name], value)
+    check_constraints(kernels.system, known)
     return Point(point, opened)
 
 
@@ -239,6 +243,53 @@ def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
         upper = float(parse(table.upper))
         inside &= (numbers < upper) | (table.upper_closed & (numbers == upper))
     return inside
+
+
+def check_constraints(kernels: SystemKernels, values: Mapping[str, Value]) -> None:
+    """Check the constraints of a system, as far as their parameters have values.
+
+    Raises
+    ------
+    InputError
+        Names the values and the constraint that does not hold.
+    """
+    numbers = {n: float(v) if v.exact is None else v.exact for n, v in values.items()}
+    for text, names, total in _constraints(kernels, numbers):
+        if total < 0:
+            told = ", ".join(f"{name} = {value}" for name, value in values.items() if name in names)
+            raise InputError(f"{told}: {text} does not hold")
+
+
+def constrained(kernels: SystemKernels, numbers: Mapping[str, np.ndarray]) -> np.ndarray:
+    """At which points the constraints hold whose parameters have numbers (n,)."""
+    totals = [np.asarray(total) >= 0 for _, _, total in _constraints(kernels, numbers)]
+    shape = np.broadcast_shapes(*(np.shape(column) for column in numbers.values()))
+    return np.asarray(np.logical_and.reduce([np.full(shape, True), *totals]))
+
+
+def _constraints(
+    kernels: SystemKernels, numbers: Mapping[str, Any]
+) -> Iterator[tuple[str, set[str], Any]]:
+    """Text, names and value of each constraint of a system whose parameters are known.
+
+    A constraint is a sum of products with their factors: ``{"a*b**2": 3, "1": -1}``.
+    """
+    for constraint in kernels.table["constraints"]:
+        total, used = 0, set[str]()
+        for text, factor in constraint["terms"].items():
+            product: Any = factor
+            for name, power in _powers(text):
+                used.add(name)
+                product = product * numbers[name] ** power if name in numbers else 0
+            total = total + product
+        if used <= set(numbers):
+            yield constraint["text"], used, total
+
+
+def _powers(product: str) -> list[tuple[str, int]]:
+    """Names and powers of a product such as ``a*b**2``; none of ``1``."""
+    parts = (part.partition("^") for part in product.replace("**", "^").split("*"))
+    return [(name, int(power or 1)) for name, _, power in parts if name != "1"]
 
 
 def value_of(table: ParameterTable, given: object) -> Value:

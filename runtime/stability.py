@@ -74,7 +74,7 @@ def assess_stability(orbit: Orbit) -> Stability:
     elif table["conservative"] and dimension == 3:
         nonzero = _conservative(orbit, trace)
     else:
-        nonzero = _eigenvalues(orbit)[:rank]
+        nonzero = _eigenvalues(orbit)[:rank] if rank else []
     found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
     # a rounding leaves the pair on the unit circle in front of the trivial 1
     found.sort(key=lambda m: -round(float(_modulus(m, orbit)), 12))

@@ -17,7 +17,7 @@ import numpy as np
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
-from nonsmooth.runtime.parameters import in_domains, value_of
+from nonsmooth.runtime.parameters import check_constraints, constrained, in_domains, value_of
 from nonsmooth.runtime.simulation.modes import NumericModes, numeric_modes
 from nonsmooth.runtime.simulation.structure import Modes, Structure, mode_shapes, structure_of
 from nonsmooth.runtime.values import Value, as_value
@@ -77,12 +77,7 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
     tables = {p.name: p for p in kernels.parameters}
     _check_names(kernels, given)
     values = {name: value_of(table, given[name]) for name, table in tables.items()}
-    numbers = {n: float(v) if v.exact is None else v.exact for n, v in values.items()}
-    for constraint in kernels.table["constraints"]:
-        if _sum_of(constraint["terms"], numbers) < 0:
-            names = [name for name in values if name in _names_in(constraint["terms"])]
-            told = ", ".join(f"{name} = {values[name]}" for name in names)
-            raise InputError(f"{told}: {constraint['text']} does not hold")
+    check_constraints(kernels, values)
     return values
 
 
@@ -163,31 +158,8 @@ def parameter_points(
         raise InputError(f"the parameters do not broadcast: {shapes}") from None
     points = np.stack([array.ravel() for array in joined], axis=-1)
     columns = dict(zip(tables, points.T, strict=True))
-    broken = [_sum_of(found["terms"], columns) < 0 for found in kernels.table["constraints"]]
-    for outside in broken:
-        points[outside] = np.nan
+    points[~constrained(kernels, columns)] = np.nan
     return points, joined[0].shape
-
-
-def _sum_of(terms: Mapping[str, int], numbers: Mapping[str, Any]) -> Any:
-    """Sum of products of parameters, each with its factor: ``{"a*b**2": 3, "1": -1}``."""
-    total: Any = 0
-    for text, factor in terms.items():
-        product: Any = factor
-        for name, power in _powers(text):
-            product = product * numbers[name] ** power
-        total = total + product
-    return total
-
-
-def _names_in(terms: Mapping[str, int]) -> set[str]:
-    return {name for text in terms for name, _ in _powers(text)}
-
-
-def _powers(product: str) -> list[tuple[str, int]]:
-    """Names and powers of a product such as ``a*b**2``; none of ``1``."""
-    parts = (part.partition("^") for part in product.replace("**", "^").split("*"))
-    return [(name, int(power or 1)) for name, _, power in parts if name != "1"]
 
 
 class PointGroup(NamedTuple):

@@ -1,0 +1,83 @@
+"""Relations between parameters: checked wherever values are taken."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, oscillator
+from nonsmooth.derive.codegen.tables import system_table
+from nonsmooth.derive.declaration import Declaration
+from nonsmooth.runtime.cli import app
+from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.kernels import kernels_of
+from nonsmooth.runtime.parameters import check_constraints
+from nonsmooth.runtime.solve import solve
+from nonsmooth.runtime.values import as_value
+
+BELT = """
+import sympy as sp
+from nonsmooth.derive import Friction, Itinerary, Reference, oscillator
+
+u, s, V = sp.symbols("u s V")
+system = oscillator(
+    "belt", ["x"], [[1]], [[1]], elements=[Friction("x", u, s, velocity=V, name="belt")]
+)
+orbits = [
+    Itinerary(
+        "stick-slip",
+        system,
+        (("stick", "belt-breaks-forward", "ts"), ("slip", "belt-reaches-belt", "tau")),
+        reference=Reference(
+            {"u": "1", "s": "1.3", "V": "0.5"}, {"ts": "1.2", "tau": "5.2", "x0": "0.7"}
+        ),
+    )
+]
+"""
+
+
+def test_constraints_hold_where_their_expressions_are_not_negative() -> None:
+    a, b, n = sp.symbols("a b n")
+    system = oscillator(
+        "loaded", ["x"], [[1]], [[1]],
+        elements=[Friction("x", 1, a / 2, normal=n - b**2 / 3 - a * b / (1 + n) - 1)],
+    )  # fmt: skip
+    kernels, symbols = kernels_of(system), {p.name: p.symbol for p in system.parameters}
+    assert len(system.constraints) == 2
+    rng, kept = np.random.default_rng(5), 0
+    for _ in range(100):
+        numbers = [Fraction(int(k), 6) for k in rng.integers(1, 30, 3)]
+        values = dict(zip(("a", "b", "n"), numbers, strict=True))
+        point = {symbols[k]: sp.Rational(v.numerator, v.denominator) for k, v in values.items()}
+        holds = all(c.subs(point) >= 0 for c in system.constraints)
+        kept += holds
+        if holds:
+            check_constraints(kernels, {k: as_value(v) for k, v in values.items()})
+        else:
+            with pytest.raises(InputError, match="does not hold"):
+                check_constraints(kernels, {k: as_value(v) for k, v in values.items()})
+    assert 10 < kept < 90
+    terms = [entry["terms"] for entry in system_table(Declaration(system))["constraints"]]
+    assert terms[0] == {"a": 2, "1": -4}
+
+
+def test_orbits_with_kernels_keep_them_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+    Path("belt.py").write_text(BELT)
+    answer = CliRunner().invoke(app, ["generate", "belt.py", "--out", "kernels"])
+    assert answer.exit_code == 0
+    kernels = "kernels:stick-slip"
+    orbit = solve(kernels)
+    assert float(orbit.unknowns["ts"]) == pytest.approx(1.2)
+    assert ns.refine(orbit, 30).stability.margin == 1  # a map of rank zero
+    with pytest.raises(InputError, match=r"s = 0\.9, u = 1: s - u >= 0 does not hold"):
+        solve(kernels, {"s": "0.9"})
+    found = ns.solve_many(kernels, s=np.array([0.9, 1.3]))
+    assert found.status.tolist() == [2, 0]
