@@ -30,6 +30,7 @@ from nonsmooth.runtime.commands.application import (
     print_json,
     split,
 )
+from nonsmooth.runtime.commands.keeping import interrupted, same_command, worked
 from nonsmooth.runtime.commands.options import (
     AsJson,
     Assignments,
@@ -259,7 +260,11 @@ def reproduce(
     from nonsmooth.runtime.reproduce.writing import reproduce as write
 
     with steps() as begin:
-        files = [str(path) for path in write(out, begin, certified=certified)]
+        paths, stopped = worked(lambda: write(out, begin, certified=certified))
+    files = [str(path) for path in paths]
+    if stopped:
+        kept = f"{len(files)} pictures are kept in {out}, the report is not written"
+        return interrupted(kept, f"begin again with: {same_command()}")
     if as_json:
         print_json({"folder": str(out), "files": files})
     else:

@@ -24,6 +24,17 @@ class MissingExtra(NonsmoothError, ImportError):
     """An optional package is needed; the message gives the command that installs it."""
 
 
+class Interrupted(KeyboardInterrupt):
+    """A long work was interrupted; `partial` is what it had found until then.
+
+    Whoever does not ask for it sees the usual KeyboardInterrupt.
+    """
+
+    def __init__(self, partial: object) -> None:
+        super().__init__("interrupted")
+        self.partial = partial
+
+
 def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
     """Say that a name is unknown, suggest the nearest one and list those that exist.
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import random
+import sys
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -19,7 +21,7 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.arithmetic import exact_ball
 from nonsmooth.runtime.certification.boxes.place import Place
-from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.errors import InputError, Interrupted
 from nonsmooth.runtime.kernels import load_system
 from tests.certified import loop
 
@@ -398,15 +400,38 @@ def test_domains_hold_in_every_corner() -> None:
             ns.certify_box(loop(), box)
 
 
-def test_a_state_is_kept_when_stopped(tmp_path: Path) -> None:
-    kept: list[ns.BoxCertificate] = []
+@pytest.mark.parametrize("line", random.Random(7).sample(range(150), 6))
+def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(line: int, tmp_path: Path) -> None:
+    orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}
+    lines, before = 0, sys.gettrace()
 
-    def stop(decided: float, looked_at: int) -> None:
-        if looked_at == 3:
+    def trace(frame: Any, event: str, argument: Any) -> Any:
+        nonlocal lines
+        if not frame.f_code.co_filename.endswith("boxes/certify.py"):
+            return None
+        lines += event == "line"
+        if event == "line" and lines > line and "look" in _callers(frame):
+            sys.settrace(before)
             raise KeyboardInterrupt
+        return trace
 
-    with pytest.raises(KeyboardInterrupt):
-        ns.certify_box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}, progress=stop, keep=kept.append)
-    (state,) = kept
-    assert len(state.tiles) == 4  # three were halved
-    assert sum(state.shares.values()) == 1
+    sys.settrace(trace)
+    try:
+        with pytest.raises(Interrupted) as stopped:
+            ns.certify_box(orbit, box, tiles=5)
+    finally:
+        sys.settrace(before)
+    state: Any = stopped.value.partial
+    assert sum(tile.place.share for tile in state.tiles) == 1
+    state.save(tmp_path / "map.json")
+    read = ns.load_box_certificate(tmp_path / "map.json")
+    resumed = ns.certify_box(orbit, box, resume=read, tiles=2)
+    assert len(resumed.tiles) > len(read.tiles)
+
+
+def _callers(frame: Any) -> set[str]:
+    found = set()
+    while frame is not None:
+        found.add(frame.f_code.co_name)
+        frame = frame.f_back
+    return found

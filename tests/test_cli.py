@@ -521,12 +521,15 @@ def test_undecided_is_1(monkeypatch: pytest.MonkeyPatch) -> None:
     assert run("verify", ORBIT, "--require", "admissible")[0] == 3
 
 
-def test_interrupt_is_130_and_quiet(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_interrupt_is_130_and_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupt(*arguments: Any, **options: Any) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(solve, "solve", interrupt)
-    assert run("solve", ORBIT) == (130, "", "")
+    code, out, err = run("solve", ORBIT)
+    assert (code, out) == (130, "")
+    assert err.startswith("nonsmooth: interrupted: nothing is kept; begin again with: nonsmooth")
+    assert err.count("\n") == 1
 
 
 # --- wrong input

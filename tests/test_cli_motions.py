@@ -217,8 +217,8 @@ def found():
 def test_json_of_find(found):
     document = told(*FIND.split())
     assert list(document) == [
-        *("system", "parameters", "starts", "transitions", "box", "orbits", "resting"),
-        *("unclassified", "files"),
+        *("system", "parameters", "starts", "transitions", "complete", "box", "orbits"),
+        *("resting", "unclassified", "files"),
     ]
     assert (document["starts"], document["transitions"]) == (12, 400)
     assert document["parameters"] == values(B)

@@ -2,7 +2,7 @@
 
 Every command returns its exit code: 0 when the question was answered, 1 on no convergence,
 an undecided verdict or a check that differs, 2 on wrong input, 3 when a requirement is not
-met.
+met, 130 when it was interrupted.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
+from nonsmooth.runtime.commands.keeping import interrupted, same_command
 from nonsmooth.runtime.errors import InputError, NoConvergence, NonsmoothError
 
 if TYPE_CHECKING:
@@ -32,13 +33,13 @@ __all__ = [
     "split",
 ]
 
-ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET, INTERRUPTED = 0, 1, 2, 3, 130
+ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
 
 app = typer.Typer(
     name="nonsmooth",
     help="Periodic orbits of piecewise-linear oscillators with impacts and dry friction.",
     epilog="Exit codes: 0 answered, 1 no answer or a difference, 2 wrong input,"
-    " 3 a requirement is not met.",
+    " 3 a requirement is not met, 130 interrupted.",
     no_args_is_help=True,
     add_completion=False,
     rich_markup_mode="rich",
@@ -60,7 +61,7 @@ def answering(command: Callable[..., int]) -> Callable[..., None]:
         except (NonsmoothError, DeclarationError, DerivationError) as problem:
             code = _failed(problem, WRONG_INPUT, options)
         except KeyboardInterrupt:
-            code = INTERRUPTED
+            code = interrupted("nothing is kept", f"begin again with: {same_command()}")
         raise typer.Exit(code)
 
     return run

@@ -27,6 +27,7 @@ from nonsmooth.runtime.commands.certifying_events import (
     show_checked_events,
 )
 from nonsmooth.runtime.commands.counting import Every, count_orbits
+from nonsmooth.runtime.commands.keeping import INTERRUPTED, Overwrite, check_new
 from nonsmooth.runtime.commands.options import AsJson, Assignments, Guess
 from nonsmooth.runtime.errors import InputError
 
@@ -89,7 +90,7 @@ def certify(
     ] = _TILES,
     resume: Annotated[
         Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a saved box."),
+        typer.Option("--resume", metavar="FILE", help="Go on with a saved box, or saved events."),
     ] = None,
     plot: Annotated[
         Path | None,
@@ -103,6 +104,7 @@ def certify(
             help="Prove a saved certificate again, from the file alone; exit with 1 if it differs.",
         ),
     ] = None,
+    overwrite: Overwrite = False,
     every: Every = False,
     events: Annotated[
         bool,
@@ -133,12 +135,15 @@ def certify(
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
-        found, decided = certify_over(
-            orbit, parameters or [], near, tiles, resume, save, plot, as_json=as_json
-        )
-        return _judged(found.claims, require, decided=decided)
-    if resume is not None or plot is not None:
+        found, code = certify_over(
+            orbit, parameters or [], near, tiles, resume, save, plot,
+            overwrite=overwrite, as_json=as_json,
+        )  # fmt: skip
+        return code if code == INTERRUPTED else _judged(found.claims, require, code)
+    if plot is not None or (resume is not None and not events):
         raise InputError("--resume and --plot are for a box of parameters, as in V=0.99:1.01")
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=events)
     if digits is not None and bits is not None:
         raise InputError("--digits and --bits say the same: give one of them")
     if digits is not None:
@@ -149,8 +154,10 @@ def certify(
     if every:
         return count_orbits(orbit, parameters, guess, wanted, require, save, as_json=as_json)
     if events:
-        told = certify_events(orbit, parameters or [], near, wanted, save, as_json=as_json)
-        return _judged(told, require, decided="undecided" not in told.values())
+        told, code = certify_events(
+            orbit, parameters or [], near, wanted, resume, save, as_json=as_json
+        )
+        return code if code == INTERRUPTED else _judged(told, require, code)
     return _certify(orbit, parameters, near, wanted, require, save, as_json)
 
 
@@ -166,11 +173,8 @@ def _certify(
     from nonsmooth.runtime.certification.certify import certify as prove
     from nonsmooth.runtime.commands.display import steps
     from nonsmooth.runtime.commands.display_certificates import show_certificate
-    from nonsmooth.runtime.files import check_target
     from nonsmooth.runtime.solve import solve
 
-    if save is not None:
-        check_target(save)
     values = assignments("parameter", parameters or [])
     with steps(f"solving {orbit}") as begin:
         found = solve(orbit, values, near)
@@ -184,7 +188,7 @@ def _certify(
         show_certificate(certificate)
         if save is not None:
             print(f"\n{save} written")
-    return _judged(certificate.claims, require, decided=certificate.decided)
+    return _judged(certificate.claims, require, ANSWERED if certificate.decided else UNANSWERED)
 
 
 def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
@@ -217,13 +221,13 @@ def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
     if certificate is None:
         print(f"nonsmooth: {path}: {found.difference}", file=sys.stderr)
         return UNANSWERED
-    return _judged(claims, require, decided=True)
+    return _judged(claims, require, ANSWERED)
 
 
-def _judged(claims: Mapping[str, str], require: Proven | None, *, decided: bool) -> int:
-    """Exit code; says on stderr which claims are not proved though they are required to be."""
+def _judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int:
+    """The exit code, or another if claims that are not proved are required to be: told."""
     missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
     if require is not None and missed:
         print(f"nonsmooth: required: proved; found: {', '.join(missed)}", file=sys.stderr)
         return NOT_MET
-    return ANSWERED if decided else UNANSWERED
+    return code

@@ -7,7 +7,13 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nonsmooth.runtime.commands.application import assignments, print_json
+from nonsmooth.runtime.commands.application import (
+    ANSWERED,
+    UNANSWERED,
+    assignments,
+    print_json,
+)
+from nonsmooth.runtime.commands.keeping import check_new, interrupted, same_command, worked
 from nonsmooth.runtime.commands.options import PICTURES
 from nonsmooth.runtime.errors import InputError, NoConvergence
 from nonsmooth.runtime.values import Value, as_value, parse
@@ -36,9 +42,10 @@ def certify_over(
     save: Path | None,
     plot: Path | None,
     *,
+    overwrite: bool,
     as_json: bool,
-) -> tuple[BoxCertificate, bool]:
-    """Prove the map, show it, and keep it; gives it, and whether enough of it is decided."""
+) -> tuple[BoxCertificate, int]:
+    """Prove the map, show it, and keep it; gives it, and the exit code."""
     from nonsmooth.runtime.certification.boxes.certify import certify_box
     from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
     from nonsmooth.runtime.commands.display import shared, steps
@@ -47,22 +54,23 @@ def certify_over(
 
     if plot is not None:
         check_ending(plot, PICTURES)
+        check_target(plot)
     save = resume if save is None else save
-    for path in (save, plot):
-        if path is not None:
-            check_target(path)
+    check_new(save, overwrite, resume, resumes=True)
     known = None if resume is None else load_box_certificate(resume)
     box, fixed = box_and_values(parameters)
     with steps(f"solving {name}"):
         orbit = solved_in(name, fixed, box, near)
     with shared(f"proving {name}") as progress:
-        found = certify_box(
-            orbit,
-            box,
-            tiles=tiles,
-            resume=known,
-            progress=progress,
-            keep=None if save is None else lambda state: state.save(save),
+        found, stopped = worked(
+            lambda: certify_box(
+                orbit,
+                box,
+                tiles=tiles,
+                resume=known,
+                progress=progress,
+                keep=None if save is None else lambda state: state.save(save),
+            )
         )
     written = []
     if save is not None:
@@ -85,7 +93,13 @@ def certify_over(
         show_box(found)
         for path in written:
             print(f"\n{path} written")
-    return found, found.decided >= _ENOUGH
+    if not stopped:
+        return found, ANSWERED if found.decided >= _ENOUGH else UNANSWERED
+    done = f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided"
+    if save is None:
+        return found, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
+    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+    return found, interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
 
 
 def box_and_values(

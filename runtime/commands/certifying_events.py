@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nonsmooth.runtime.commands.application import print_json
+from nonsmooth.runtime.commands.application import ANSWERED, UNANSWERED, print_json
 from nonsmooth.runtime.commands.certifying_boxes import box_and_values, solved_in
+from nonsmooth.runtime.commands.keeping import interrupted, same_command, worked
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.certification.events.record import EventCertificate
@@ -20,22 +21,24 @@ def certify_events(
     parameters: Sequence[str],
     near: Mapping[str, float] | None,
     bits: int,
+    resume: Path | None,
     save: Path | None,
     *,
     as_json: bool,
-) -> dict[str, str]:
-    """Follow the orbit over a range, enclose what happens and keep it; gives what is claimed."""
-    from nonsmooth.runtime.certification.events.certify import certify_event
+) -> tuple[dict[str, str], int]:
+    """Follow the orbit over a range, enclose what happens and keep it.
+
+    Gives what is claimed, and the exit code.
+    """
+    from nonsmooth.runtime.certification.events.certify import certify_branch
     from nonsmooth.runtime.certification.events.record import events_claim
-    from nonsmooth.runtime.certification.events.saved import save_events
+    from nonsmooth.runtime.certification.events.saved import load_event_certificates, save_events
     from nonsmooth.runtime.commands.display import counted, steps
     from nonsmooth.runtime.commands.display_certificates import show_events
     from nonsmooth.runtime.continuation.branch import continue_orbit
     from nonsmooth.runtime.errors import InputError
-    from nonsmooth.runtime.files import check_target
 
-    if save is not None:
-        check_target(save)
+    known = () if resume is None else load_event_certificates(resume)
     box, fixed = box_and_values(parameters)
     if len(box) != 1:
         raise InputError("--events takes one range, as in V=0.6:1.3")
@@ -44,11 +47,8 @@ def certify_events(
         orbit = solved_in(name, fixed, box, near)
         begin(f"following {name}")
         branch = continue_orbit(orbit, parameter, (float(lower), float(upper)))
-    found = []
     with counted("enclosing events", len(branch.events)) as progress:
-        for event in branch.events:
-            found.append(certify_event(branch, event, bits))
-            progress(len(found))
+        found, stopped = worked(lambda: certify_branch(branch, bits, known, progress))
     if save is not None:
         save_events(found, save)
     if as_json:
@@ -67,7 +67,14 @@ def certify_events(
         )
         if save is not None:
             print(f"\n{save} written")
-    return events_claim(found)
+    claims = events_claim(found)
+    if not stopped:
+        return claims, UNANSWERED if "undecided" in claims.values() else ANSWERED
+    done = f"{len(found)} of {len(branch.events)} events are done"
+    if save is None:
+        return claims, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
+    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+    return claims, interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
 
 
 def show_checked_events(found: Sequence[EventCertificate]) -> None:

@@ -19,6 +19,7 @@ from nonsmooth.runtime.commands.application import (
     ranges,
     split,
 )
+from nonsmooth.runtime.commands.keeping import interrupted, same_command
 from nonsmooth.runtime.commands.options import AsJson
 from nonsmooth.runtime.errors import InputError
 
@@ -100,8 +101,19 @@ def chart(
             given[parameter] = linear_axis(parameter, *value) if isinstance(value, tuple) else value
     begin = assignments("state", split(start)) if start else None
     problem, axes = chart_problem(name, given, simulate, begin, transitions)
-    with _counted(f"charting {name}") as progress:
-        work = work_on(out, problem, axes, scheduler, chunk, threads, progress)
+    done = 0, 0
+
+    def count(computed: int, total: int) -> None:
+        nonlocal done
+        done = computed, total
+        progress(computed, total)
+
+    try:
+        with _counted(f"charting {name}") as progress:
+            work = work_on(out, problem, axes, scheduler, chunk, threads, count)
+    except KeyboardInterrupt:
+        kept = f"{done[0]} of {done[1] or 'all'} chunks are kept in {out}"
+        return interrupted(kept, f"go on with: {same_command()}")
     dataset = load_chart(out)
     counted = int(dataset.status.size) <= MOST_COUNTED
     told = {

@@ -15,9 +15,16 @@ from nonsmooth.runtime.commands.application import (
     print_json,
     ranges,
 )
+from nonsmooth.runtime.commands.keeping import (
+    Overwrite,
+    check_new,
+    interrupted,
+    same_command,
+    worked,
+)
 from nonsmooth.runtime.commands.options import PICTURES, AsJson, OrbitName
 from nonsmooth.runtime.continuation.event import KINDS, Event
-from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -119,18 +126,27 @@ def follow(
     save: Annotated[
         Path | None, typer.Option("--save", metavar="FILE", help="Save the branch as JSON.")
     ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option("--resume", metavar="FILE", help="Go on with a branch that was interrupted."),
+    ] = None,
+    overwrite: Overwrite = False,
     as_json: AsJson = False,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
     from nonsmooth.runtime.commands.display_branches import branch_json, show_branch
+    from nonsmooth.runtime.continuation.saved import load_branch
     from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.solve import solve
 
     if plot is not None:
         check_ending(plot, PICTURES)
-    for path in (plot, save):
-        if path is not None:
-            check_target(path)
+        check_target(plot)
+    if resume is not None and (switch or follow_event is not None):
+        raise InputError("--resume goes on with a branch: leave out --switch and --follow")
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=not switch and follow_event is None)
+    known = None if resume is None else load_branch(resume)
     if follow_event is not None and beyond:
         raise InputError("--beyond is of a branch: leave it out with --follow")
     wanted = 1 if follow_event is None else 2
@@ -155,23 +171,27 @@ def follow(
         begin = solve(orbit, {**fixed, **middles})
     options = {"step": step, "points": points, "stop": "admissible" if admissible else None}
     interval = low, high
-    branch = _branch(begin, name, interval, options)
+    branch, stopped = _branch(begin, name, interval, {**options, "resume": known})
     for text in switch or ():
+        _go_on(stopped)
         event = chosen_event(branch, text)
         other = branch.switch(event, fixed)
         if name not in other.parameters:  # the period that was given
             name, times = "period", 2 if event.kind == "flip" else 1
             interval = times * interval[0], times * interval[1]
-        branch = _branch(other, name, interval, options)
+        branch, stopped = _branch(other, name, interval, options)
     if follow_event is not None:
+        _go_on(stopped)
         ((second, (lower, upper, _)),) = others
         event = chosen_event(branch, follow_event)
         return _in_the_plane(branch, event, second, (lower, upper), step, plot, save, as_json)
-    beyond_events = _beyond(branch, fixed) if beyond else {}
     written = []
     if save is not None:
         branch.save(save)
         written.append(str(save))
+    beyond_events: Others = {}
+    if beyond and not stopped:
+        beyond_events, stopped = worked(lambda: _beyond(branch, fixed))
     if plot is not None:
         from nonsmooth.runtime.continuation.drawing import branch_figure
         from nonsmooth.runtime.pictures.plot import save_figure
@@ -183,7 +203,21 @@ def follow(
     else:
         show_branch(branch, beyond_events)
         _show_written(written)
-    return ANSWERED
+    if not stopped:
+        return ANSWERED
+    done = f"{len(branch)} points"
+    if save is None or switch:
+        where = f"are kept in {save}" if save is not None else "are shown, not saved"
+        again = same_command(*["--overwrite"] if save is not None else [])
+        return interrupted(f"{done} {where}", f"begin again with: {again}")
+    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+    return interrupted(f"{done} are kept in {save}", f"go on with: {goes_on}")
+
+
+def _go_on(stopped: bool) -> None:
+    """Nothing is kept of a branch that only leads to the one that was asked for."""
+    if stopped:
+        raise KeyboardInterrupt
 
 
 def _branch(
@@ -191,13 +225,13 @@ def _branch(
     name: str,
     interval: tuple[float, float],
     options: Mapping[str, Any],
-) -> Branch:
-    """A branch, with progress."""
+) -> tuple[Branch, bool]:
+    """A branch, with progress, and whether it was interrupted."""
     from nonsmooth.runtime.commands.display import counted
     from nonsmooth.runtime.continuation.branch import continue_orbit
 
     with counted(f"following {name}", 2 * options["points"]) as progress:
-        return continue_orbit(orbit, name, interval, progress=progress, **options)
+        return worked(lambda: continue_orbit(orbit, name, interval, progress=progress, **options))
 
 
 def _show_written(written: list[str]) -> None:
@@ -247,7 +281,11 @@ def _in_the_plane(
 
     what = f"following {event.kind.replace('-', ' ')}"
     with counted(what, 2 * MOST_POINTS) as progress:
-        locus = continue_event(branch, event, second, interval, step=2 * step, progress=progress)
+        locus, stopped = worked(
+            lambda: continue_event(
+                branch, event, second, interval, step=2 * step, progress=progress
+            )
+        )
     written = []
     if save is not None:
         locus.save(save)
@@ -263,6 +301,10 @@ def _in_the_plane(
     else:
         show_locus(locus)
         _show_written(written)
+    if stopped:
+        where = "are shown, not saved" if save is None else f"are kept in {save}"
+        again = same_command(*["--overwrite"] if save is not None else [])
+        return interrupted(f"{len(locus)} points {where}", f"begin again with: {again}")
     return ANSWERED
 
 
@@ -276,13 +318,17 @@ def _beyond(branch: Branch, fixed: Mapping[str, Value]) -> Others:
             if not event.border_collision:
                 continue
             begin(f"beyond {event.parameter} = {event.value:.6g}")
+            try:
+                orbits = branch.next_itineraries(event, fixed)
+            except KeyboardInterrupt:
+                raise Interrupted(found) from None
             found[number] = [
                 {
                     "itinerary": [list(phase) for phase in orbit.itinerary],
                     "value": float(orbit.given[branch.parameter]),
                     "stability": orbit.stability.verdict,
                 }
-                for orbit in branch.next_itineraries(event, fixed)
+                for orbit in orbits
                 if branch.parameter in orbit.given
             ]
     return found

@@ -15,6 +15,7 @@ from nonsmooth.runtime.commands.application import (
     assignments,
     print_json,
 )
+from nonsmooth.runtime.commands.keeping import interrupted, same_command, worked
 from nonsmooth.runtime.errors import InputError
 
 __all__ = ["Every", "count_orbits", "split_bounds"]
@@ -69,16 +70,13 @@ def count_orbits(
     from nonsmooth.runtime.certification.counting.count import certify_all
     from nonsmooth.runtime.commands.display import steps
     from nonsmooth.runtime.commands.display_census import show_census
-    from nonsmooth.runtime.files import check_target
 
     if guess:
         raise InputError("--all takes no guess: it searches the whole box")
-    if save is not None:
-        check_target(save)
     texts, bounds = split_bounds(arguments)
     values = assignments("parameter", texts)
     with steps() as begin:
-        census = certify_all(orbit, values, bounds, bits=bits, begin=begin)
+        census, stopped = worked(lambda: certify_all(orbit, values, bounds, bits=bits, begin=begin))
     if save is not None:
         census.save(save)
     if as_json:
@@ -88,6 +86,10 @@ def count_orbits(
         show_census(census)
         if save is not None:
             print(f"\n{save} written")
+    if stopped:
+        where = "shown, not saved" if save is None else f"kept in {save}"
+        again = same_command(*[] if save is None else ["--overwrite"])
+        return interrupted(f"what was found until then is {where}", f"begin again with: {again}")
     if census.decided:
         return ANSWERED
     if require is not None:

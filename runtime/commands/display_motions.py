@@ -134,10 +134,10 @@ def _listing(*names: str) -> Table:
 def show_sweep(diagram: Sweep) -> None:
     """Say how many points a bifurcation diagram has."""
     points = int(np.isfinite(diagram.samples).sum())
-    low, high = diagram.values[[0, -1]]
+    low, high = diagram.values[[0, diagram.done - 1]] if diagram.done else (np.nan, np.nan)
     print(
-        f"{diagram.system}: {points} points of {diagram.state} at each entry of"
-        f" {diagram.configuration}, {diagram.parameter} from {_number(low)} to {_number(high)}"
+        f"{diagram.system}: {points} points of {diagram.state} {diagram.when},"
+        f" {diagram.parameter} from {_number(low)} to {_number(high)}"
     )
 
 

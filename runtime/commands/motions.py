@@ -19,10 +19,19 @@ from nonsmooth.runtime.commands.application import (
     ranges,
     split,
 )
+from nonsmooth.runtime.commands.keeping import (
+    Overwrite,
+    check_new,
+    interrupted,
+    same_command,
+    worked,
+)
 from nonsmooth.runtime.commands.options import PICTURES, AsJson, Physical, SystemName
 from nonsmooth.runtime.errors import InputError
 
 __all__ = ["find", "simulate", "sweep"]
+
+_FORCING = "forcing-phase"
 
 
 @app.command(
@@ -182,6 +191,7 @@ def find(
             help="Append the orbits as itineraries found-1, ... to the file of the system.",
         ),
     ] = None,
+    overwrite: Overwrite = False,
     as_json: AsJson = False,
 ) -> int:
     """Find the periodic orbits that live in a system, stable and unstable, and their basins."""
@@ -198,29 +208,32 @@ def find(
         raise InputError("--from is for the plane of --basins, which is missing")
     if plot is not None:
         check_ending(plot, PICTURES)
-    for path in (plot, save):
-        if path is not None:
-            check_target(path)
+        check_target(plot)
+    check_new(save, overwrite)
     if write is not None:
         check_declaration(system, write)
     axes = ranges("state", split([basins]), counts=True) if basins else {}
     if basins and len(axes) != 2:
         raise InputError(f"--basins takes two states, not {len(axes)}")
+    values = assignments("parameter", parameters or [])
+    limits = {name: (low, high) for name, (low, high, _) in ranges("state", split(box)).items()}
     with steps() as begin:
-        found = find_orbits(
-            system,
-            assignments("parameter", parameters or []),
-            starts,
-            transitions=transitions,
-            box={name: (low, high) for name, (low, high, _) in ranges("state", split(box)).items()},
-            seed=seed,
-            progress=begin,
+        found, stopped = worked(
+            lambda: find_orbits(
+                system,
+                values,
+                starts,
+                transitions=transitions,
+                box=limits,
+                seed=seed,
+                progress=begin,
+            )
         )
     written = []
     if save is not None:
         save_found(found, save)
         written.append(str(save))
-    if plot is not None:
+    if plot is not None and not stopped:
         from nonsmooth.runtime.finding.sweep import basins as map_basins
         from nonsmooth.runtime.pictures.maps import draw_basins
         from nonsmooth.runtime.pictures.plot import save_figure
@@ -228,7 +241,7 @@ def find(
         x, y = ((name, *bounds) for name, bounds in axes.items())
         others = assignments("state", split(start))
         with counted("mapping basins", y[3]) as progress:
-            plane = map_basins(found, x, y, others, progress=progress)
+            plane, stopped = worked(lambda: map_basins(found, x, y, others, progress=progress))
         save_figure(draw_basins(plane), plot)
         written.append(str(plot))
     names: tuple[str, ...] = ()
@@ -245,13 +258,19 @@ def find(
             print(f"nonsmooth solve, continue, certify, chart and plot take {save}:1 and so on")
         for name in names:
             print(f"{write}:{name}")
+    if stopped:
+        where = "shown, not saved" if save is None else f"kept in {save}"
+        again = same_command(*[] if save is None else ["--overwrite"])
+        return interrupted(f"what was found until then is {where}", f"begin again with: {again}")
     return ANSWERED
 
 
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
-    " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png"
+    " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png --save sweep.json\n\n"
+    "nonsmooth sweep impact_oscillator.py w=2:3:200 sigma=1/5 --state x --at forcing-phase"
+    " --phase pi/2 --from x=0,v=0 --out stroboscope.png"
 )
 @answering
 def sweep(
@@ -269,16 +288,33 @@ def sweep(
     ] = None,
     at: Annotated[
         str | None,
-        typer.Option("--at", metavar="NAME", help="At each entry of this configuration."),
+        typer.Option(
+            "--at",
+            metavar="NAME",
+            help="At each entry of this configuration, or `forcing-phase`: once in each period"
+            " of the forcing.",
+        ),
+    ] = None,
+    phase: Annotated[
+        str | None,
+        typer.Option(
+            "--phase", metavar="ANGLE", help="With --at forcing-phase: which, such as pi/2."
+        ),
     ] = None,
     start: Annotated[
         list[str] | None, typer.Option("--from", metavar="NAME=VALUE,...", help="The start.")
     ] = None,
     transient: Annotated[
-        int, typer.Option("--transient", metavar="N", help="Transitions before the first point.")
+        int,
+        typer.Option(
+            "--transient", metavar="N", help="Transitions, or periods, before the first point."
+        ),
     ] = 1000,
     samples: Annotated[
-        int, typer.Option("--samples", metavar="N", help="Transitions that points are taken from.")
+        int,
+        typer.Option(
+            "--samples", metavar="N", help="Transitions, or periods, that points are taken from."
+        ),
     ] = 60,
     restart: Annotated[
         bool, typer.Option("--restart", help="Start every value anew instead of following.")
@@ -286,6 +322,14 @@ def sweep(
     out: Annotated[
         Path | None, typer.Option("--out", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
     ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save it as JSON.")
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option("--resume", metavar="FILE", help="Go on with a sweep that was interrupted."),
+    ] = None,
+    overwrite: Overwrite = False,
     as_json: AsJson = False,
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
@@ -293,7 +337,9 @@ def sweep(
 
     from nonsmooth.runtime.commands.display import counted
     from nonsmooth.runtime.files import check_ending, check_target
+    from nonsmooth.runtime.finding.saved_sweep import load_sweep
     from nonsmooth.runtime.finding.sweep import sweep as follow
+    from nonsmooth.runtime.values import parse
 
     for option, given in (("--state", state), ("--at", at), ("--from", start)):
         if not given:
@@ -301,26 +347,40 @@ def sweep(
     if out is not None:
         check_target(out)
         check_ending(out, PICTURES)
+    strobed = at == _FORCING
+    if phase is not None and not strobed:
+        raise InputError(f"--phase is for --at {_FORCING}")
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=True)
+    known = None if resume is None else load_sweep(resume)
     swept = [text for text in parameters or [] if ":" in text]
     if len(swept) != 1:
         raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
     fixed = [text for text in parameters or [] if text not in swept]
     ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
+    values, begin = assignments("parameter", fixed), assignments("state", split(start))
     with counted(f"sweeping {name}", count) as progress:
-        diagram = follow(
-            system,
-            assignments("parameter", fixed),
-            name,
-            linspace(low, high, count),
-            assignments("state", split(start)),
-            state=str(state),
-            configuration=str(at),
-            transient=transient,
-            samples=samples,
-            follow=not restart,
-            progress=progress,
+        diagram, stopped = worked(
+            lambda: follow(
+                system,
+                values,
+                name,
+                linspace(low, high, count),
+                begin,
+                state=str(state),
+                configuration=None if strobed else at,
+                phase=float(parse(phase or "0")) if strobed else None,
+                transient=transient,
+                samples=samples,
+                follow=not restart,
+                resume=known,
+                progress=progress,
+            )
         )
     written = []
+    if save is not None:
+        diagram.save(save)
+        written.append(str(save))
     if out is not None:
         from nonsmooth.runtime.pictures.maps import draw_sweep
         from nonsmooth.runtime.pictures.plot import save_figure
@@ -337,6 +397,12 @@ def sweep(
         show_sweep(diagram)
         for path in written:
             print(f"{path} written")
+    if stopped:
+        done = f"{diagram.done} of {count} values are done"
+        if save is None:
+            return interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
+        goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+        return interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
     return ANSWERED
 
 

@@ -55,6 +55,7 @@ def sweep_json(diagram: Sweep) -> dict[str, Any]:
         "parameter": diagram.parameter,
         "state": diagram.state,
         "configuration": diagram.configuration,
+        "phase": None if diagram.phase is None else repr(diagram.phase),
         "values": [repr(value) for value in diagram.values.tolist()],
         "samples": [[repr(x) for x in row if x == x] for _, row in rows],
     }

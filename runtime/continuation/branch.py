@@ -15,8 +15,8 @@ from nonsmooth.runtime.continuation.family import check_interval, curve_of
 from nonsmooth.runtime.continuation.locating import Found, describe, locate_all, locate_limits
 from nonsmooth.runtime.continuation.monitors import Monitor, monitors_of
 from nonsmooth.runtime.continuation.record import Branch
-from nonsmooth.runtime.continuation.stepping import Path, trace_both_ways
-from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.continuation.stepping import INTERRUPTED, Path, tangent_at, trace_both_ways
+from nonsmooth.runtime.errors import InputError, Interrupted
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.orbit import Orbit
 
@@ -36,6 +36,7 @@ def continue_orbit(
     step: float = STEP,
     points: int = MOST_POINTS,
     stop: str | None = None,
+    resume: Branch | None = None,
     progress: Callable[[int], object] | None = None,
 ) -> Branch:
     """Follow a periodic orbit over one parameter, through folds, in both directions.
@@ -59,6 +60,8 @@ def continue_orbit(
         At most so many in each direction.
     stop : "admissible", optional
         End also where the orbit ceases to be a motion of the real system.
+    resume : Branch, optional
+        An interrupted one of the same family: it goes on where it was left.
     progress : callable, optional
         Told how many points there are, as they come.
 
@@ -72,8 +75,10 @@ def continue_orbit(
     ------
     InputError
         For an orbit that has not converged, a name that was not given, an interval that is
-        empty, does not hold the orbit or leaves the parameter's domain, or options that are
-        none.
+        empty, does not hold the orbit or leaves the parameter's domain, options that are
+        none, or another family's branch to resume.
+    Interrupted
+        By Ctrl-C; its `partial` is the Branch until then, with its events.
 
     Examples
     --------
@@ -84,7 +89,11 @@ def continue_orbit(
     ('end of the interval', 'ta goes to zero')
     """
     limits = _checked(orbit, parameter, interval, step, points, stop)
+    if resume is not None:
+        _check_same(orbit, parameter, limits, resume)
+        orbit = resume.orbit
     curve = curve_of(orbit, parameter, limits[1] - limits[0])
+    known = None if resume is None else _path_of(curve, resume)
     told = 0
 
     def go_on(before: np.ndarray, z: np.ndarray) -> str | None:
@@ -99,7 +108,34 @@ def continue_orbit(
             return "the orbit is no motion of the real system beyond"
         return None
 
-    return _branch(curve, trace_both_ways(curve, limits, step, points, go_on))
+    path = trace_both_ways(curve, limits, step, points, go_on, known)
+    if INTERRUPTED not in path.ends:
+        return _branch(curve, path)
+    if len(path.points) < 2:
+        raise KeyboardInterrupt
+    raise Interrupted(_branch(curve, path))
+
+
+def _check_same(
+    orbit: Orbit | ComposedOrbit, parameter: str, limits: tuple[float, float], known: Branch
+) -> None:
+    """Refuse to go on with a branch of another orbit, parameter or value."""
+    if (known.name, known.parameter) != (orbit.name, parameter):
+        raise InputError(f"the branch to resume is of {known.name} over {known.parameter}")
+    for name, value in orbit.given.items():
+        if name != parameter and known.orbit.given.get(name) != value:
+            raise InputError(f"the branch to resume has another {name}")
+    values = known.parameter_values
+    if not (limits[0] <= values.min() and values.max() <= limits[1]):
+        raise InputError("the branch to resume leaves the interval")
+
+
+def _path_of(curve: Curve, branch: Branch) -> Path:
+    """A branch as the path that it was made from."""
+    points = np.column_stack([branch.unknowns, branch.parameter_values])
+    chords = np.gradient(points / curve.sizes, axis=0)
+    tangents = [tangent_at(curve, z, chord) for z, chord in zip(points, chords, strict=True)]
+    return Path(points, np.array(tangents), branch.ends, branch.start)
 
 
 def _branch(curve: Curve, path: Path) -> Branch:

@@ -20,8 +20,8 @@ from nonsmooth.runtime.continuation.family import check_interval, curve_of
 from nonsmooth.runtime.continuation.locus import Locus
 from nonsmooth.runtime.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.continuation.record import Branch
-from nonsmooth.runtime.continuation.stepping import trace_both_ways
-from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.continuation.stepping import INTERRUPTED, trace_both_ways
+from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
 
 __all__ = ["MOST_POINTS", "continue_event"]
 
@@ -143,6 +143,8 @@ def continue_event(
     InputError
         For an event that cannot be followed, a name that was not given or is the branch's
         own, or an interval that does not hold the orbit.
+    Interrupted
+        By Ctrl-C; its `partial` is the Locus until then.
 
     Examples
     --------
@@ -179,7 +181,7 @@ def continue_event(
             progress(told)
 
     path = trace_both_ways(locus, limits, step, points, go_on)
-    return Locus(
+    found = Locus(
         branch.name,
         event.kind,
         event.boundary,
@@ -191,6 +193,9 @@ def continue_event(
         path.start,
         branch.orbit,
     )
+    if INTERRUPTED in path.ends:
+        raise Interrupted(found)
+    return found
 
 
 def _monitor_of(monitors: Monitors, event: Event) -> Monitor:

@@ -14,6 +14,7 @@ import numpy as np
 from nonsmooth.runtime.continuation.curve import Curve
 
 __all__ = [
+    "INTERRUPTED",
     "Path",
     "correct",
     "on_chord",
@@ -34,6 +35,7 @@ _NO_ROW = 1e-10  # relative size of a row that says nothing
 MOST_GROWTH = 100.0  # of an unknown, in units of its size at first
 GROWN = "the orbit grows a hundredfold: a resonance"
 CLOSED = "the branch is closed"
+INTERRUPTED = "interrupted"
 LOST = "the branch is lost: no smaller step leads on"
 
 
@@ -116,42 +118,69 @@ def trace_both_ways(
     step: float,
     most: int,
     go_on: Callable[[np.ndarray, np.ndarray], str | None],
+    known: Path | None = None,
 ) -> Path:
     """Follow a branch from its first point in both directions; see `trace_path`.
 
-    The parameter increases at first. Neighbouring points are not the same.
+    The parameter increases at first. Neighbouring points are not the same. Ctrl-C ends the
+    path where it is: such an end is INTERRUPTED. A path that is known goes on at these ends.
     """
-    direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])
-    backward = list(trace_path(curve, -direction, limits, step, most, go_on))
-    closed = backward[-1][2] == CLOSED
-    forward = [] if closed else list(trace_path(curve, direction, limits, step, most, go_on))
-    steps = [
-        *((z, -tangent) for z, tangent, _ in reversed(backward)),
-        (curve.first, direction),
-        *((z, tangent) for z, tangent, _ in forward),
-    ]
-    points, tangents = (np.array(part) for part in zip(*steps, strict=True))
+    if known is None:
+        direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])
+        known = Path(curve.first[None], direction[None], (INTERRUPTED, INTERRUPTED), 0)
+    points, tangents, ends, start = known.points, known.tangents, list(known.ends), known.start
+    for side, sign in ((0, -1), (-1, 1)):
+        if ends[side] != INTERRUPTED:
+            continue
+        begin = points[side], sign * tangents[side]
+        steps, reason = _walked(trace_path(curve, begin, limits, step, most, go_on))
+        ends[side] = reason
+        if side == 0:
+            steps.reverse()
+            start += len(steps)
+        found = np.array([z for z, _ in steps]).reshape(-1, points.shape[1])
+        ahead = np.array([sign * tangent for _, tangent in steps]).reshape(found.shape)
+        order = slice(None, None, 1 if side == 0 else -1)
+        points = np.concatenate([found, points][order])
+        tangents = np.concatenate([ahead, tangents][order])
+        if reason == CLOSED:
+            ends = [CLOSED, CLOSED]
+        if reason == INTERRUPTED:
+            break
     gaps = np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1)
     apart = np.append(True, gaps > _SAME_POINT)
-    ends = backward[-1][2], forward[-1][2] if forward else CLOSED
-    start = int(np.count_nonzero(apart[: len(backward) + 1])) - 1
-    return Path(points[apart], tangents[apart], ends, start)
+    start = int(np.count_nonzero(apart[: start + 1])) - 1
+    return Path(points[apart], tangents[apart], (ends[0], ends[1]), start)
+
+
+def _walked(
+    path: Iterator[tuple[np.ndarray, np.ndarray, str]],
+) -> tuple[list[tuple[np.ndarray, np.ndarray]], str]:
+    """Points and tangents of a path, and why it ends."""
+    steps: list[tuple[np.ndarray, np.ndarray]] = []
+    reason = INTERRUPTED
+    try:
+        for z, tangent, reason in path:  # noqa: B007 - the last one is the answer
+            steps.append((z, tangent))
+    except KeyboardInterrupt:
+        reason = INTERRUPTED
+    return steps, reason
 
 
 def trace_path(
     curve: Curve,
-    direction: np.ndarray,
+    begin: tuple[np.ndarray, np.ndarray],
     limits: tuple[float, float],
     step: float,
     most: int,
     go_on: Callable[[np.ndarray, np.ndarray], str | None],
 ) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
-    """Follow a branch from its first point, without that point.
+    """Follow a branch from one of its points, without that point.
 
     Parameters
     ----------
-    direction : array (n + 1,)
-        Tangent at the first point, in the curve's units.
+    begin : (array (n + 1,), array (n + 1,))
+        The point, and its tangent in the curve's units.
     limits : tuple of float
         Of the parameter.
     step : float
@@ -166,8 +195,8 @@ def trace_path(
     tuple
         Point, tangent, and why the branch ends there: empty while it goes on.
     """
-    first = z = curve.first
-    tangent, length, walked = direction, step / 4, 0.0
+    first, direction = z, tangent = begin
+    length, walked = step / 4, 0.0
     for _ in range(most):
         while True:
             found = _step(curve, z, tangent, length)

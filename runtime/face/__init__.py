@@ -32,9 +32,17 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.continuation.record import Branch
     from nonsmooth.runtime.continuation.saved import load_branch
     from nonsmooth.runtime.continuation.saved_locus import load_locus
-    from nonsmooth.runtime.errors import InputError, MissingExtra, NoConvergence, NonsmoothError
+    from nonsmooth.runtime.errors import (
+        InputError,
+        Interrupted,
+        MissingExtra,
+        NoConvergence,
+        NonsmoothError,
+    )
     from nonsmooth.runtime.finding.find import Found, find_orbits
     from nonsmooth.runtime.finding.saved import load_found
+    from nonsmooth.runtime.finding.saved_sweep import load_sweep
+    from nonsmooth.runtime.finding.sweep import Sweep, sweep
     from nonsmooth.runtime.motion import Motion
     from nonsmooth.runtime.observing.lyapunov import lyapunov
     from nonsmooth.runtime.observing.observables import observe
@@ -62,6 +70,7 @@ __all__ = [
     "EventCertificate",
     "Found",
     "InputError",
+    "Interrupted",
     "Locus",
     "MissingExtra",
     "Motion",
@@ -72,6 +81,7 @@ __all__ = [
     "PoincareMap",
     "Proof",
     "Recurrence",
+    "Sweep",
     "Trajectories",
     "Trajectory",
     "__version__",
@@ -96,6 +106,7 @@ __all__ = [
     "load_event_certificates",
     "load_found",
     "load_locus",
+    "load_sweep",
     "load_trajectory",
     "lyapunov",
     "observe",
@@ -105,6 +116,7 @@ __all__ = [
     "simulate_many",
     "solve",
     "solve_many",
+    "sweep",
     "validate",
 ]
 
@@ -119,6 +131,7 @@ _HOMES = {
     "EventCertificate": "certification.events.record",
     "Found": "finding.find",
     "InputError": "errors",
+    "Interrupted": "errors",
     "Locus": "continuation.locus",
     "MissingExtra": "errors",
     "Motion": "motion",
@@ -129,6 +142,7 @@ _HOMES = {
     "PoincareMap": "simulation.returns",
     "Proof": "validation.proof",
     "Recurrence": "composition.recurring",
+    "Sweep": "finding.sweep",
     "Trajectories": "simulation.simulate",
     "Trajectory": "simulation.trajectory",
     "certify": "certification.certify",
@@ -152,6 +166,7 @@ _HOMES = {
     "load_branch": "continuation.saved",
     "load_found": "finding.saved",
     "load_locus": "continuation.saved_locus",
+    "load_sweep": "finding.saved_sweep",
     "load_trajectory": "simulation.saved",
     "lyapunov": "observing.lyapunov",
     "observe": "observing.observables",
@@ -161,6 +176,7 @@ _HOMES = {
     "simulate_many": "simulation.simulate",
     "solve": "solve",
     "solve_many": "batch",
+    "sweep": "finding.sweep",
     "validate": "validation.validate",
 }
 

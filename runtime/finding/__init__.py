@@ -6,5 +6,6 @@
 `find`        `find_orbits`: attractors by simulation, others by Newton
 `sweep`       attractors over a parameter, or over a plane of starts
 `saved`       found orbits as JSON and in files
+`saved_sweep` sweeps in files
 ============  ==============================================================
 """

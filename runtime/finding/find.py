@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
-from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.finding.neighbours import short_cycles
 from nonsmooth.runtime.finding.recurrence import (
     Candidate,
@@ -106,6 +106,8 @@ class Found:
         From where the starts were drawn.
     transitions : int
         How many each start was followed.
+    complete : bool
+        Whether the search was not interrupted.
     """
 
     system: str
@@ -116,6 +118,7 @@ class Found:
     labels: np.ndarray
     box: np.ndarray
     transitions: int
+    complete: bool = True
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write everything as JSON that `nonsmooth.runtime.finding.saved.load_found` reads."""
@@ -168,6 +171,8 @@ def find_orbits(
     ------
     InputError
         For wrong names, values or counts.
+    Interrupted
+        By Ctrl-C, when the starts are followed; its `partial` is what was found until then.
     """
     kernels = kernels_of(system)
     point = piecewise(kernels, parameters)
@@ -185,35 +190,43 @@ def find_orbits(
     progress(f"following {count} starts")
     starts, motions = _legal_starts(follow, point, limits, count, seed, length)
     attractors: list[ComposedOrbit] = []
-    progress("solving the motions that recur")
-    for candidate in _recurrent(motions):
-        orbit = _solved(kernels, point, candidate)
-        if orbit is not None:
-            _add(attractors, orbit)
-    labels = labels_of(motions, attractors)
+    others: list[ComposedOrbit] = []
 
-    progress("looking for unstable orbits")
-    early = follow(starts[: min(count, 200)], _KEPT, _KEPT)
-    everything = list(attractors)
-    for candidate in _converging(kernels, point, _tried(kernels, motions, early)):
-        if not any(_same(known, candidate) for known in everything):
+    def found(*, complete: bool) -> Found:
+        labels, everything = labels_of(motions, attractors), [*attractors, *others]
+        totals = [int((labels == i).sum()) for i in range(len(everything))]
+        order = sorted(
+            range(len(everything)), key=lambda i: (-totals[i], float(everything[i].period))
+        )
+        places = np.argsort(order)
+        return Found(
+            kernels.name,
+            point.parameters,
+            point.structure.states,
+            tuple(FoundOrbit(everything[i], totals[i], totals[i] / len(starts)) for i in order),
+            starts,
+            np.where(labels >= 0, places[np.maximum(labels, 0)] if len(order) else labels, labels),
+            limits,
+            length,
+            complete,
+        )
+
+    try:
+        progress("solving the motions that recur")
+        for candidate in _recurrent(motions):
             orbit = _solved(kernels, point, candidate)
             if orbit is not None:
-                _add(everything, orbit)
-    totals = [int((labels == i).sum()) for i in range(len(attractors))]
-    totals += [0] * (len(everything) - len(attractors))
-    order = sorted(range(len(everything)), key=lambda i: (-totals[i], float(everything[i].period)))
-    places = np.argsort(order)
-    return Found(
-        kernels.name,
-        point.parameters,
-        point.structure.states,
-        tuple(FoundOrbit(everything[i], totals[i], totals[i] / len(starts)) for i in order),
-        starts,
-        np.where(labels >= 0, places[np.maximum(labels, 0)] if len(order) else labels, labels),
-        limits,
-        length,
-    )
+                _add(attractors, orbit)
+        progress("looking for unstable orbits")
+        early = follow(starts[: min(count, 200)], _KEPT, _KEPT)
+        for candidate in _converging(kernels, point, _tried(kernels, motions, early)):
+            if not any(_same(known, candidate) for known in (*attractors, *others)):
+                orbit = _solved(kernels, point, candidate)
+                if orbit is not None and not any(_same(known, orbit) for known in attractors):
+                    _add(others, orbit)
+    except KeyboardInterrupt:
+        raise Interrupted(found(complete=False)) from None
+    return found(complete=True)
 
 
 def start_box(

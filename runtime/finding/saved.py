@@ -26,6 +26,7 @@ FOUND = Form(
         "parameters": dict,
         "starts": int,
         "transitions": int,
+        "complete": bool,
         "box": dict,
         "orbits": list,
         "resting": str,
@@ -46,6 +47,7 @@ def found_json(found: Found) -> dict[str, Any]:
         "parameters": {name: value.text for name, value in found.parameters.items()},
         "starts": len(found.starts),
         "transitions": found.transitions,
+        "complete": found.complete,
         "box": {
             name: [repr(low), repr(high)]
             for name, (low, high) in zip(found.names, found.box.tolist(), strict=True)
@@ -145,4 +147,5 @@ def _found(content: dict[str, Any], folder: Path) -> Found:
         labels,
         np.array([[float(x) for x in content["box"][name]] for name in names]),
         content["transitions"],
+        content["complete"],
     )

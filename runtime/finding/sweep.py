@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.finding.find import UNCLASSIFIED, Found, labels_of
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.loading.declared import DeclaredSystem
+from nonsmooth.runtime.simulation.flows import flow_states
+from nonsmooth.runtime.simulation.piecewise import piecewise
+from nonsmooth.runtime.simulation.run import Status
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
-from nonsmooth.runtime.simulation.starting import start_state
+from nonsmooth.runtime.simulation.simulate import follow as follow_motion
+from nonsmooth.runtime.simulation.starting import configuration_of, start_state
 from nonsmooth.runtime.simulation.structure import structure_of
+from nonsmooth.runtime.values import Value, as_value
 
 __all__ = ["Basins", "Sweep", "basins", "sweep"]
 
@@ -23,25 +29,60 @@ _FIRST_LOOK = 60  # transitions, about
 _LARGEST_PLANE = 4_000_000  # starts
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Sweep:
-    """Returns to one configuration over a parameter, after transients: a bifurcation diagram.
+    """Samples of a state over a parameter, after transients: a bifurcation diagram.
 
     Attributes
     ----------
-    system, parameter, state, configuration : str
-        At each entry of the configuration the state was taken.
+    system : str
+    parameters : dict of str to Value
+        All others than the one that is swept.
+    parameter, state : str
+    configuration : str or None
+        At each entry of which the state was taken; None where the forcing's phase says when.
+    phase : float or None
+        Of the forcing, in radians, at which the state was taken once in each of its periods.
     values : array (n,)
     samples : array (n, m)
         NaN where a motion entered the configuration less often, or ended.
+    start : array (N,)
+    transient : int
+        Transitions, or periods of the forcing, before the first sample.
+    follow : bool
+        Whether motions start where the one before ended.
+    done : int
+        How many of the values were looked at: all of them unless it was interrupted.
+    next_start : array (N,)
+        Where the motion at the next value starts.
     """
 
     system: str
+    parameters: dict[str, Value]
     parameter: str
     state: str
-    configuration: str
+    configuration: str | None
+    phase: float | None
     values: np.ndarray
     samples: np.ndarray
+    start: np.ndarray
+    transient: int
+    follow: bool
+    done: int
+    next_start: np.ndarray
+
+    @property
+    def when(self) -> str:
+        """When the state was taken."""
+        if self.configuration is not None:
+            return f"at each entry of {self.configuration}"
+        return f"at the phase {self.phase:g} of the forcing"
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the diagram to a file; `nonsmooth.load_sweep` reads it."""
+        from nonsmooth.runtime.finding.saved_sweep import save_sweep
+
+        save_sweep(self, path)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,14 +119,16 @@ def sweep(
     start: Mapping[str, object],
     *,
     state: str,
-    configuration: str,
+    configuration: str | None = None,
+    phase: float | None = None,
     transient: int = 1000,
     samples: int = 60,
     follow: bool = True,
     threads: int | None = None,
+    resume: Sweep | None = None,
     progress: Callable[[int], None] = lambda done: None,
 ) -> Sweep:
-    """Follow motions over one parameter and take a state at each entry of a configuration.
+    """Follow motions over one parameter and take a state again and again.
 
     Parameters
     ----------
@@ -94,26 +137,41 @@ def sweep(
     values : array (n,)
     start : mapping of state to number
         Where every motion starts.
+    configuration : str, optional
+        The state is taken at each entry of it.
+    phase : float, optional
+        Or once in each period of the forcing, when that has this phase, in radians. Of several
+        forcings the first one counts.
     transient : int
-        Transitions before the first sample.
+        Transitions before the first sample; with a phase, periods of the forcing.
     samples : int
-        Transitions among which the samples are taken.
+        Transitions among which the samples are taken; with a phase, samples.
     follow : bool
-        Whether each chunk of values starts where the motion at the value before it ended, if
-        that is possible; else all start at `start`.
+        Whether the motions at a value start where those before it ended, if that is possible,
+        chunk by chunk of values; with a phase value by value. Else all start at `start`.
+    resume : Sweep, optional
+        An interrupted one of the same question: what it has is not computed again.
     progress : callable
         Told how many values are done.
 
     Raises
     ------
     InputError
-        For wrong names or numbers.
+        For wrong names or numbers, a phase where there is no forcing, or another question's
+        sweep to resume.
+    Interrupted
+        By Ctrl-C; its `partial` is the Sweep until then.
     """
     kernels = kernels_of(system)
     structure = structure_of(kernels)
     if state not in structure.states:
         raise unknown_name("state", state, structure.states)
-    where = structure.configuration(configuration)
+    if (configuration is None) == (phase is None):
+        raise InputError("the state is taken at a configuration, or at a phase: give one of them")
+    if configuration is not None:
+        structure.configuration(configuration)
+    elif not structure.forcing:
+        raise InputError(f"{kernels.name} has no forcing, whose phase could be waited for")
     try:
         grid = np.asarray(values, dtype=float)
     except (TypeError, ValueError):
@@ -122,33 +180,108 @@ def sweep(
         raise InputError(f"the values of {name} are no row of finite numbers")
     if name in parameters:
         raise InputError(f"parameter {name} is both given and swept")
-    skipped = checked_count("transient", transient, 0)
-    taken = checked_count("samples", samples, 1)
     first = start_state(structure, start)
-    place = structure.states.index(state)
-    found = np.full((grid.size, taken), np.nan)
-    begin, followed = first, 0
-    for low in range(0, grid.size, _CHUNK):
-        here = slice(low, low + _CHUNK)
-        motions = simulate_many(
-            kernels,
-            {**parameters, name: grid[here]},
-            begin,
-            transitions=skipped + taken,
-            keep=taken,
-            threads=threads,
-        )
-        followed += int((motions.status >= 0).sum())
-        # a motion that ended early has kept entries of its transient too
-        places = motions.transitions[:, None] - np.arange(taken)[::-1]
-        entered = (motions.last_configurations == where) & (places > skipped)
-        found[here] = np.where(entered, motions.last_states[..., place], np.nan)
-        last = motions.states[-1]
-        begin = last if follow and np.isfinite(last).all() else first
-        progress(min(low + _CHUNK, grid.size))
+    question = Sweep(
+        system=kernels.name,
+        parameters={key: as_value(value) for key, value in parameters.items()},
+        parameter=name,
+        state=state,
+        configuration=configuration,
+        phase=None if phase is None else float(phase),
+        values=grid,
+        samples=np.full((grid.size, checked_count("samples", samples, 1)), np.nan),
+        start=first,
+        transient=checked_count("transient", transient, 0),
+        follow=follow,
+        done=0,
+        next_start=first,
+    )
+    diagram = question if resume is None else _resumed(question, resume)
+    look = _at_entries if phase is None else _at_phase
+    followed = diagram.done > 0
+    try:
+        while diagram.done < grid.size:
+            end = min(diagram.done + (_CHUNK if phase is None else 1), grid.size)
+            here = slice(diagram.done, end)
+            found, last, possible = look(kernels, diagram, here, threads)
+            followed |= possible
+            onward = follow and np.isfinite(last).all()
+            taken = diagram.samples.copy()
+            taken[here] = found
+            diagram = replace(
+                diagram, samples=taken, done=end, next_start=last if onward else first
+            )
+            progress(end)
+    except KeyboardInterrupt:
+        raise Interrupted(diagram) from None
     if not followed:
         raise InputError(f"for no value of {name} are the parameters and the start possible")
-    return Sweep(kernels.name, name, state, configuration, grid, found)
+    return diagram
+
+
+def _resumed(question: Sweep, known: Sweep) -> Sweep:
+    """What is known of a question; InputError if it is of another one."""
+    for field in fields(Sweep):
+        if field.name in ("samples", "done", "next_start"):
+            continue
+        if not np.array_equal(getattr(question, field.name), getattr(known, field.name)):
+            raise InputError(f"the sweep to resume has another {field.name}")
+    if known.samples.shape != question.samples.shape:
+        raise InputError("the sweep to resume has another number of samples")
+    return known
+
+
+Looked = tuple[np.ndarray, np.ndarray, bool]  # samples, where it ended, whether it was possible
+
+
+def _at_entries(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
+    """Samples at the entries of a configuration, for some of the values."""
+    structure, taken = structure_of(kernels), diagram.samples.shape[1]
+    motions = simulate_many(
+        kernels,
+        {**diagram.parameters, diagram.parameter: diagram.values[here]},
+        diagram.next_start,
+        transitions=diagram.transient + taken,
+        keep=taken,
+        threads=threads,
+    )
+    # a motion that ended early has kept entries of its transient too
+    places = motions.transitions[:, None] - np.arange(taken)[::-1]
+    where = structure.configuration(str(diagram.configuration))
+    entered = (motions.last_configurations == where) & (places > diagram.transient)
+    states = motions.last_states[..., structure.states.index(diagram.state)]
+    possible = bool((motions.status >= 0).any())
+    return np.where(entered, states, np.nan), motions.states[-1], possible
+
+
+def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
+    """Samples at a phase of the forcing, for one value: the motion as a stroboscope shows it."""
+    taken, start = diagram.samples.shape[1], diagram.next_start
+    nothing = np.full((1, taken), np.nan), np.full(len(start), np.nan), False
+    try:
+        system = piecewise(
+            kernels, {**diagram.parameters, diagram.parameter: float(diagram.values[here][0])}
+        )
+        chosen = configuration_of(system, start)
+    except InputError:
+        return nothing
+    (cosine, sine), *_ = system.structure.forcing
+    speed = float(system.fields[0, sine, cosine])
+    angle = np.arctan2(start[sine], start[cosine])
+    wait = float((diagram.phase or 0.0) - angle) % (2 * np.pi)
+    times = (wait + 2 * np.pi * (diagram.transient + np.arange(taken))) / speed
+    run = follow_motion(system, start, chosen, float(times[-1] + 2 * np.pi / speed))
+    states = np.full((taken, len(start)), np.nan)
+    reached = times <= run.end if run.status != Status.QUIET else np.full(taken, True)
+    phases = np.searchsorted(run.times, times[reached], side="right") - 1
+    for place, entry, time in zip(
+        np.flatnonzero(reached), phases.tolist(), times[reached], strict=True
+    ):
+        since = np.array([time - run.times[entry]])
+        where = int(run.configurations[entry])
+        states[place] = flow_states(system, where, since, run.states[entry])[0]
+    column = system.structure.states.index(diagram.state)
+    return states[None, :, column], states[-1], True
 
 
 def basins(
@@ -175,6 +308,8 @@ def basins(
     ------
     InputError
         For wrong names or numbers.
+    Interrupted
+        By Ctrl-C; the rest of its `partial` is not classified.
     """
     axes = []
     for name, low, high, count in (x, y):
@@ -191,18 +326,21 @@ def basins(
     others: dict[str, object] = {name: 0 for name in found.names} | dict(start or {})
     base = start_state(structure_of(kernels), others)
     values = {name: float(value) for name, value in found.parameters.items()}
-    labels = np.empty((axes[1].size, axes[0].size), dtype=int)
+    labels = np.full((axes[1].size, axes[0].size), UNCLASSIFIED)
+    plane = Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
     rows = max(1, 20_000 // axes[0].size)
-    for low_row in range(0, axes[1].size, rows):
-        here = slice(low_row, low_row + rows)
-        starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
-        starts[..., found.names.index(x[0])] = axes[0]
-        starts[..., found.names.index(y[0])] = axes[1][here, None]
-        labels[here] = _arrivals(found, values, starts.reshape(-1, base.size), threads).reshape(
-            -1, axes[0].size
-        )
-        progress(min(low_row + rows, axes[1].size))
-    return Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
+    try:
+        for low_row in range(0, axes[1].size, rows):
+            here = slice(low_row, low_row + rows)
+            starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
+            starts[..., found.names.index(x[0])] = axes[0]
+            starts[..., found.names.index(y[0])] = axes[1][here, None]
+            arrived = _arrivals(found, values, starts.reshape(-1, base.size), threads)
+            labels[here] = arrived.reshape(-1, axes[0].size)
+            progress(min(low_row + rows, axes[1].size))
+    except KeyboardInterrupt:
+        raise Interrupted(plane) from None
+    return plane
 
 
 def _arrivals(

@@ -195,7 +195,7 @@ def draw_sweep(diagram: Sweep) -> Figure:
         diagram.values,
         diagram.samples,
         state=diagram.state,
-        title=f"{diagram.system}: {diagram.state} at each entry of {diagram.configuration}",
+        title=f"{diagram.system}: {diagram.state} {diagram.when}",
     )
 
 

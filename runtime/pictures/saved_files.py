@@ -114,8 +114,17 @@ def _proven_map(path: Path) -> Drawn:
     return {"orbit": certificate.orbit}, box_figure(certificate)
 
 
+def _sweep(path: Path) -> Drawn:
+    from nonsmooth.runtime.finding.saved_sweep import load_sweep
+    from nonsmooth.runtime.pictures.maps import draw_sweep
+
+    diagram = load_sweep(path)
+    return {"system": diagram.system}, draw_sweep(diagram)
+
+
 _IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
     "nonsmooth branch": ("a branch", _branch),
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
+    "nonsmooth sweep": ("a sweep", _sweep),
 }

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from nonsmooth.runtime.commands.deriving import section_formulas
-from nonsmooth.runtime.errors import missing_extra
+from nonsmooth.runtime.errors import Interrupted, missing_extra
 from nonsmooth.runtime.files import unwritable
 from nonsmooth.runtime.reproduce.chapters import ORBITS, paper_orbits, paper_report
 from nonsmooth.runtime.reproduce.proofs import with_certificates
@@ -42,17 +42,31 @@ def reproduce(
         If matplotlib, Jinja2 or latex2mathml is not installed.
     InputError
         If the folder cannot be written.
+    Interrupted
+        By Ctrl-C; its `partial` are the files that were written.
     """
     _check_extras()
-    from nonsmooth.runtime.pictures.plot import save_figure
-    from nonsmooth.runtime.reproduce.figures import drawings
-    from nonsmooth.runtime.reproduce.writers import to_html, to_json, to_markdown
-
     try:
         out.mkdir(parents=True, exist_ok=True)
         (out / "results.json").open("a").close()
     except OSError as problem:
         raise unwritable(out, problem) from None
+    written: list[Path] = []
+    try:
+        _write_all(out, begin, written, certified=certified)
+    except KeyboardInterrupt:
+        raise Interrupted(tuple(path for path in written if path.exists())) from None
+    return tuple(written)
+
+
+def _write_all(
+    out: Path, begin: Callable[[str], None], written: list[Path], *, certified: bool
+) -> None:
+    """Write every file, and list each when it is begun."""
+    from nonsmooth.runtime.pictures.plot import save_figure
+    from nonsmooth.runtime.reproduce.figures import drawings
+    from nonsmooth.runtime.reproduce.writers import to_html, to_json, to_markdown
+
     orbits = paper_orbits(begin)
     drawn = drawings({name: orbits[name] for name in ORBITS})
     begin("claims, misprints and equations")
@@ -60,7 +74,6 @@ def reproduce(
     report = paper_report(orbits, pictures, section_formulas)
     if certified:
         report = with_certificates(report, orbits, begin)
-    written = []
     try:
         for stem, drawing in drawn.items():
             begin(f"figure {stem}")
@@ -79,7 +92,6 @@ def reproduce(
             written[-1].write_text(text, encoding="utf-8", newline="\n")
     except OSError as problem:
         raise unwritable(out, problem) from None
-    return tuple(written)
 
 
 def _check_extras() -> None:

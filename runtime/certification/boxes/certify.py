@@ -24,7 +24,7 @@ from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
 from nonsmooth.runtime.certification.statement import closing_json, declaration_json
 from nonsmooth.runtime.certification.subject import NotCovered, system_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
-from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.errors import InputError, Interrupted
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.values import flint_precision
 
@@ -77,6 +77,8 @@ def certify_box(
     InputError
         For an orbit that has not converged, a box that is none or does not hold it, or a
         state that belongs to something else.
+    Interrupted
+        By Ctrl-C; its `partial` is the state, which `resume` takes.
 
     Examples
     --------
@@ -117,9 +119,7 @@ def certify_box(
                 keep(record(region, work.tiles))
                 kept = time.monotonic()
     except KeyboardInterrupt:
-        if keep is not None:
-            keep(record(region, work.tiles))
-        raise
+        raise Interrupted(record(region, work.tiles)) from None
     return record(region, work.tiles)
 
 
@@ -144,15 +144,24 @@ class _Work:
                 self._wait(tile)
             else:
                 self._finish(tile)
+        self._settled = self._all()
 
     @property
     def tiles(self) -> list[Tile]:
-        """All of them."""
-        waiting = (tile for *_, tile in sorted(self.waiting, key=_by_order))
-        return [*self.done, *waiting, *self.stranded]
+        """Tiles that fill the box, also while one is being looked at."""
+        done, waiting, stranded = self._settled
+        return [*done, *(tile for *_, tile in sorted(waiting, key=_by_order)), *stranded]
 
     def look(self) -> bool:
         """Look at the largest tile that waits and is reached; tell whether there is one."""
+        found = self._look()
+        self._settled = self._all()  # an interruption leaves the old ones, or the new ones
+        return found
+
+    def _all(self) -> tuple[list[Tile], list[tuple[Fraction, int, Tile]], list[Tile]]:
+        return list(self.done), list(self.waiting), list(self.stranded)
+
+    def _look(self) -> bool:
         while self.waiting:
             *_, tile = heapq.heappop(self.waiting)
             anchor = self._anchor(tile)

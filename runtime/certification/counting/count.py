@@ -14,7 +14,7 @@ from nonsmooth.runtime.certification.counting.contraction import Sides
 from nonsmooth.runtime.certification.counting.problems import Question
 from nonsmooth.runtime.certification.counting.search import Problem, Root, search
 from nonsmooth.runtime.certification.counting.sides import Side
-from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.errors import InputError, Interrupted
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.values import flint_precision
@@ -26,6 +26,7 @@ __all__ = ["certify_all"]
 
 _WORK = 64  # bits of the search: doubles cut its boxes
 _LIMIT = 500_000
+_STOPPED = "the search was interrupted"
 _EDGE = "a solution may lie on the edge of what is asked for"
 _TWICE = "the orbit may be one of those that are counted, begun later"
 _OTHER = "its certificate is not of this orbit alone"
@@ -85,6 +86,8 @@ def certify_all(
     InputError
         For wrong names, values or bounds, a conservative itinerary without its period, a border
         collision, or an orbit that is declared by a symmetry.
+    Interrupted
+        By Ctrl-C in the search; its `partial` is a Census with the rest of the box undecided.
 
     Examples
     --------
@@ -115,7 +118,10 @@ def certify_all(
             roots += [(problem, root) for root in found.roots]
             names = asked.question.unknowns(problem)
             reason = "too many boxes" if looked >= limit else "the equations are nearly singular"
+            reason = _STOPPED if found.interrupted else reason
             left += [Open(_texts(names, sides), reason) for sides in found.undecided]
+            if found.interrupted:
+                raise Interrupted(_judged(asked, roots, left, looked, bits, begin))
         return _judged(asked, roots, left, looked, bits, begin)
 
 

@@ -75,11 +75,15 @@ class Root(NamedTuple):
 
 
 class Searched(NamedTuple):
-    """All roots of a box, and the boxes of which nothing is known, joined where they touch."""
+    """All roots of a box, and the boxes of which nothing is known, joined where they touch.
+
+    Of a search that was interrupted these are also the boxes that it had not come to.
+    """
 
     roots: tuple[Root, ...]
     undecided: tuple[Sides, ...]
     looked: int
+    interrupted: bool = False
 
 
 def search(
@@ -100,11 +104,16 @@ def search(
     stack: list[tuple[Sides, int]] = [(domain, 0)]
     roots: list[Root] = []
     left: list[Sides] = []
-    done, looked = 0.0, 0
+    done, looked, stopped = 0.0, 0, False
     while stack and looked < limit:
-        sides, patience = stack.pop()
+        sides, patience = stack[-1]
+        try:
+            rest, root, patience = _examined(problem, sides, sizes, patience)
+        except KeyboardInterrupt:
+            stopped = True
+            break
+        stack.pop()
         looked += 1
-        rest, root, patience = _examined(problem, sides, sizes, patience)
         if root is not None and not any(_same(root, other) for other in roots):
             touched = [other.sides for other in roots if touching(root.sides, other.sides)]
             if touched:  # neither the same root nor another one, by what is known
@@ -121,7 +130,7 @@ def search(
     left += [sides for sides, _ in stack]
     # a box around a root may reach into boxes that could not be decided
     left = [sides for sides in left if not any(inside(sides, r.unique) for r in roots)]
-    return Searched(tuple(roots), _joined(left), looked)
+    return Searched(tuple(roots), _joined(left), looked, stopped)
 
 
 def _examined(

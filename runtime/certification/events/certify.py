@@ -8,9 +8,10 @@ Brouwer's theorem, which is a root; and every root of the box lies in -c/L.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.boxes.region import BITS, Region, region_of
@@ -29,14 +30,14 @@ from nonsmooth.runtime.certification.subject import NotCovered, chosen_of, guess
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.continuation.event import Event
 from nonsmooth.runtime.continuation.record import Branch
-from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.errors import InputError, Interrupted
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["certify_event"]
+__all__ = ["certify_branch", "certify_event"]
 
 _ROUGH = 96  # bits of the first steps
 _STEPS = 5
@@ -99,6 +100,52 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     with flint_precision(bits + GUARD):
         told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
     return replace(found, claim="proved", enclosures=told, box=box)
+
+
+def certify_branch(
+    branch: Branch,
+    bits: int = 128,
+    known: Sequence[EventCertificate] = (),
+    progress: Callable[[int], object] = lambda done: None,
+) -> tuple[EventCertificate, ...]:
+    """Enclose all events of a branch, in their order.
+
+    Parameters
+    ----------
+    branch : Branch
+    bits : int
+        As for `certify_event`.
+    known : sequence of EventCertificate
+        Those of its first events, from a call that was interrupted.
+    progress : callable
+        Told how many are done.
+
+    Raises
+    ------
+    InputError
+        As for `certify_event`, or if what is known is of something else.
+    Interrupted
+        By Ctrl-C; its `partial` are the certificates until then.
+    """
+    for certificate, event in zip_longest(known, branch.events[: len(known)]):
+        if event is None or not _is_of(certificate, _undecided(branch, event, bits)):
+            raise InputError("the events to resume are not those of this branch, to these bits")
+    found = list(known)
+    try:
+        for event in branch.events[len(known) :]:
+            found.append(certify_event(branch, event, bits))
+            progress(len(found))
+    except KeyboardInterrupt:
+        raise Interrupted(tuple(found)) from None
+    return tuple(found)
+
+
+def _is_of(certificate: EventCertificate, asked: EventCertificate) -> bool:
+    names = ("orbit", "system", "kind", "parameter", "phase", "configuration", "boundary", "bits")
+    same = all(getattr(certificate, name) == getattr(asked, name) for name in names)
+    given = {**asked.parameters, **certificate.parameters}
+    del given[asked.parameter]
+    return same and all(asked.parameters.get(n, v) == v for n, v in given.items())
 
 
 def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
