@@ -124,7 +124,18 @@ def test_observe():
     assert float(later["duration"]) == pytest.approx(float(found["duration"]) - 10 / 3)
     code, out, err = run(*FRICTION.split(), "--observe")
     assert (code, err) == (0, "")
-    assert "largest Lyapunov exponent" in out
+    assert "no Lyapunov exponent: from t = 0 to" in out
+    assert found["lyapunov"] is None
+    assert found["lyapunov_error"] is None
+
+
+def test_observe_tells_the_largest_exponent_with_its_error():
+    motion = "simulate docs/gallery/impact_oscillator.py sigma=0.2 w=3.7 r=0.8 --from x=0,v=1"
+    options = (*motion.split(), "--transitions", "500", "--observe", "--since", "100")
+    found = told(*options)["observables"]
+    assert float(found["lyapunov"]) == pytest.approx(-0.0657016, abs=1e-7)
+    assert 0 < float(found["lyapunov_error"]) < 1e-3
+    assert "largest Lyapunov exponent: -0.0657016, error " in run(*options)[1]
 
 
 def test_prove():

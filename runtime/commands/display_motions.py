@@ -109,8 +109,10 @@ def show_observables(found: Observables) -> None:
     for name, share in found.sticking.items():
         out.print(f"{name} sticks {100 * share:.4g} % of the time")
     exponent = largest_exponent(found)
-    if exponent is not None:
-        out.print(f"largest Lyapunov exponent: {float(exponent):.6g}")
+    if isinstance(exponent, str):
+        out.print(f"no Lyapunov exponent: {exponent}")
+    else:
+        out.print(f"largest Lyapunov exponent: {exponent.value:.6g}, error {exponent.error:.1g}")
 
 
 def show_proof(proof: Proof) -> None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding.sweep import Sweep
 from nonsmooth.runtime.observing.extremes import Extreme
-from nonsmooth.runtime.observing.lyapunov import lyapunov
+from nonsmooth.runtime.observing.lyapunov import Exponent, lyapunov
 from nonsmooth.runtime.observing.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.validation.proof import Proof
@@ -86,17 +85,22 @@ def observables_json(found: Observables) -> dict[str, Any]:
             }
             for name, contact in found.contacts.items()
         },
-        "lyapunov": largest_exponent(found),
+        **_exponent_json(largest_exponent(found)),
     }
 
 
-def largest_exponent(found: Observables) -> str | None:
-    """The largest Lyapunov exponent as text; None where the motion has none."""
+def largest_exponent(found: Observables) -> Exponent | str:
+    """The largest Lyapunov exponent, or why the motion tells none."""
     try:
-        value = lyapunov(found.trajectory, found.since)
-    except InputError:
-        return None
-    return repr(value) if math.isfinite(value) else None
+        return lyapunov(found.trajectory, found.since)
+    except InputError as problem:
+        return str(problem)
+
+
+def _exponent_json(found: Exponent | str) -> dict[str, str | None]:
+    if isinstance(found, str):
+        return {"lyapunov": None, "lyapunov_error": None}
+    return {"lyapunov": repr(found.value), "lyapunov_error": repr(found.error)}
 
 
 def proof_json(proof: Proof) -> dict[str, Any]:

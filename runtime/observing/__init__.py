@@ -4,6 +4,7 @@
 `phases`       a motion, phase by phase, in closed form
 `extremes`     guaranteed peaks
 `observables`  peaks, averages, times in configurations, contact forces
-`lyapunov`     derivatives of a motion by its start, Lyapunov exponents
+`tangent`      derivatives of a motion by its start
+`lyapunov`     Lyapunov exponents and their errors
 =============  ==============================================================
 """
