@@ -12,8 +12,9 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, System, oscillator
+from nonsmooth.derive import Friction, Harmonic, RigidStop, SoftStop, System, oscillator
 from nonsmooth.runtime.kernels import kernels_of
+from nonsmooth.runtime.simulation.piecewise import piecewise
 
 MASS = np.array([[2, 0.5], [0.5, 1]])
 STIFFNESS = np.array([[2, -0.4], [-0.4, 3]])
@@ -167,3 +168,134 @@ def test_pads_move_as_an_integrator_with_events_says(load: bool, falling: bool) 
         assert [m for m, before in zip(told, ["", *told], strict=False) if m != before] == modes
     wanted = {"slip", "stick"} | ({"lifted"} if load else set())
     assert seen >= wanted | ({"exhausted-slip"} if falling else set())
+
+
+@cache
+def rubbing(what: str) -> Any:
+    """Contacts that lift and are exhausted, alone and beside others, with random numbers."""
+    rng = np.random.default_rng(len(what))
+    x, y, v, w = sp.symbols("x y v v_y")
+
+    def between(low: float, high: float) -> float:
+        return round(float(rng.uniform(low, high)), 3)
+
+    def pad(**options: Any) -> Friction:
+        mu, speed = between(0.3, 0.6), between(-0.5, 0.5)
+        return Friction("x", mu, round(1.2 * mu, 3), velocity=speed, name="pad", **options)
+
+    load = between(0.3, 0.6) - between(0.5, 2) * y + between(-0.3, 0.3) * w
+    wall = RigidStop({"x": 1, "y": 0.5}, at=between(0.1, 0.4), restitution=0.6, name="wall")
+    stop = {"at": between(0.1, 0.2), "stiffness": between(5, 15), "name": "soft"}
+    gap, force = (SoftStop("y", damping=0.8, released=r, **stop) for r in ("gap", "force"))
+    elements = {
+        "pad and wall": [pad(normal=load), wall],
+        "exhausted pad and wall": [pad(normal=load, falling=0.3), wall],
+        "soft stop": [SoftStop("y", **stop), pad(normal="soft", falling=0.2)],
+        "damped soft stop": [pad(normal=gap), gap],
+        "released soft stop and wall": [force, pad(normal=force), wall],
+        "two": [pad(normal=load), Friction("y", 0.1, normal=0.3 + 2 * x - 0.2 * v, name="guide")],
+    }
+    forcing = Harmonic(1.3, {"x": between(-1, 1), "y": between(1.5, 2)})
+    return kernels_of(
+        oscillator(
+            "rubbing", ["x", "y"], MASS, STIFFNESS, DAMPING,
+            forcing=[forcing], elements=elements[what],
+        )
+    )  # fmt: skip
+
+
+KINDS_OF_RUBBING = (
+    "pad and wall", "exhausted pad and wall", "soft stop", "damped soft stop",
+    "released soft stop and wall", "two",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("what", KINDS_OF_RUBBING)
+def test_friction_stays_within_the_cone_of_its_load_and_brakes(what: str) -> None:
+    kernels, rng = rubbing(what), np.random.default_rng(len(what))
+    system = piecewise(kernels, {})
+    seen = set[str]()
+    for _ in range(4):
+        start = rng.uniform([-0.3, -0.3, -1, -1], [0, 0, 1, 1])
+        motion = ns.simulate(kernels, {}, [*start, 1, 0], until=12.0)
+        assert motion.end == 12.0
+        seen |= set(motion.configurations)
+        times = np.sort(rng.uniform(0, 12, 400))
+        states = np.column_stack([motion(times), np.ones_like(times)])
+        places = np.searchsorted(motion.times, times, side="right") - 1
+        for contact in system.structure.contacts:
+            if not contact.name.endswith("-friction"):
+                continue
+            part = contact.name.removesuffix("-friction")
+            for place, state in zip(places, states, strict=True):
+                name = motion.configurations[place]
+                c = system.structure.configurations.index(name)
+                relative = (system.rows[contact.velocity] - system.rows[contact.surface]) @ state
+                row = contact.forces.get(c)
+                force = 0.0 if row is None else float(system.rows[row] @ state)
+                assert force * relative < 1e-9
+                names = {b.name: b.row for b in system.structure.boundaries[c]}
+                if f"{part}-lifts" in names:
+                    assert system.rows[names[f"{part}-lifts"]] @ state < 1e-9
+                if row is None and f"{part}-lands" in names:
+                    assert system.rows[names[f"{part}-lands"]] @ state < 1e-9
+    assert any("lifted" in name for name in seen)
+
+
+class OnSoftStop(ByHand):
+    """The same on a soft stop, without a damper: its push is the load."""
+
+    STIFFNESS, AT = 8.0, 0.1
+
+    def load(self, state: np.ndarray) -> float:
+        return float(self.STIFFNESS * (state[1] - self.AT))
+
+    def forces(self, time: float, state: np.ndarray) -> np.ndarray:
+        return super().forces(time, state) - np.array([0, max(self.load(state), 0)])
+
+
+@pytest.mark.parametrize("falling", [False, True])
+def test_a_soft_stop_bears_the_load(falling: bool) -> None:
+    stop = SoftStop("y", at=OnSoftStop.AT, stiffness=OnSoftStop.STIFFNESS, name="stop")
+    mu, excess, V, phi, A, w = sp.symbols("mu excess V phi A w")
+    friction = Friction(
+        dict(zip("xy", ROW.tolist(), strict=True)), mu, mu + excess,
+        velocity=V, falling=phi if falling else 0, normal=stop, name="pad",
+    )  # fmt: skip
+    system = kernels_of(
+        oscillator(
+            "borne", ["x", "y"], MASS, STIFFNESS, DAMPING,
+            forcing=[Harmonic(w, {"y": A})], elements=[stop, friction],
+        )
+    )  # fmt: skip
+    rng, times, seen = np.random.default_rng(3), np.linspace(0, 15, 61), set[str]()
+    for _ in range(4):
+        drawn_ = drawn(rng, load=False, falling=falling)
+        values = {name: value for name, value in drawn_.items() if name != "N0"}
+        start = np.array([0.2, -0.2, 0, 0.1])
+        motion = ns.simulate(system, values, [*start, 1, 0], until=times[-1])
+        assert motion.configurations[0] == "free-lifted"
+        seen |= set(motion.configurations)
+        states, _ = OnSoftStop(values).run(start, "none", times)
+        assert np.abs(motion(times)[:, :4] - states).max() < 1e-8
+    assert seen >= {"contact-slip", "contact-stick", "contact-overshoot"}
+
+
+@pytest.mark.parametrize(("load", "falling"), KINDS)
+def test_mirrored_declarations_have_mirrored_motions(load: bool, falling: bool) -> None:
+    """The direction taken the other way round renames slip and overshoot; so does a mirror."""
+    rng = np.random.default_rng(9)
+    exchanged = {"slip": "overshoot", "overshoot": "slip"}
+    for _ in range(4):
+        values = drawn(rng, load=load, falling=falling)
+        start = rng.uniform(-0.5, 0.5, 4)
+        given = ns.simulate(kernels(load=load, falling=falling), values, [*start, 1, 0], until=15.0)
+        names = ["-".join(exchanged.get(w, w) for w in n.split("-")) for n in given.configurations]
+        for side, image in ((-1, 1), (1, -1)):
+            other = ns.simulate(
+                kernels(load=load, falling=falling, side=side, image=image),
+                values, [*(image * start), 1, 0], until=15.0,
+            )  # fmt: skip
+            assert list(other.configurations) == names
+            assert np.allclose(other.times, given.times, rtol=1e-12, atol=1e-12)
+            assert np.allclose(other.states[:, :4], image * given.states[:, :4], atol=1e-10)
