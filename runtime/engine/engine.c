@@ -11,7 +11,10 @@ static const double LONGEST_WAIT = 1e5 * (1.0 - 4.0 * DBL_EPSILON);
 static const double LARGEST_STATE = 1e150; /* its squares are finite */
 static const double RESOLUTION = 0x1p-104; /* of the clock: a shorter flight is none */
 static const double ZERO = 16.0 * DBL_EPSILON;
-enum { MOST_IMMEDIATE = 100, MOST_WINDOWS = 32 };
+static const double GROWTH = 100.0; /* exponent of the largest growth in a window */
+static const double LONGEST_QUIET = 32e5 * (1.0 - 1e-9); /* radians of the fastest without event */
+static const double FARTHEST = 1e11; /* radians to an end beyond which it is none */
+enum { MOST_IMMEDIATE = 100 };
 
 /* A sum of times with its rounding errors. */
 typedef struct {
@@ -243,7 +246,6 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
     double magnitude[MOST_STATES], before[MOST_STATES], last[MOST_STATES];
     long_time now = {0.0, 0.0};
     double waited = 0.0, last_time = 0.0; /* since the last transition, and its time */
-    int windows = 0;
     outcome result = {STATUS_TRANSITIONS, 0, 0, 0.0};
     int here = *configuration_index, immediate = 0;
     uint32_t located;
@@ -272,22 +274,29 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             }
             memcpy(before, state, (size_t)n * sizeof *state);
         } else {
-            const double longest = c->fastest > 0.0 ? LONGEST_WAIT / c->fastest : HUGE_VAL;
-            const double window = left < longest ? left : longest;
+            double window = c->fastest > 0.0 ? LONGEST_WAIT / c->fastest : HUGE_VAL;
+            if (c->growth * window > GROWTH)
+                window = GROWTH / c->growth;
+            window = left < window ? left : window;
             if (p.watched)
                 event = phase_search(&p, window);
             else
                 event.found = 0;
+            if (event.found < 0) {
+                result.status = STATUS_OVERFLOW;
+                break;
+            }
             keep_touches(r, &p, &event, now.high, here, &result);
             if (!event.found) {
-                if (isinf(until)) {
-                    if (windows == 0) {
+                if (isinf(until) || left * c->fastest > FARTHEST) {
+                    if (waited == 0.0) {
                         memcpy(last, state, (size_t)n * sizeof *state);
                         last_time = now.high;
                     }
                     waited += window;
+                    /* a product that is no number ends the motion too */
                     if (!p.watched || waited * c->slowest >= LONGEST_WAIT * (1.0 - 1e-9) ||
-                        ++windows == MOST_WINDOWS || !(window < HUGE_VAL)) {
+                        !(waited * c->fastest < LONGEST_QUIET) || !(window < HUGE_VAL)) {
                         memcpy(state, last, (size_t)n * sizeof *state);
                         now = (long_time){last_time, 0.0};
                         result.status = STATUS_QUIET;
@@ -334,7 +343,6 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
         here = l->transition_target[chosen];
         p.start = event.time_error;
         waited = 0.0;
-        windows = 0;
         keep(r, ++result.transitions, n, now.high, here, before, state, event.set);
     }
     result.end = now.high;

@@ -38,7 +38,7 @@ typedef struct {
 } phase;
 
 typedef struct {
-    int found;
+    int found; /* 1, or 0: none; -1: untold, with numbers beyond those that are computed with */
     double time;
     uint32_t set;      /* boundaries reached together */
     double time_error; /* of `time` */

@@ -2,7 +2,10 @@
 
 static const double SHORTEST = 1e-30; /* cells behind a start in which nothing can be told */
 
-enum { FRESH = 32 }; /* cells after which samples are computed anew */
+enum {
+    FRESH = 32,         /* cells after which samples are computed anew */
+    MOST_STEPS = 1 << 20, /* in one cell; more are those of numbers that are not finite or too small */
+};
 
 /* Smallest positive root of g + g' s + M s^2/2, g < 0: no zero of a function lies before it whose
  * second derivative is at most M. */
@@ -175,16 +178,18 @@ static void remember(phase *p, int boundary, double from, double to, double time
         p->touch[p->touches++] = (touch){time, depth, to, boundary};
 }
 
-/* First time in [from, to] at which boundary b is reached, or HUGE_VAL. */
+/* First time in [from, to] at which boundary b is reached, or HUGE_VAL; NAN if no step gets on. */
 static double first_in(phase *p, sampler *s, double from, double to, double cell_start)
 {
     const int b = s->boundary;
     const double second = second_bound(p, b, cell_start, to);
     const double third = s->order ? third_bound(p, b, cell_start, to) : 0.0;
     double time = from, error;
-    for (;;) {
+    for (int steps = 0; steps < MOST_STEPS; ++steps) {
         sample at = sampled(s, time, &error);
-        while (at.value < -error) {
+        for (; at.value < -error; ++steps) {
+            if (steps > MOST_STEPS)
+                return NAN;
             if (s->order == 0)
                 p->leaving &= ~((uint32_t)1 << b);
             if (time >= to)
@@ -208,7 +213,9 @@ static double first_in(phase *p, sampler *s, double from, double to, double cell
         const double step = second > 0.0 ? sqrt(4.0 * error / second) : to - time;
         const double entered = time;
         double top = time, depth = at.value, before = time;
-        while (at.value >= -error && at.value <= 2.0 * error && time < to) {
+        for (; at.value >= -error && at.value <= 2.0 * error && time < to; ++steps) {
+            if (steps > MOST_STEPS)
+                return NAN;
             before = time;
             time = time + step > to ? to : time + step;
             if (!(time > before))
@@ -232,6 +239,7 @@ static double first_in(phase *p, sampler *s, double from, double to, double cell
         if (time >= to)
             return HUGE_VAL;
     }
+    return NAN;
 }
 
 /* Whether a cubic with these ends, plus the error of interpolation, stays below -slack. */
@@ -424,6 +432,10 @@ crossing phase_search(phase *p, double window)
                 const double away = least > shortest ? least : shortest;
                 found = s.order == 0 || away >= next ? HUGE_VAL
                                                      : first_in(p, &s, away, earliest, from);
+            }
+            if (isnan(found)) {
+                event.found = -1;
+                return event;
             }
             if (found <= earliest && (first < 0 || found < earliest)) {
                 if (s.order)

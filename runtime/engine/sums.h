@@ -123,7 +123,7 @@ static inline double error_at(const phase *p, int b, double time)
 
 static inline double second_bound(const phase *p, int b, double from, double to)
 {
-    if (p->c->uniform && p->c->mode[0].length <= 2)
+    if (p->c->harmonic) /* where it decays, a bound at all times would stop the search */
         return p->second[b];
     double curve[MOST_FUNCTIONS];
     differentiate(p->c, slope_of(p, b), curve);

@@ -138,7 +138,7 @@ static const double CELL = 1.0;
 static void fill_modes(configuration *c, mode *modes, const double *exponents)
 {
     int function = 0, lengths = 0;
-    c->fastest = c->slowest = 0.0;
+    c->fastest = c->slowest = c->growth = 0.0;
     c->uniform = c->harmonic = 1;
     for (int m = 0; m < c->modes; ++m) {
         mode *one = &modes[m];
@@ -149,6 +149,7 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
         lengths += one->length;
         const double speed = hypot(one->rate, one->frequency);
         c->fastest = speed > c->fastest ? speed : c->fastest;
+        c->growth = one->rate > c->growth ? one->rate : c->growth;
         if (speed > 0.0 && (c->slowest == 0.0 || speed < c->slowest))
             c->slowest = speed;
         if (one->rate > 0.0 || (m > 0 && one->length > 1))

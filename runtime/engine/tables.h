@@ -41,6 +41,7 @@ typedef struct {
     int harmonic;   /* nothing but 1, t, cosines and sines */
     int polynomial; /* largest power of t where there is no other function, else -1 */
     double fastest, slowest; /* largest |exponent|, smallest that is not zero */
+    double growth;  /* largest real exponent, 0 if none is positive */
     double cell;    /* length h of a search cell */
     const mode *mode;
     const double *flow;     /* [function][state][states + 1]: B_f, beta_f */

@@ -18,6 +18,7 @@ __all__ = ["ORDERS", "Crossing", "Series", "Start", "first_crossing"]
 
 ORDERS = 24  # of a Taylor series: more than one radian needs
 _INVERSE_FACTORIALS = tuple(1 / math.factorial(k) for k in range(ORDERS + 2))
+_MOST_STEPS = 2_000_000  # a window of LONGEST_WAIT takes some of them for each radian
 _CHECKED_EVERY = 16  # steps between two attempts to prove that nothing can follow
 
 
@@ -150,7 +151,7 @@ def first_crossing(
     InputError
         For a negative or longer window.
     OverflowError
-        Where g is not finite.
+        Where g is not finite, or no step gets on.
     """
     fastest = function.fastest
     if not (window >= 0 and (not fastest or window <= LONGEST_WAIT / fastest * (1 + 1e-12))):
@@ -219,7 +220,7 @@ class _Search:
             widest = 1 / function.fastest if function.fastest else max(end / 4, 1e-300)
         length = widest
         t = min(self.leave(widest), end)
-        for count in range(10**9):
+        for count in range(_MOST_STEPS):
             value, slope, curvature, error = self.jet(t)
             if count % _CHECKED_EVERY == 0 and function.ceiling(t) < -2 * error:
                 return self.none(True)
@@ -268,7 +269,9 @@ class _Search:
                 return self.none(True)
             if widest < math.inf:
                 length = min(widest, 4 * max(step, math.ulp(t)))
-        raise AssertionError("unreachable")
+        raise OverflowError(
+            "no step gets on: a boundary function's numbers are too large, or small"
+        )
 
     def _over_the_maximum(
         self, t: float, slope: float, bend: float, second: float, third: float, length: float

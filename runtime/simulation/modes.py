@@ -84,7 +84,8 @@ def _numeric_modes(content: bytes, size: int) -> NumericModes:
     field = np.frombuffer(content).reshape(size, size + 1)
     whole = np.vstack([field, np.zeros(size + 1)])
     # a change of units keeps powers of two exact
-    scaled, (units, _) = matrix_balance(whole, permute=False, separate=True)
+    with np.errstate(invalid="ignore"):  # of the permutation, which is none
+        scaled, (units, _) = matrix_balance(whole, permute=False, separate=True)
     found = _decomposed(scaled)
     exponents, flows, shapes = [], [], []
     for cluster in found:

@@ -12,11 +12,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["LARGEST_STATE", "LONGEST_WAIT", "MOST_WINDOWS", "Grazing", "Run", "Status"]
+__all__ = [
+    "FARTHEST",
+    "GROWTH",
+    "LARGEST_STATE",
+    "LONGEST_QUIET",
+    "LONGEST_WAIT",
+    "Grazing",
+    "Run",
+    "Status",
+]
 
 LARGEST_STATE = 1e150  # its squares are finite
 LONGEST_WAIT = 1e5  # radians of the fastest exponent that are searched at once
-MOST_WINDOWS = 32  # of that length without a transition, or as many radians of the slowest
+LONGEST_QUIET = 32e5 * (1 - 1e-9)  # without a transition, or LONGEST_WAIT of the slowest
+FARTHEST = 1e11  # radians to an end beyond which it is none
+GROWTH = 100.0  # exponent of the largest growth that is searched at once
 
 
 class Status(IntEnum):
@@ -27,7 +38,7 @@ class Status(IntEnum):
     QUIET = 2  # no boundary can be reached any more, or none was for very long
     UNDECLARED = 3  # the system declares no transition for the boundaries that were reached
     IMMEDIATE = 4  # one transition after the other without any time between them
-    OVERFLOW = 5  # a state that is not finite, or not below LARGEST_STATE
+    OVERFLOW = 5  # a state that is not below LARGEST_STATE, or numbers in which no step gets on
 
     @property
     def message(self) -> str:
@@ -41,7 +52,7 @@ _MESSAGES = {
     Status.QUIET: "no boundary is reached any more",
     Status.UNDECLARED: "the system declares no transition for what happens here",
     Status.IMMEDIATE: "transitions follow each other without any time between them",
-    Status.OVERFLOW: "the state is larger than the engine computes with",
+    Status.OVERFLOW: "numbers are larger, or times shorter, than the engine computes with",
 }
 
 

@@ -15,9 +15,11 @@ from nonsmooth.runtime.simulation.crossing import ORDERS, Series, Start, first_c
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.quasi import UNIT, QuasiPolynomial
 from nonsmooth.runtime.simulation.run import (
+    FARTHEST,
+    GROWTH,
     LARGEST_STATE,
+    LONGEST_QUIET,
     LONGEST_WAIT,
-    MOST_WINDOWS,
     Grazing,
     Run,
     Status,
@@ -266,7 +268,7 @@ def run(
     entries = [(0.0, configuration, extended, extended, 0)]
     grazings: list[Grazing] = []
     error, immediate, left_out = 0.0, 0, frozenset[int]()
-    waited, windows = 0.0, 0  # since the last transition
+    waited = 0.0  # since the last transition
 
     def ended(status: Status, end: float) -> Run:
         times, configurations, before, states, sets = zip(*entries, strict=True)
@@ -293,7 +295,10 @@ def run(
             return ended(Status.UNTIL, until)
         table = stepper.configuration(configuration)
         horizon = LONGEST_WAIT / table.fastest if table.fastest else math.inf
+        if table.growth * horizon > GROWTH:
+            horizon = GROWTH / table.growth
         window = min(horizon, remaining)
+        endless = until == math.inf or remaining * table.fastest > FARTHEST
         try:
             watches = stepper.watches(configuration, extended, sizes, error, left_out, zero)
             event = stepper.event(watches, window)
@@ -303,10 +308,10 @@ def run(
             if event.time is None:
                 if window == remaining and until < math.inf:
                     return ended(Status.UNTIL, until)
-                waited, windows = waited + dwell, windows + 1
+                waited += dwell
                 over = waited * table.slowest >= LONGEST_WAIT * (1 - 1e-9)
-                never = event.never or window == math.inf
-                if until == math.inf and (never or over or windows == MOST_WINDOWS):
+                over = over or not waited * table.fastest < LONGEST_QUIET
+                if endless and (event.never or window == math.inf or over):
                     return ended(Status.QUIET, entries[-1][0])
                 if event.never:
                     return ended(Status.UNTIL, until)
@@ -337,6 +342,6 @@ def run(
         sizes = stepper.reset_sizes(transition, sizes)
         configuration, left_out = transition.target, frozenset()
         immediate = 0 if dwell > 0 else immediate + 1
-        waited, windows = 0.0, 0
+        waited = 0.0
         mask = sum(1 << b for b in event.boundaries)
         entries.append((clock.time, configuration, before, extended, mask))

@@ -35,9 +35,10 @@ def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], l
     matrix = np.zeros((size, size))
     matrix[:-1] = field
     values, bounds = [np.asarray(row, dtype=float)], [abs(np.asarray(row, dtype=float))]
-    for _ in range(count - 1):
-        values.append(values[-1] @ matrix)
-        bounds.append(bounds[-1] @ abs(matrix))
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite judges no start
+        for _ in range(count - 1):
+            values.append(values[-1] @ matrix)
+            bounds.append(bounds[-1] @ abs(matrix))
     return rows_of(np.array(values)), rows_of(np.array(bounds))
 
 
@@ -67,6 +68,7 @@ class ConfigurationTable:
         ]
         speeds = [abs(exponent) for exponent, _ in self.modes]
         self.fastest, self.slowest = max(speeds), min(filter(None, speeds), default=0.0)
+        self.growth = max(0.0, *(exponent.real for exponent, _ in self.modes))
         self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
         self.boundaries = [
             BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
