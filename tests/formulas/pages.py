@@ -20,6 +20,8 @@ from nonsmooth.derive.document.markdown import to_markdown
 __all__ = ["inline", "on_pages", "texts_of"]
 
 _INLINE = re.compile(r"\$([^$]+)\$")
+_MATRIX = re.compile(r"\\begin\{matrix\}.*?\\end\{matrix\}", re.DOTALL)
+_BREAK = re.compile(r" \\\\\*?\n")
 _ENDS = re.compile(r"\s*(?:&& \\text\{.*\}\s*)?(?:\\tag\{\d+\})?\s*$", re.DOTALL)
 
 
@@ -52,7 +54,7 @@ def _markdown(document: Document) -> Counter[Row]:
     text = to_markdown(document).replace("&#124;", "|")
     found: Counter[Row] = Counter()
     for body in re.findall(r"\\begin\{aligned\}\n(.*?)\n\\end\{aligned\}", text, re.DOTALL):
-        found.update(_sides(body, " \\\\\n"))
+        found.update(_sides(body))
     text = re.sub(r"\$\$\n.*?\n\$\$", "", text, flags=re.DOTALL)
     found.update(map(read_latex, inline(text)))
     return found
@@ -64,7 +66,7 @@ def _latex(document: Document) -> Counter[Row]:
     displays = re.findall(r"\\begin\{align\*\}\n(.*?)\n\\end\{align\*\}", text, re.DOTALL)
     for body in displays:
         found.update(map(read_latex, inline(" ".join(re.findall(r"&& \\text\{.*", body)))))
-        found.update(_sides(body, r" \\\*?" + "\n"))
+        found.update(_sides(body))
     text = re.sub(r"\\begin\{align\*\}\n.*?\n\\end\{align\*\}", "", text, flags=re.DOTALL)
     found.update(map(read_latex, inline(text.partition(r"\begin{document}")[2])))
     return found
@@ -81,11 +83,12 @@ def _html(document: Document) -> Counter[Row]:
     return found
 
 
-def _sides(body: str, between: str) -> Iterator[Row]:
-    for row in re.split(between if "?" in between else re.escape(between), body):
-        left, _, right = _ENDS.sub("", row).partition(" &")
-        yield read_latex(left)
-        yield read_latex(right)
+def _sides(body: str) -> Iterator[Row]:
+    for row in _BREAK.split(body):
+        whole = _MATRIX.sub(lambda m: m[0].replace("&", "\0"), _ENDS.sub("", row))
+        left, _, right = whole.partition(" &")
+        yield read_latex(left.replace("\0", "&"))
+        yield read_latex(right.replace("\0", "&"))
 
 
 def on_pages(document: Document) -> dict[str, Counter[Row]]:
