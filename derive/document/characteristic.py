@@ -70,9 +70,7 @@ def _polynomial(notation: Notation, coefficients: list[sp.Expr], variable: str) 
             continue
         power = degree - place
         raised = variable if power == 1 else f"{variable}^{{{power}}}" if power else ""
-        sign, text = notation.term(coefficient)
-        if coefficient.is_Add and power:
-            sign, text = 1, rf"\left({text}\right)"
+        sign, text = notation.factor(coefficient) if power else notation.term(coefficient)
         if text == "1" and power:
             text = ""
         term = " ".join(filter(None, (text, raised)))

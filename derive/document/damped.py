@@ -77,7 +77,7 @@ def damped_blocks(naming: Naming, letters: Letters, motion: DampedCoordinate) ->
     sign, damped = written.term(motion.decay * sine)
     oscillation = rf"\operatorname{{C}}(t) {'-' if sign < 0 else '+'} {damped}"
     solution = (
-        rf"{rest}e^{{{notation.latex(-motion.decay)} t}} \biggl(",
+        rf"{rest}{notation.latex(sp.exp(-motion.decay * sp.Symbol('t')))} \biggl(",
         rf"{distance} \left({oscillation}\right)",
         rf"+ {v}(0) \operatorname{{S}}(t)\biggr),\qquad",
         rf"{v}(t) = {x}'(t),",

@@ -108,8 +108,6 @@ def _start(cycle: Cycle) -> list[Block]:
     written = f"{transposed(naming, start.state)}"
     line = Line(f"{state}^{{(0)}}", "=", (f"{e} {q}{shift}", f"= {written}"), None, start.state)
     names = transposed(naming, sp.Matrix(start.coordinates))
-    if start.dimension == 1:
-        names = naming.notation.symbol(start.coordinates[0])
     text = (
         f"${state}^{{(k)}}$ is the state ${column}^{{\\mathsf{{T}}}}$ at the end of phase $k$"
         + (f", in front of the transition, ${state}^{{(k)+}}$ behind it," if cycle.resets else "")
@@ -272,7 +270,7 @@ def _forcing(cycle: Cycle) -> list[Block]:
         return []
     names = cycle.naming.list(s for h in cycle.harmonics for s in (h.first, h.second))
     kept = enumeration([f"${notation.latex(h.invariant)}$" for h in cycle.harmonics])
-    periods = enumeration([rf"$2 \pi/{notation.latex(h.frequency)}$" for h in cycle.harmonics])
+    periods = enumeration([f"${notation.latex(2 * sp.pi / h.frequency)}$" for h in cycle.harmonics])
     one = len(cycle.harmonics) == 1
     return [
         Paragraph(

@@ -28,8 +28,10 @@ def start_line(naming: Naming, state: sp.Matrix) -> Line:
 
 
 def transposed(naming: Naming, column: sp.Matrix) -> str:
-    """LaTeX of a column, written as a row."""
+    """LaTeX of a column, written as a row; one entry is that entry."""
     notation = naming.notation
+    if column.rows == 1:
+        return notation.latex(notation.tidy(column[0]))
     return rf"{notation.latex(column.T.applyfunc(notation.tidy))}^{{\mathsf{{T}}}}"
 
 

@@ -101,9 +101,8 @@ def _single(naming: Naming, dynamics: SecondOrder) -> Formula:
         coefficient = matrix[0]
         if coefficient == 0:
             continue
-        sign, text = notation.term(coefficient)
-        factor = rf"\left({text}\right) " if coefficient.is_Add else f"{text} "
-        term = f"{'' if text == '1' else factor}{x}{primes}"
+        sign, text = notation.factor(coefficient)
+        term = f"{'' if text == '1' else f'{text} '}{x}{primes}"
         found.append(f"- {term}" if sign < 0 else f"+ {term}" if found else term)
     load = dynamics.load[0]
     right = notation.pieces(notation.tidy(load))
@@ -131,7 +130,7 @@ def _first_order(naming: Naming, matrix: sp.Matrix, offset: sp.Matrix) -> list[B
     pieces = [f"{naming.notation.latex(matrix)} {naming.state}"]
     if not offset.is_zero_matrix:
         pieces.append(f"+ {naming.notation.latex(offset)}")
-    if sum(map(width, (naming.state, *pieces))) <= LINE_WIDTH - 4:
+    if matrix.rows > 1 and sum(map(width, (naming.state, *pieces))) <= LINE_WIDTH - 4:
         line = Line(f"{naming.state}'", "=", tuple(pieces))
         blocks += [Paragraph("or, in matrices,"), Formula((line,))]
     return blocks

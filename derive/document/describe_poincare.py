@@ -50,7 +50,7 @@ def _half_jacobian(view: View) -> list[Block]:
     )
     rates = [
         rf"$\partial_{{{naming.notation.symbol(u)}}} {naming.notation.symbol(link.dwell)} ="
-        rf" {sp.diff(link.duration, u)}$"
+        rf" {naming.notation.latex(sp.diff(link.duration, u))}$"
         for link in view.links
         for u in dwell_times
         if link.dwell not in dwell_times and sp.diff(link.duration, u) != 0

@@ -124,7 +124,7 @@ def _closure(view: View) -> list[Block]:
         values = [f"${notation.symbol(q)} = 0$" for q in equations.vanishing]
         text = f"so that {enumeration(values)}" if values else "so that"
         required = [
-            f"${notation.symbol(p)} = {sp.latex(v)}$" for p, v in equations.required.items()
+            f"${notation.symbol(p)} = {notation.latex(v)}$" for p, v in equations.required.items()
         ]
         if required:
             text += ", and" if values else ""

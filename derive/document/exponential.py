@@ -101,7 +101,7 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
                     "=",
                     (
                         rf"\Phi(t)\,{state}(0) + {letters.forcing}(t),\qquad",
-                        rf"{block} = e^{{{augmented} t}},\qquad",
+                        rf"{block} = \mathrm{{e}}^{{{augmented} t}},\qquad",
                         f"{augmented} = {field}.",
                     ),
                 ),
@@ -116,10 +116,10 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         Formula(
             (
                 Line(
-                    f"e^{{{augmented} t}}",
+                    rf"\mathrm{{e}}^{{{augmented} t}}",
                     "=",
                     (
-                        rf"\sum_{{j}} e^{{{centre}_{{j}} t}} \sum_{{k \ge 0}}"
+                        rf"\sum_{{j}} \mathrm{{e}}^{{{centre}_{{j}} t}} \sum_{{k \ge 0}}"
                         rf" \frac{{t^{{k}}}}{{k!}}"
                         rf" \left({augmented} - {centre}_{{j}} I\right)^{{k}}"
                         f" {projector}_{{j}}.",

@@ -23,7 +23,7 @@ _WIDE = 24.0
 
 _ENTIRE = (
     r"The entire functions $c_{k}(\lambda, t) = \sum_{j} (-\lambda)^{j} t^{k + 2j}/(k + 2j)!$"
-    r" are defined for every eigenvalue: $c_{0} = \cos\sqrt{\lambda}\,t$ and"
+    r" are defined for every eigenvalue: $c_{0} = \cos(\sqrt{\lambda}\,t)$ and"
     r" $c_{1} = \sin(\sqrt{\lambda}\,t)/\sqrt{\lambda}$."
 )
 _DIFFERENCE = r" $c_{k}[\lambda_{1}, \ldots](t)$ are their divided differences in $\lambda$."
@@ -144,7 +144,7 @@ def _centres(
         pieces = [rf"\Phi_{{{numbers[flow.configuration]}}}(t)\,{state}(0)"]
         for function, offset in zip(flow.basis, flow.offsets, strict=True):
             if not offset.is_zero_matrix:
-                scalar = "" if function == 1 else f"{notation.latex(function)} "
+                scalar = "" if function == 1 else rf"{notation.latex(function)}\,"
                 column = notation.latex(offset.applyfunc(notation.tidy))
                 pieces.append(f"+ {scalar}{column}")
         blocks.append(Paragraph(f"*{flow.configuration}* has no centre; there"))
@@ -286,12 +286,8 @@ def _pieces(
             text = (
                 "I" if matrix == sp.eye(matrix.rows) else names.get(matrix, notation.latex(matrix))
             )
-        factor = notation.latex(scalar)
-        if scalar.is_Add and text:
-            factor = rf"\left({factor}\right)"
-        sign = "- " if factor.startswith("- ") else "+ " if found else ""
-        factor = factor.removeprefix("- ")
+        sign, factor = notation.factor(scalar) if text else notation.term(scalar)
         if text:
             text = text if factor == "1" else rf"{factor}\,{text}"
-        found.append(sign + (text or factor))
+        found.append(f"{'- ' if sign < 0 else '+ ' if found else ''}{text or factor}")
     return tuple(found) or ("0",)

@@ -8,7 +8,7 @@ from html import escape
 
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph, Table
 from nonsmooth.derive.document.layout import notes_beside, rows
-from nonsmooth.derive.document.mathml import mended
+from nonsmooth.derive.document.mathml import mathml
 
 __all__ = ["to_html"]
 
@@ -126,4 +126,4 @@ class _Page:
         """MathML of one piece of LaTeX, without its outer element."""
         if not latex.strip():
             return "<mrow></mrow>"
-        return mended(self.convert(latex))
+        return mathml(latex, self.convert)

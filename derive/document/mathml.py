@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from itertools import pairwise
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-__all__ = ["mended"]
+__all__ = ["mathml", "mended"]
 
 _TALL = {"mfrac", "mtable", "msqrt"}
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 _SIGNS = ("+", "−", "±")
 _BEFORE_SIGN = (*_OPENING, "=", ",", "↦", "|", "<", ">")
+
+
+def mathml(latex: str, convert: Callable[[str], str]) -> str:
+    """MathML of LaTeX by a converter, mended."""
+    # the converter forgets that one letter alone is upright, but not that a name is
+    return mended(convert(re.sub(r"\\mathrm\{(\w)\}", r"\\operatorname{\1}", latex)))
 
 
 def mended(mathml: str) -> str:
@@ -23,6 +30,7 @@ def mended(mathml: str) -> str:
     """
     root = ElementTree.fromstring(re.sub(r' xmlns="[^"]*"', "", mathml, count=1))
     for row in list(root.iter()):
+        _set_upright(row)
         _space_names(row)
         _space_signs(row)
         _settle_fences(row)
@@ -32,6 +40,13 @@ def mended(mathml: str) -> str:
 
 def _core(element: Element) -> Element:
     return element[0] if element.tag in ("msub", "msup", "msubsup") else element
+
+
+def _set_upright(name: Element) -> None:
+    """Names of one letter are letters, and upright."""
+    if name.tag == "mo" and re.fullmatch("[A-Za-z]", name.text or ""):
+        name.tag = "mi"
+        name.set("mathvariant", "normal")
 
 
 def _space_names(row: Element) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,11 @@ if TYPE_CHECKING:
     from nonsmooth.derive.document.symbols import Notation
 
 __all__ = ["Printer"]
+
+# a symbol with indices, to which a power may be put
+_LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
+# place of functions among the factors of a product
+_FUNCTIONS = 5
 
 
 class Printer(LatexPrinter):
@@ -33,15 +39,27 @@ class Printer(LatexPrinter):
         return " ".join(self.summands(expression))
 
     def _print_Mul(self, expression: sp.Mul) -> str:
-        sign, text = self.term(expression)
-        return f"- {text}" if sign < 0 else text
+        return " ".join(self.summands(expression))
 
     def _print_Pow(self, expression: sp.Pow) -> str:
         if expression.exp.is_Rational and expression.exp.is_negative:
             return self._print_Mul(expression)
         if expression.exp == sp.Rational(1, 2):
             return rf"\sqrt{{{self.radicand(expression.base)}}}"
+        base = self.notation.functions.get(expression.base, expression.base)
+        if base.is_Symbol and not _LETTER.fullmatch(self._print(base)):
+            return rf"\left({self._print(base)}\right)^{{{self._print(expression.exp)}}}"
+        if base != expression.base:
+            return str(self._print(base**expression.exp))
         return str(super()._print_Pow(expression))
+
+    def _print(self, expression: Any, **settings: Any) -> str:
+        # SymPy's number knows its own letter, which a parameter may have
+        return r"\mathrm{e}" if expression is sp.E else str(super()._print(expression, **settings))
+
+    def _print_ExpBase(self, expression: sp.Expr, exp: str | None = None) -> str:
+        power = rf"\mathrm{{e}}^{{{self._print(expression.exp)}}}"
+        return power if exp is None else rf"\left({power}\right)^{{{exp}}}"
 
     def _print_cos(self, expression: sp.Expr, exp: str | None = None) -> str:
         return self.trigonometric("cos", expression.args[0], exp)
@@ -77,15 +95,24 @@ class Printer(LatexPrinter):
     def trigonometric(self, name: str, argument: sp.Expr, exponent: str | None) -> str:
         """Cosine or sine, without brackets around a product of symbols."""
         number, rest = argument.as_coeff_Mul()
-        plain = all(a.is_Symbol or a.is_Integer for a in sp.Mul.make_args(rest))
+        plain = rest == 1 or all(map(self.is_letter, sp.Mul.make_args(rest)))
         head = rf"\{name}^{{{exponent}}}" if exponent else rf"\{name}"
         if plain and number.is_Rational and number.q > 1:
             return f"{head}({self._print(number.p * rest)}/{number.q})"
         text = self._print(argument)
         return f"{head} {text}" if plain else rf"{head}\left({text}\right)"
 
+    def is_letter(self, factor: sp.Expr) -> bool:
+        """Whether a factor is written as one letter, with indices and labels."""
+        letter = self._print(factor).partition("^{(")[0] if factor.is_Symbol else ""
+        return _LETTER.fullmatch(letter) is not None
+
     def ordered(self, expression: sp.Expr) -> list[tuple[sp.Expr, str]]:
         """Terms of a sum in the order of reading, each with its LaTeX and sign."""
+        number, rest = expression.as_coeff_Mul()
+        if number == -1 and rest.is_Add:
+            # a minus sign in front of a sum that stands alone goes to its terms
+            expression = -rest
         terms = [(self.rank(a), *self.term(a), a) for a in sp.Add.make_args(expression)]
         terms.sort(
             key=lambda item: (
@@ -119,20 +146,15 @@ class Printer(LatexPrinter):
                 found.append(text)
                 continue
             inner = max(sums, key=lambda s: len(s.args))
-            sign, outer = self.term(sp.Mul(*(f for f in sp.Mul.make_args(term) if f is not inner)))
+            others = [f for f in sp.Mul.make_args(term) if f is not inner]
+            behind = [f for f in others if self.place(f)[0] >= _FUNCTIONS]
+            sign, outer = self.factor(sp.Mul(*(f for f in others if f not in behind)))
             head = "- " if sign < 0 else "+ " if found else ""
-            if len(sums) > 1 and outer and self.is_bare_sum(term, inner):
-                outer = rf"\left({outer}\right)"
             first, *rest = self.summands(inner)
             found.append(rf"{head}{'' if outer == '1' else outer} \biggl({first}")
             found += rest
-            found[-1] += r"\biggr)"
+            found[-1] += rf"\biggr) {self.product(behind, alone=False)}".rstrip()
         return tuple(found)
-
-    def is_bare_sum(self, term: sp.Expr, inner: sp.Add) -> bool:
-        """Whether nothing but a sum is left of a product without one of its sums."""
-        others = [f for f in sp.Mul.make_args(term) if f is not inner]
-        return len([f for f in others if f != -1]) == 1
 
     def leads(self, term: sp.Expr, total: sp.Expr) -> bool:
         """Whether a term of a sum over entries of projectors belongs to no state: it is first."""
@@ -153,8 +175,15 @@ class Printer(LatexPrinter):
         places = [notation.constants.index(s) + 1 for s in symbols]
         return 2, min(places, default=0), 0, str(term)
 
-    def term(self, term: sp.Expr) -> tuple[int, str]:
-        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive."""
+    def factor(self, expression: sp.Expr) -> tuple[int, str]:
+        """Sign of an expression, and LaTeX to which other factors may be put."""
+        return self.term(expression, alone=False)
+
+    def term(self, term: sp.Expr, *, alone: bool = True) -> tuple[int, str]:
+        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive.
+
+        A sum that is `alone` behind a plus sign has no brackets.
+        """
         number, rest = term.as_coeff_Mul()
         sign = -1 if number.is_negative else 1
         factors = list(sp.Mul.make_args(rest))
@@ -169,7 +198,7 @@ class Printer(LatexPrinter):
             if base.is_Add and exponent.is_Integer and exponent % 2 and self.looks_negative(base):
                 base, sign = -base, -sign
             if exponent.is_Rational and exponent < 0:
-                if exponent % 2 and self.looks_turned(base):
+                if exponent.is_Integer and exponent % 2 and self.looks_turned(base):
                     base, sign = -base, -sign
                 below.append(base**-exponent)
             else:
@@ -178,7 +207,7 @@ class Printer(LatexPrinter):
             radicand = sp.Mul(*(f.base ** (2 * f.exp) for f in roots))
             radicand = radicand if len(roots) == 1 else sp.together(radicand)
             if scale != 1:
-                radicand = sp.Mul(scale, radicand, evaluate=False)
+                radicand = sp.Mul(scale, radicand, evaluate=not radicand.is_Add)
             above.append(sp.Pow(radicand, sp.Rational(1, 2), evaluate=False))
         if sign < 0:
             turned = next((i for i, f in enumerate(above) if self.turnable(f)), None)
@@ -187,10 +216,10 @@ class Printer(LatexPrinter):
         above = [f for f in above if f != 1]
         below = [f for f in below if f != 1]
         if not below:
-            return sign, self.product(above) or "1"
+            return sign, self.product(above, alone=alone and sign > 0) or "1"
         outside = [f for f in above if isinstance(f, Angle) or _is_root_of_fraction(f)]
         sums = [f for f in above if f.is_Add]
-        beside_function = any(self.place(f)[0] == 5 for f in above)
+        beside_function = any(self.place(f)[0] >= _FUNCTIONS for f in above)
         nested = any(r"\frac" in self._print(f) for f in sums)
         constant = set().union(*(f.free_symbols for f in sums)) <= set(self.notation.constants)
         over_sum = constant and any(f.is_Add for f in below)
@@ -227,10 +256,13 @@ class Printer(LatexPrinter):
     def product(self, factors: Sequence[sp.Expr], *, alone: bool = True) -> str:
         """Factors side by side: constants, states, sums, and functions last."""
         ordered = sorted(factors, key=self.place)
-        bare = alone and len(ordered) == 1
+        if alone and len(ordered) == 1:
+            return str(self._print(ordered[0]))
+        texts = [rf"\left({self._print(f)}\right)" if f.is_Add else self._print(f) for f in ordered]
+        # digits side by side would be one number
         return " ".join(
-            rf"\left({self._print(f)}\right)" if f.is_Add and not bare else self._print(f)
-            for f in ordered
+            rf"\cdot {text}" if place and text[0].isdigit() else text
+            for place, text in enumerate(texts)
         )
 
     def place(self, factor: sp.Expr) -> tuple[int, str]:
@@ -242,8 +274,11 @@ class Printer(LatexPrinter):
             moving = any(map(self.notation.is_function, base.free_symbols))
             entries = base.free_symbols & set(self.notation.projectors)
             return 3, f"{2 if moving else 0 if entries else 1} {factor}"
-        if base.is_Function or self.notation.is_function(base):
-            return 5, str(factor)
+        if isinstance(base, sp.cos | sp.sin) or self.notation.is_function(base):
+            # without brackets of its own it ends a product
+            return _FUNCTIONS + 1, str(factor)
+        if base.is_Function or base == sp.E:
+            return _FUNCTIONS, str(factor)
         if "_by_" in str(base):
             return 4, str(factor)
         if base in self.notation.constants:

@@ -184,8 +184,12 @@ class Notation:
         ) is not None
 
     def term(self, term: sp.Expr) -> tuple[int, str]:
-        """Sign and LaTeX of a product."""
+        """Sign and LaTeX of a term of a sum."""
         return self._printer.term(term)
+
+    def factor(self, factor: sp.Expr) -> tuple[int, str]:
+        """Sign and LaTeX of a factor, a sum in brackets."""
+        return self._printer.factor(factor)
 
     def _state_at(self, name: str) -> tuple[str, str, str] | None:
         match = re.fullmatch(r"(\w+?)_(\d+)(_reset)?", name)

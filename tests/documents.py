@@ -1,0 +1,62 @@
+"""Documents to be read: of the built-in systems and orbits, of the gallery, of random systems."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
+from latex_reader import ORBITS, written_of
+
+from nonsmooth.derive.document.blocks import Document
+from nonsmooth.derive.document.describe import describe_orbit, describe_system
+from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.system import System
+from nonsmooth.derive.systems import SYSTEMS, declaration
+from nonsmooth.runtime.loading.declared import declaration_in
+
+GALLERY = Path(__file__).resolve().parents[1] / "docs" / "gallery"
+
+
+@cache
+def declarations() -> dict[str, System | Itinerary]:
+    """Systems and itineraries by name."""
+    found: dict[str, Any] = {}
+    for name in SYSTEMS:
+        found[name] = declaration(name).system
+    for path in sorted(GALLERY.glob("*.py")):
+        declared = declaration_in(path)
+        found[path.stem] = declared.system
+        found |= {f"{path.stem}/{orbit.name}": orbit for orbit in declared.orbits}
+    for name in SYSTEMS:
+        found |= {f"{name}/{orbit.name}": orbit for orbit in declaration(name).orbits}
+    found |= {"forced": forced_stop(), "chain": chain(), "one-mass": one_mass("1/5")}
+    found |= {"two-impacts": impacts(2), "rattle": rattle(1), "switching": switching()}
+    return found
+
+
+@cache
+def document_of(name: str) -> tuple[Document, EquationSystem | None]:
+    """A document, and the equations that are derived for it."""
+    if name in ORBITS:
+        written = written_of(name)
+        return written.document, written.equations
+    declared = declarations()[name]
+    if isinstance(declared, System):
+        return describe_system(declared), None
+    if "/" not in name:
+        return describe_orbit(declared), None
+    try:
+        equations = derive_equations(declared)
+    except DerivationError:
+        return describe_orbit(declared), None
+    return describe_orbit(equations), equations
+
+
+def names(kind: type[System] | type[Itinerary]) -> Iterator[str]:
+    """Names of all declarations of a kind."""
+    return (name for name, declared in declarations().items() if isinstance(declared, kind))

@@ -1,0 +1,101 @@
+"""The formulas of a document, and those that stand on its pages in each format."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from xml.etree import ElementTree
+
+from formulas.latex import read_latex
+from formulas.layout import Row
+from formulas.mathml import read_element
+
+from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
+from nonsmooth.derive.document.hypertext import to_html
+from nonsmooth.derive.document.latex import to_latex
+from nonsmooth.derive.document.layout import rows
+from nonsmooth.derive.document.markdown import to_markdown
+
+__all__ = ["inline", "on_pages", "texts_of"]
+
+_INLINE = re.compile(r"\$([^$]+)\$")
+_MATRIX = re.compile(r"\\begin\{matrix\}.*?\\end\{matrix\}", re.DOTALL)
+_BREAK = re.compile(r" \\\\\*?\n")
+_ENDS = re.compile(r"\s*(?:&& \\text\{.*\}\s*)?(?:\\tag\{\d+\})?\s*$", re.DOTALL)
+
+
+def inline(text: str) -> list[str]:
+    """LaTeX of the formulas in running text."""
+    return _INLINE.findall(text)
+
+
+def texts_of(block: Block) -> Iterator[str]:
+    """The texts of a block."""
+    if isinstance(block, Heading | Paragraph):
+        yield block.text
+    elif isinstance(block, Formula):
+        yield block.note or ""
+    else:
+        for row in (block.header, *block.rows):
+            yield from row
+
+
+def _own(document: Document) -> Counter[Row]:
+    found: Counter[Row] = Counter()
+    for block in document.blocks:
+        found.update(read_latex(f) for text in texts_of(block) for f in inline(text))
+        if isinstance(block, Formula):
+            found.update(read_latex(side) for row in rows(block.lines) for side in row)
+    return found
+
+
+def _markdown(document: Document) -> Counter[Row]:
+    text = to_markdown(document).replace("&#124;", "|")
+    found: Counter[Row] = Counter()
+    for body in re.findall(r"\\begin\{aligned\}\n(.*?)\n\\end\{aligned\}", text, re.DOTALL):
+        found.update(_sides(body))
+    text = re.sub(r"\$\$\n.*?\n\$\$", "", text, flags=re.DOTALL)
+    found.update(map(read_latex, inline(text)))
+    return found
+
+
+def _latex(document: Document) -> Counter[Row]:
+    text = to_latex(document).replace(r"\\[3pt]", r"\\")
+    found: Counter[Row] = Counter()
+    displays = re.findall(r"\\begin\{align\*\}\n(.*?)\n\\end\{align\*\}", text, re.DOTALL)
+    for body in displays:
+        found.update(map(read_latex, inline(" ".join(re.findall(r"&& \\text\{.*", body)))))
+        found.update(_sides(body))
+    text = re.sub(r"\\begin\{align\*\}\n.*?\n\\end\{align\*\}", "", text, flags=re.DOTALL)
+    found.update(map(read_latex, inline(text.partition(r"\begin{document}")[2])))
+    return found
+
+
+def _html(document: Document) -> Counter[Row]:
+    found: Counter[Row] = Counter()
+    for text in re.findall(r"<math.*?</math>", to_html(document), re.DOTALL):
+        element = ElementTree.fromstring(text)
+        if element.get("display") == "block":
+            found.update(read_element(side) for row in element[0] for side in row)
+        else:
+            found[read_element(element)] += 1
+    return found
+
+
+def _sides(body: str) -> Iterator[Row]:
+    for row in _BREAK.split(body):
+        whole = _MATRIX.sub(lambda m: m[0].replace("&", "\0"), _ENDS.sub("", row))
+        left, _, right = whole.partition(" &")
+        yield read_latex(left.replace("\0", "&"))
+        yield read_latex(right.replace("\0", "&"))
+
+
+def on_pages(document: Document) -> dict[str, Counter[Row]]:
+    """All formulas: of the document itself, and read from the page in each format."""
+    return {
+        "document": _own(document),
+        "markdown": _markdown(document),
+        "latex": _latex(document),
+        "html": _html(document),
+    }

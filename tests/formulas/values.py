@@ -1,0 +1,488 @@
+"""What a formula is worth, given the values of the names that stand in it."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from scipy.linalg import expm
+
+from formulas.latex import read_latex
+from formulas.layout import (
+    CLOSING,
+    OPENING,
+    Accent,
+    Atom,
+    Fraction,
+    Item,
+    Root,
+    Row,
+    Script,
+    Table,
+    Unreadable,
+    plain,
+)
+
+__all__ = ["Reading", "name_of", "split", "without_spaces"]
+
+_FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "cos": np.cos,
+    "sin": np.sin,
+    "tan": np.tan,
+    "cosh": np.cosh,
+    "sinh": np.sinh,
+    "tanh": np.tanh,
+    "exp": np.exp,
+    "log": np.log,
+    "det": lambda matrix: _scalar(np.linalg.det(np.atleast_2d(matrix))),
+    "tr": lambda matrix: _scalar(np.trace(np.atleast_2d(matrix))),
+    "arg": lambda z: np.angle(z) % (2 * math.pi),
+    "diag": lambda *entries: np.diag(entries),
+}
+# terms of a series that are not written with an end
+_MANY = 60
+_INDEX = re.compile(r"([ijk])(?:\(([ijk])\))?((?:[-+]\d+)?)(?![A-Za-z])")
+
+
+def name_of(latex: str) -> str:
+    """A name as the readers know it."""
+    return plain(read_latex(latex))
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Evaluate rows.
+
+    Attributes
+    ----------
+    names : mapping of name to value
+        Numbers, matrices (columns are N x 1) and functions.
+    indices : mapping of letter to int, or to what maps one index to another
+    ranges : mapping of letter to numbers
+        Of sums that do not say from where to where.
+    columns : int
+        Of a block of zeros at the end of a row of blocks.
+    branch : int
+        Which sign is taken of two above each other.
+    """
+
+    names: Mapping[str, Any]
+    indices: Mapping[str, Any] = field(default_factory=dict)
+    ranges: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    columns: int = 0
+    branch: int = 1
+
+    def at(self, **indices: Any) -> Reading:
+        """The same names at other indices."""
+        return replace(self, indices={**self.indices, **indices})
+
+    def latex(self, text: str) -> Any:
+        """Value of LaTeX."""
+        return self(read_latex(text))
+
+    def __call__(self, row: Row) -> Any:
+        """Value of one expression."""
+        return _scalar(_Walk(self, row).all())
+
+    def label(self, row: Row) -> str:
+        """Text of an index, its letters replaced by their numbers."""
+
+        def number(match: re.Match[str]) -> str:
+            known = self.indices.get(match[1])
+            if known is None or (match[2] and match[2] not in self.indices):
+                return match[0]
+            value = known[self.indices[match[2]]] if match[2] else known
+            if not isinstance(value, int):
+                return match[0]
+            return str(value + int(match[3] or 0))
+
+        return _INDEX.sub(number, plain(row)) if self.indices else plain(row)
+
+    def name(self, item: Item, *, above: bool = True) -> str:
+        """An item as it is called."""
+        if not isinstance(item, Script):
+            return plain((item,))
+        below = f"_{{{self.label(item.below)}}}" if item.below else ""
+        raised = f"^{{{self.label(item.above)}}}" if item.above and above else ""
+        return f"{plain((item.base,))}{below}{raised}"
+
+
+class _Walk:
+    """One pass over a row."""
+
+    def __init__(self, reading: Reading, row: Row) -> None:
+        self.reading, self.row, self.place = reading, list(row), 0
+
+    def all(self) -> Any:
+        value = self.sum()
+        if self.place < len(self.row):
+            raise Unreadable(f"{plain(self.row)}: stops at {plain(self.row[self.place :])}")
+        return value
+
+    # -- looking ahead
+
+    def item(self) -> Item | None:
+        return self.row[self.place] if self.place < len(self.row) else None
+
+    def sign(self) -> str:
+        return _sign(self.item())
+
+    def spaces(self) -> None:
+        while (item := self.item()) and isinstance(item, Atom) and item.kind == "space":
+            self.place += 1
+
+    # -- grammar
+
+    def sum(self) -> Any:
+        total: Any = None
+        while True:
+            self.spaces()
+            sign = self.sign()
+            if sign in ("+", "-", "±"):
+                self.place += 1
+                self.spaces()
+                if self.sign() in ("+", "-", "±"):
+                    raise Unreadable(f"two signs in a row: {plain(self.row)}")
+            elif total is not None:
+                return total
+            factor = {"-": -1, "±": self.reading.branch}.get(sign, 1)
+            term = self.product()
+            total = factor * term if total is None else _added(total, factor * term)
+
+    def product(self) -> Any:
+        value = self.factor()
+        while True:
+            self.spaces()
+            item, sign = self.item(), self.sign()
+            if item is None or sign in (*"+-±,;", *CLOSING):
+                return value
+            if sign == "/":
+                self.place += 1
+                value = _scalar(value) / _scalar(self.factor())
+                self.spaces()
+                if self.item() is not None and self.sign() not in (*"+-,;", *CLOSING):
+                    raise Unreadable(f"what does the stroke divide by? {plain(self.row)}")
+                return value
+            if sign == "·":
+                self.place += 1
+            elif _is_number(item):
+                raise Unreadable(f"a number behind a factor: {plain(self.row)}")
+            value = _times(value, self.factor())
+
+    def factor(self) -> Any:
+        self.spaces()
+        item = self.item()
+        if item is None:
+            raise Unreadable(f"nothing where a factor should be: {plain(self.row)}")
+        reading, start = self.reading, self.place
+        self.place += 1
+        if plain((item,)) in reading.names:
+            return self.applied(reading.names[plain((item,))])
+        core = item.base if isinstance(item, Script) else item
+        sign = _sign(item)
+        if sign in OPENING and sign:
+            self.place = start
+            return self.bracket()
+        if sign == "|":
+            end = next(i for i in range(self.place, len(self.row)) if _sign(self.row[i]) == "|")
+            inside, self.place = self.row[self.place : end], end + 1
+            return abs(reading(tuple(inside)))
+        if isinstance(core, Atom) and core.text in "∑∏" and core.kind == "sign":
+            return self.repeated(core.text, item)
+        if isinstance(core, Atom) and core.text == "∂":
+            return self.derivative(item)
+        if isinstance(core, Atom) and core.kind == "word":
+            return self.function(core.text, item.above if isinstance(item, Script) else ())
+        if isinstance(core, Atom) and core.kind == "upright":
+            return self.upright(start)
+        if isinstance(item, Script):
+            return self.applied(self.scripted(item))
+        if isinstance(item, Fraction):
+            return (
+                _scalar(reading(item.above)) / _scalar(reading(item.below))
+                if not _is_array(reading(item.above))
+                else reading(item.above) / _scalar(reading(item.below))
+            )
+        if isinstance(item, Root):
+            degree = reading(item.degree) if item.degree else 2
+            inside = _scalar(reading(item.inside))
+            return np.emath.sqrt(inside) if degree == 2 else inside ** (1 / degree)
+        if isinstance(item, Table):
+            return self.matrix(item)
+        if _is_number(item):
+            assert isinstance(item, Atom)
+            return float(item.text)
+        raise Unreadable(f"unknown: {plain((item,))} in {plain(self.row)}")
+
+    def scripted(self, item: Script) -> Any:
+        """A name with an index, a label above, or a power."""
+        reading = self.reading
+        name = reading.name(item)
+        if name in reading.names:
+            return reading.names[name]
+        short = reading.name(item, above=False)
+        if item.above and short in reading.names:
+            return _power(reading.names[short], item.above, reading)
+        if isinstance(item.base, Atom) and item.base.kind == "number" and not item.below:
+            return _power(float(item.base.text), item.above, reading)
+        if not isinstance(item.base, Atom | Accent):
+            return _power(reading((item.base,)), item.above, reading)
+        raise Unreadable(f"unknown: {name} in {plain(self.row)}")
+
+    def applied(self, value: Any) -> Any:
+        """A function takes the brackets behind it; a number must not look like one."""
+        sign = self.sign()
+        if callable(value):
+            while callable(value):
+                if not self.sign() or self.sign() not in OPENING:
+                    raise Unreadable(f"a function of nothing: {plain(self.row)}")
+                value = value(*self.arguments())
+            return value
+        if sign and sign in OPENING:
+            inside, end = self.enclosed(self.place)
+            raised = isinstance(self.row[end - 1], Script)
+            if len(inside) == 1 and not raised and not isinstance(inside[0], Table | Fraction):
+                raise Unreadable(f"a number applied: {plain(self.row)}")
+        return value
+
+    def arguments(self) -> list[Any]:
+        inside, self.place = self.enclosed(self.place)
+        return [self.reading(part) for part in split(inside, ",;")]
+
+    def enclosed(self, place: int) -> tuple[Row, int]:
+        """What stands in the brackets that open at a place, and where they end."""
+        depth = 0
+        for end in range(place, len(self.row)):
+            sign = _sign(self.row[end])
+            depth += (sign in OPENING) - (sign in CLOSING) if sign else 0
+            if depth == 0:
+                return tuple(self.row[place + 1 : end]), end + 1
+        raise Unreadable(f"an open bracket: {plain(self.row)}")
+
+    def bracket(self) -> Any:
+        inside, end = self.enclosed(self.place)
+        closing, self.place = self.row[end - 1], end
+        blocks = split(inside, "", space="1em")
+        if len(blocks) > 1:
+            first = self.reading(blocks[0])
+            return np.hstack([first, np.zeros((len(first), self.reading.columns))])
+        parts = split(inside, ",")
+        value = self.reading(inside) if len(parts) == 1 else self.column(parts)
+        if isinstance(closing, Script):
+            if closing.below:
+                places = [int(d) - 1 for d in re.findall(r"\d", self.reading.label(closing.below))]
+                value = value[places[0], places[1] if len(places) > 1 else 0]
+            if closing.above:
+                value = _power(value, closing.above, self.reading)
+        return value
+
+    def column(self, parts: Sequence[Row]) -> Any:
+        return np.array([[self.reading(part) for part in parts]])
+
+    def matrix(self, table: Table) -> Any:
+        entries = [[self.reading(entry) for entry in row] for row in table.rows]
+        if not any(_is_array(entry) for row in entries for entry in row):
+            return np.array(entries)
+        heights = [max(len(e) if _is_array(e) else 1 for e in row) for row in entries]
+        columns = list(zip(*entries, strict=True))
+        widths = [max(e.shape[1] if _is_array(e) else 1 for e in column) for column in columns]
+        return np.block(
+            [
+                [
+                    e if _is_array(e) else np.full((h, w), e)
+                    for e, w in zip(row, widths, strict=True)
+                ]
+                for row, h in zip(entries, heights, strict=True)
+            ]
+        )
+
+    def upright(self, start: int) -> Any:
+        """A name of several upright letters."""
+        reading = self.reading
+        for end in range(len(self.row), start, -1):
+            *whole, last = self.row[start:end]
+            text = plain(whole)
+            item = last
+            if not all(isinstance(w, Atom) and w.kind == "upright" for w in whole):
+                continue
+            if text + reading.name(item) in reading.names:
+                self.place = end
+                return self.applied(reading.names[text + reading.name(item)])
+            if isinstance(item, Script) and item.above:
+                short = text + reading.name(item, above=False)
+                if short in reading.names:
+                    self.place = end
+                    return _power(reading.names[short], item.above, reading)
+        raise Unreadable(f"unknown: {plain(self.row[start:])}")
+
+    def derivative(self, item: Item) -> Any:
+        """The derivative of a name, which is a name of its own."""
+        text = self.reading.name(item)
+        for end in range(self.place + 1, len(self.row) + 1):
+            behind = [self.reading.name(i) for i in self.row[self.place : end]]
+            name = text + "".join(behind)
+            if name in self.reading.names:
+                self.place = end
+                return self.reading.names[name]
+        last = self.row[self.place] if self.place < len(self.row) else None
+        if isinstance(last, Script) and last.above:
+            name = text + self.reading.name(last, above=False)
+            if name in self.reading.names:
+                raise Unreadable(f"is the derivative raised, or what is derived? {plain(self.row)}")
+        raise Unreadable(f"unknown: {text} of {plain(self.row)}")
+
+    def function(self, name: str, power: Row) -> Any:
+        """A function by its name, of brackets or of the symbols that follow."""
+        reading = self.reading
+        known = _FUNCTIONS.get(name)
+        if known is None:
+            raise Unreadable(f"unknown function {name}")
+        self.spaces()
+        sign = self.sign()
+        if sign and sign in OPENING and not isinstance(self.item(), Script):
+            inside, end = self.enclosed(self.place)
+            if name in ("det", "tr") or len(split(inside, ",")) == 1:
+                value = known(reading(inside))
+            else:
+                value = known(*(reading(part) for part in split(inside, ",")))
+            closing, self.place = self.row[end - 1], end
+            if isinstance(closing, Script):
+                raise Unreadable(f"power of what? {plain(self.row)}")
+        else:
+            start = self.place
+            while (item := self.item()) is not None and _in_argument(item):
+                self.place += 1
+            value = known(reading(tuple(self.row[start : self.place])))
+        return _power(value, power, reading) if power else value
+
+    def repeated(self, text: str, item: Item) -> Any:
+        """A sum or a product; factors of later numbers stand on the left."""
+        assert isinstance(item, Script)
+        end, depth = self.place, 0
+        while end < len(self.row):
+            sign = _sign(self.row[end])
+            depth += ((sign in OPENING) - (sign in CLOSING)) if sign else 0
+            if depth < 0 or (depth == 0 and sign in ("+", "-", ",")):
+                break
+            end += 1
+        body, self.place = tuple(self.row[self.place : end]), end
+        letter, numbers = self.numbers(item, text)
+        values = [self.reading.at(**{letter: n})(body) for n in numbers]
+        total: Any = 0.0 if text == "∑" else 1.0
+        for place, value in enumerate(values):
+            if text == "∑":
+                total = value if place == 0 else _added(total, value)
+            else:
+                total = value if place == 0 else _times(total, value)
+        return total
+
+    def numbers(self, item: Script, text: str) -> tuple[str, Sequence[int]]:
+        """The letter that a sum counts with, and its values."""
+        if len(item.below) == 1:
+            letter = plain(item.below)
+            return letter, self.reading.ranges[letter]
+        letter, sign = plain(item.below[:1]), plain(item.below[1:2])
+        first = int(self.reading.label(item.below[2:]))
+        if sign == "≥":
+            return letter, range(first, first + _MANY)
+        last = self.reading.label(item.above)
+        found = re.fullmatch(r"(\d+)(?:([+-])(\d+))?", last)
+        if sign != "=" or found is None:
+            raise Unreadable(f"from where to where? {plain((item,))}")
+        end = int(found[1]) + int(f"{found[2]}{found[3]}" if found[2] else 0)
+        return letter, range(first, end + 1) if text == "∑" else range(first, end - 1, -1)
+
+
+def split(row: Row, signs: str, space: str | None = None) -> list[Row]:
+    """Parts of a row between signs, or spaces of a width, outside all brackets."""
+    parts: list[list[Item]] = [[]]
+    depth = 0
+    for item in row:
+        sign = _sign(item)
+        depth += ((sign in OPENING) - (sign in CLOSING)) if sign else 0
+        wide = space is not None and item == Atom(space, "space")
+        if depth == 0 and ((sign and sign in signs) or wide):
+            parts.append([])
+        else:
+            parts[-1].append(item)
+    return [tuple(part) for part in parts]
+
+
+def without_spaces(row: Row) -> Row:
+    """A row without spaces at its ends."""
+    items = list(row)
+    for place in (0, -1):
+        while items and isinstance(items[place], Atom) and items[place].kind == "space":  # type: ignore[union-attr]
+            items.pop(place)
+    return tuple(items)
+
+
+def _sign(item: Item | None) -> str:
+    core = item.base if isinstance(item, Script) else item
+    return core.text if isinstance(core, Atom) and core.kind == "sign" else ""
+
+
+def _is_number(item: Item) -> bool:
+    core = item.base if isinstance(item, Script) else item
+    return isinstance(core, Atom) and core.kind == "number"
+
+
+def _in_argument(item: Item) -> bool:
+    """Whether an item behind a function without brackets belongs to what it is of."""
+    core = item.base if isinstance(item, Script) else item
+    if isinstance(core, Atom):
+        return core.kind in ("letter", "upright", "number")
+    return isinstance(core, Accent)
+
+
+def _is_array(value: Any) -> bool:
+    return isinstance(value, np.ndarray) and value.size > 1
+
+
+def _scalar(value: Any) -> Any:
+    if isinstance(value, np.ndarray) and value.size == 1:
+        value = value.ravel()[0]
+    if isinstance(value, complex | np.complexfloating) and value.imag == 0:
+        value = value.real
+    return value
+
+
+def _times(left: Any, right: Any) -> Any:
+    left, right = _one(left, right)
+    if isinstance(left, np.ndarray) and isinstance(right, np.ndarray):
+        return left @ right
+    return left * right
+
+
+def _one(left: Any, right: Any) -> tuple[Any, Any]:
+    """A matrix of one entry that does not fit is a number."""
+    if isinstance(left, np.ndarray) and isinstance(right, np.ndarray):
+        if left.shape[1] == right.shape[0]:
+            return left, right
+        return _scalar(left), _scalar(right)
+    return left, right
+
+
+def _added(left: Any, right: Any) -> Any:
+    left, right = _scalar(left), _scalar(right)
+    if _is_array(left) != _is_array(right):
+        raise Unreadable("a matrix and a number are added")
+    return left + right
+
+
+def _power(value: Any, above: Row, reading: Reading) -> Any:
+    if plain(above) == "𝖳":
+        return np.atleast_2d(value).T
+    exponent = reading(above)
+    if _is_array(exponent):
+        if value != math.e:
+            raise Unreadable("a power with a matrix above")
+        return expm(exponent)
+    if _is_array(value):
+        return np.linalg.matrix_power(value, int(exponent))
+    value = _scalar(value)
+    return np.emath.power(value, exponent) if exponent != int(exponent) else value ** int(exponent)

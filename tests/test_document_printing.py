@@ -1,0 +1,175 @@
+"""Any expression, printed and read back from LaTeX and from MathML, is the expression."""
+
+import math
+from typing import Any
+
+import pytest
+import sympy as sp
+from formulas.latex import read_latex
+from formulas.layout import Unreadable
+from formulas.mathml import read_mathml
+from formulas.values import Reading, name_of
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from nonsmooth.derive.document.arrange import by_function, signed
+from nonsmooth.derive.document.mathml import mathml
+from nonsmooth.derive.document.symbols import Notation
+
+converter = pytest.importorskip("latex2mathml.converter")
+
+STATES = sp.symbols("x1 x2 v1 v2", real=True)
+CONSTANTS = sp.symbols("a k1 us2 chi e omega1 omega2 p1 p2", positive=True)
+TIMES = sp.symbols("tau tau1 t", real=True)
+CHAIN = sp.symbols("x1_3 v2_3_reset x1_3_by_tau sin_tau_return stiffness", real=True)
+COSINE, SINE, HALF, SQUARE = sp.symbols("cos_tau1 sin_omega1_tau half_tau t_squared", real=True)
+FUNCTIONS = {
+    COSINE: sp.cos(TIMES[1]),
+    SINE: sp.sin(CONSTANTS[5] * TIMES[0]),
+    HALF: TIMES[0] / 2,
+    SQUARE: TIMES[2] ** 2,
+}
+NOTATION = Notation(
+    STATES, CONSTANTS, FUNCTIONS, unknowns=TIMES, projectors=(CONSTANTS[7], CONSTANTS[8])
+)
+LETTERS = (*STATES, *CONSTANTS, *TIMES, *CHAIN, *FUNCTIONS)
+VALUES = {s: sp.Float(0.31 + 0.031 * i, 30) for i, s in enumerate(s for s in LETTERS)}
+VALUES |= {s: f.xreplace(VALUES) for s, f in FUNCTIONS.items()}
+READING = Reading(
+    {name_of(NOTATION.symbol(s)): float(v) for s, v in VALUES.items() if s not in FUNCTIONS}
+    | {name_of(r"\theta_{\tau}"): math.asin(VALUES[CHAIN[3]]), name_of(r"\mathrm{e}"): math.e}
+    | {name_of(r"\pi"): math.pi}
+)
+
+
+def _sum(parts: list[sp.Expr]) -> sp.Expr:
+    return sp.Add(*parts)
+
+
+def _product(parts: list[sp.Expr]) -> sp.Expr:
+    return sp.Mul(*parts)
+
+
+def _unevaluated(parts: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
+    """A number in front of a sum, as the factoring of terms leaves it."""
+    return sp.Mul(*parts, evaluate=False)
+
+
+NUMBERS = st.one_of(
+    st.integers(-3, 3).map(sp.Integer),
+    st.fractions(-3, 3, max_denominator=4).map(lambda q: sp.Rational(q.numerator, q.denominator)),
+    st.sampled_from([sp.sqrt(2), sp.sqrt(3) / 2, sp.pi]),
+)
+ATOMS = st.one_of(st.sampled_from(LETTERS), st.sampled_from(LETTERS), NUMBERS)
+
+
+def _larger(inner: st.SearchStrategy[sp.Expr]) -> st.SearchStrategy[sp.Expr]:
+    several = st.lists(inner, min_size=2, max_size=4)
+    return st.one_of(
+        several.map(_sum),
+        several.map(_product),
+        several.map(lambda parts: -sp.Add(*parts)),
+        several.map(lambda parts: _unevaluated((sp.Integer(-1), sp.Add(*parts)))),
+        st.tuples(NUMBERS, several.map(_sum)).map(_unevaluated),
+        st.tuples(inner, st.integers(-3, 3)).map(lambda p: (1 + p[0] ** 2) ** p[1]),
+        st.tuples(inner, st.integers(1, 3)).map(lambda p: p[0] ** p[1]),
+        st.tuples(inner, inner).map(lambda p: p[0] / (2 + p[1] ** 2)),
+        st.tuples(inner, st.sampled_from(["1/2", "-1/2", "-3/2", "1/3", "5/2"])).map(
+            lambda p: (sp.Rational(1, 3) + p[0] ** 2) ** sp.Rational(p[1])
+        ),
+        inner.map(sp.cos),
+        inner.map(sp.sin),
+        inner.map(lambda e: sp.exp(-e / 2)),
+        inner.map(lambda e: sp.cosh(e / 3)),
+        inner.map(lambda e: 3 ** (e / 4)),
+    )
+
+
+EXPRESSIONS = st.recursive(ATOMS, _larger, max_leaves=9)
+
+
+def value_of(expression: sp.Expr) -> complex:
+    return complex(sp.sympify(expression).xreplace(VALUES).xreplace(VALUES))
+
+
+def is_tame(expression: sp.Expr) -> bool:
+    """Whether rounding leaves its value alone: no pole, no sine of something large."""
+    return all(abs(value_of(e)) < 50 for e in sp.preorder_traversal(expression))
+
+
+def check(latex: str, expression: sp.Expr) -> None:
+    """LaTeX and MathML stand for the same, and that is the expression."""
+    row = read_latex(latex)
+    assert read_mathml(mathml(latex, converter.convert)) == row, latex
+    expected = value_of(expression)
+    assert READING(row) == pytest.approx(expected, rel=1e-9, abs=1e-9), latex
+
+
+def joined(sign: int, text: str) -> str:
+    return f"- {text}" if sign < 0 else text
+
+
+@settings(max_examples=250, derandomize=True, deadline=None)
+@given(EXPRESSIONS)
+def test_what_is_printed_is_the_expression(expression: sp.Expr) -> None:
+    """Alone, cut into pieces, as a term, as a factor, as an exponent and below a root."""
+    if not is_tame(expression):
+        return
+    check(NOTATION.latex(expression), expression)
+    check(" ".join(NOTATION.pieces(expression)), expression)
+    check("a " + " ".join(signed_behind(expression)), CONSTANTS[0] + expression)
+    sign, text = NOTATION.factor(expression)
+    check(joined(sign, rf"{text} \operatorname{{tr}} x_{{1}}"), expression * STATES[0])
+
+
+def signed_behind(expression: sp.Expr) -> tuple[str, ...]:
+    sign, text = NOTATION.term(expression)
+    return ("-" if sign < 0 else "+", text)
+
+
+@settings(max_examples=100, derandomize=True, deadline=None)
+@given(st.lists(st.tuples(NUMBERS, st.lists(st.sampled_from(LETTERS), max_size=4)), max_size=5))
+def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
+    terms: list[tuple[sp.Expr, list[sp.Expr]]],
+) -> None:
+    expression = sp.Add(*(number * sp.Mul(*factors) for number, factors in terms))
+    if len(expression.free_symbols & set(STATES)) < 2:
+        check(NOTATION.latex(NOTATION.tidy(expression)), expression)
+    arranged = by_function(NOTATION, expression)
+    check(" ".join(signed(NOTATION, arranged)) or "0", expression)
+
+
+@settings(max_examples=40, derandomize=True, deadline=None)
+@given(st.lists(EXPRESSIONS, min_size=4, max_size=4))
+def test_a_matrix_is_its_entries(entries: list[sp.Expr]) -> None:
+    if not all(map(is_tame, entries)):
+        return
+    expected = [value_of(e) for e in entries]
+    latex = NOTATION.latex(sp.Matrix(2, 2, entries))
+    row = read_latex(latex)
+    assert read_mathml(mathml(latex, converter.convert)) == row
+    assert READING(row).ravel() == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        "a + - x_{1}",
+        "x_{1} 2",
+        "a/k_{1} x_{1}",
+        "a(x_{1})",
+        r"\left(a + x_{1}",
+        r"x_{1}^{2}^{3}",
+        r"\cos\left(a\right)^{2}",
+        "x_{3}",
+        "a +",
+    ],
+)
+def test_what_can_be_read_in_two_ways_is_refused(latex: str) -> None:
+    with pytest.raises(Unreadable):
+        READING.latex(latex)
+
+
+def test_braces_hold_nothing_together() -> None:
+    values: Any = READING.names
+    assert READING.latex("{a + x_{1}} k_{1}") == values["a"] + values["x_{1}"] * values["k_{1}"]
