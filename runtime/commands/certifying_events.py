@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.commands.application import print_json
 from nonsmooth.runtime.commands.certifying_boxes import box_and_values, solved_in
 
-if TYPE_CHECKING:
-    from nonsmooth.runtime.certification.events.record import EventCertificate
-
-__all__ = ["certify_events", "show_checked_events"]
+__all__ = ["certify_events"]
 
 
 def certify_events(
@@ -68,10 +64,3 @@ def certify_events(
         if save is not None:
             print(f"\n{save} written")
     return events_claim(found)
-
-
-def show_checked_events(found: Sequence[EventCertificate]) -> None:
-    """Show the events of a file."""
-    from nonsmooth.runtime.commands.display_certificates import show_events
-
-    show_events(", ".join(dict.fromkeys(certificate.orbit for certificate in found)), found)
