@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["CLAIMS", "FORMAT", "GUARD", "VERSION", "Certificate", "Stated", "Unknown"]
 
 FORMAT = "nonsmooth certificate"
-VERSION = 1
+VERSION = 2
 GUARD = 32  # bits beyond those of the enclosures
 NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")
@@ -95,10 +95,9 @@ class Certificate:
         Of the enclosures.
     given_period : Value or None
         What the dwell times sum up to, where a conservative orbit's was given.
-    constants : tuple of Value
-        Irrational parameters, of which the declaration's entries are functions.
     declaration, closing : dict
-        The exact system and the way in which the cycle closes, as in the file.
+        The system, as functions of its parameters, and the way in which the cycle closes, as
+        in the file; empty where nothing is claimed.
     """
 
     orbit: str
@@ -117,7 +116,6 @@ class Certificate:
     start_names: tuple[str, ...]
     dwell_names: tuple[str, ...]
     given_period: Value | None
-    constants: tuple[Value, ...] = field(repr=False)
     declaration: Mapping[str, Any] = field(repr=False)
     closing: Mapping[str, Any] = field(repr=False)
 

@@ -27,12 +27,9 @@ from nonsmooth.runtime.certification.multipliers import (
     reduced_map,
     trace_of,
 )
+from nonsmooth.runtime.certification.parametric import PERIOD, system_declaration
 from nonsmooth.runtime.certification.plan import plan_of
-from nonsmooth.runtime.certification.statement import (
-    closing_json,
-    decimals,
-    declaration_json,
-)
+from nonsmooth.runtime.certification.statement import closing_json, decimals
 from nonsmooth.runtime.certification.subject import (
     NotCovered,
     Subject,
@@ -226,10 +223,23 @@ def _certificate(
         subject.start_names,
         subject.dwell_names,
         closing.period,
-        tables.constants,
-        declaration_json(tables, subject.cycle),
-        closing_json(closing, subject.cycle, bits + GUARD),
+        *_statement(subject, tables, closing, claimed=claims["existence"] != "undecided"),
     )
+
+
+def _statement(
+    subject: Subject, tables: Tables, closing: Closing, *, claimed: bool
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Declaration and closing as the file states them; empty where nothing is claimed."""
+    if not claimed:
+        return {}, {}
+    cycle, timed = subject.cycle, closing.kind == "period"
+    declared = system_declaration(
+        subject.kernels, cycle, tables, subject.start_names, subject.dwell_names, timed=timed
+    )
+    own = {value: name for name, value in reversed(subject.values.items())}
+    variables = [own[value] for value in tables.constants]
+    return declared, closing_json(closing, cycle, declared["parameters"], variables, PERIOD)
 
 
 def _enclosures(subject: Subject, root: Root, trace: arb | None, bits: int) -> dict[str, Stated]:
@@ -274,5 +284,5 @@ def _uncovered(orbit: Orbit | ComposedOrbit, bits: int, reason: str) -> Certific
     claims = dict.fromkeys(CLAIMS, "undecided")
     return Certificate(
         orbit.name, system_of(orbit), dict(orbit.given), (), (), claims, "stable", reasons, {}, (),
-        (), (), bits, (), (), None, (), {}, {},
+        (), (), bits, (), (), None, {}, {},
     )  # fmt: skip

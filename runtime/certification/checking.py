@@ -1,8 +1,8 @@
 """The check of certificates, maps, events and censuses in files.
 
-A file is checked in three ways: its checksum; the checker proves every claim again from the
-file alone; and its declaration is compared with that of the system it names, at its
-parameters, where that is there.
+A file is checked in three ways: its checksum and its shape; the checker proves every claim again
+from the file alone; and names, values and declaration are compared with those of the system that
+it names, where that is there.
 """
 
 from __future__ import annotations
@@ -10,16 +10,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from operator import attrgetter
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.certification.boxes.comparing import compare_box
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate
-from nonsmooth.runtime.certification.boxes.saved import BOX, box_of
+from nonsmooth.runtime.certification.boxes.saved import BOX, box_entries, box_of
 from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.certification.checker import (
     Failure,
+    Malformed,
     check,
     check_census,
     check_events,
@@ -28,7 +28,7 @@ from nonsmooth.runtime.certification.checker import (
 from nonsmooth.runtime.certification.comparing import compare_certificate
 from nonsmooth.runtime.certification.counting.census import Census
 from nonsmooth.runtime.certification.counting.comparing import compare_census
-from nonsmooth.runtime.certification.counting.saved import CENSUS, census_of
+from nonsmooth.runtime.certification.counting.saved import CENSUS, census_entries, census_of
 from nonsmooth.runtime.certification.events.record import EventCertificate, events_claim
 from nonsmooth.runtime.certification.events.saved import (
     EVENTS,
@@ -43,12 +43,17 @@ from nonsmooth.runtime.certification.saved import (
 )
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.files import read_file
-from nonsmooth.runtime.form import WRONG_SHAPE, checksum_of, parsed
+from nonsmooth.runtime.form import WRONG_SHAPE, Form, checksum_of, parsed
 from nonsmooth.runtime.values import flint_precision
 
 __all__ = ["Check", "check_certificate"]
 
 Proven = Certificate | BoxCertificate | Census | tuple[EventCertificate, ...]
+_NOT_HERE = (
+    "{} is not here: that the declaration is its, and what orbit and unknowns are called, was"
+    " not compared"
+)
+_NOT_COUNTED = "that there are no other orbits was NOT proved again"
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,35 +67,51 @@ class Check:
     note : str or None
         What could not be compared, since the system is not there, or is not proved again.
     certificate : Certificate, BoxCertificate, Census, tuple of EventCertificate, or None
-        What was proved again; None if something is wrong with it.
+        What was read; None if something is wrong with it. Reasons why a claim is undecided,
+        which parameters were chosen, and of a census all but its orbits are as the file says.
     claims : dict of str to {"proved", "refuted", "undecided"}
-        Of it.
+        What was proved again. Of a census "listed" says whether each of its orbits was;
+        "no others" is undecided.
+    compared : bool
+        Whether the system was there: the orbit is that of the name that the file gives.
     """
 
     difference: str | None
     note: str | None = None
     certificate: Proven | None = None
     claims: Mapping[str, str] = field(default_factory=dict)
+    compared: bool = False
 
 
 class _Kind(NamedTuple):
-    """What is done with a file: entries of its format, proof, record, claims, comparison."""
+    """What is done with a file: proof, record, what that states, claims, comparison."""
 
-    entries: Callable[[Mapping[str, Any]], None]
+    form: Form
     check: Callable[[dict[str, Any]], None]
     of: Callable[[Mapping[str, Any]], Any]
+    entries: Callable[[Any], Mapping[str, Any]]
     claims: Callable[[Any], Mapping[str, str]]
-    compare: Callable[[Mapping[str, Any], Path], str | None]
+    compare: Callable[[Mapping[str, Any], Path], bool]
+
+
+def _listed(census: Census) -> dict[str, str]:
+    """What is proved again of a census."""
+    every = all(orbit.certificate is not None for orbit in census.orbits)
+    return {"listed": "proved" if every else "undecided", "no others": "undecided"}
 
 
 _KINDS = {
-    CERTIFICATE.name: _Kind(
-        certificate_entries, check, certificate_of, attrgetter("claims"), compare_certificate
-    ),
-    BOX.name: _Kind(BOX.check, check_tiles, box_of, attrgetter("claims"), compare_box),
-    EVENTS.name: _Kind(event_entries, check_events, events_of, events_claim, compare_events),
-    CENSUS.name: _Kind(CENSUS.check, check_census, census_of, attrgetter("claims"), compare_census),
-}
+    kind.form.name: kind
+    for kind in (
+        _Kind(
+            CERTIFICATE, check, certificate_of, certificate_entries,
+            lambda found: found.claims, compare_certificate,
+        ),
+        _Kind(BOX, check_tiles, box_of, box_entries, lambda found: found.claims, compare_box),
+        _Kind(EVENTS, check_events, events_of, event_entries, events_claim, compare_events),
+        _Kind(CENSUS, check_census, census_of, census_entries, _listed, compare_census),
+    )
+}  # fmt: skip
 
 
 def check_certificate(path: str | os.PathLike[str]) -> Check:
@@ -107,7 +128,8 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     Raises
     ------
     InputError
-        If the file cannot be read or is none of these.
+        If the file cannot be read, is none of these, or has entries that are missing, unknown
+        or of another type.
     """
     folder = Path(path).parent
     try:
@@ -115,16 +137,39 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
         if not isinstance(content, dict) or content.get("format") not in _KINDS:
             raise InputError("not a certificate, such as --save or save() writes")
         kind = _KINDS[content["format"]]
-        kind.entries({**content, "sha256": checksum_of(content)})  # that is the checker's
+        kind.form.check({**content, "sha256": checksum_of(content)})  # that is the checker's
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
         with flint_precision(64):  # the one precision of the process is kept
             kind.check(content)
         found = kind.of(content)
-        note = kind.compare(content, folder)
+        if not _agrees(kind.entries(found), content):
+            return Check("what follows from other entries is not what the file says")
+        compared = kind.compare(content, folder)
+    except Malformed as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
     except (Failure, InputError) as problem:
         return Check(str(problem))
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
-    return Check(None, note, found, kind.claims(found))
+    return Check(None, _note(content, found, compared), found, kind.claims(found), compared)
+
+
+def _agrees(told: Any, content: Any) -> bool:
+    """Whether content has all entries that are told, as they are told."""
+    if isinstance(told, Mapping):
+        return all(name in content and _agrees(told[name], content[name]) for name in told)
+    if isinstance(told, list):
+        return len(told) == len(content) and all(map(_agrees, told, content))
+    return bool(told == content)
+
+
+def _note(content: Mapping[str, Any], found: Proven, compared: bool) -> str | None:
+    """What was not checked."""
+    notes = [_NOT_COUNTED] if isinstance(found, Census) else []
+    if not compared:
+        told = content["events"] if isinstance(found, tuple) else [content]
+        systems = ", ".join(dict.fromkeys(entry["system"] for entry in told))
+        notes.append(_NOT_HERE.format(systems))
+    return "; ".join(notes) or None

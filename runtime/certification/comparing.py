@@ -1,67 +1,139 @@
-"""Whether a saved certificate is of the system that it names."""
+"""Whether a saved certificate is of the system and the orbit that it names."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from nonsmooth.runtime.certification.certificate import GUARD
 from nonsmooth.runtime.certification.checker import Failure
-from nonsmooth.runtime.certification.statement import declaration_json, value_json
+from nonsmooth.runtime.certification.parametric import PERIOD, system_declaration
+from nonsmooth.runtime.certification.subject import period_name
 from nonsmooth.runtime.certification.tables import exact_tables
-from nonsmooth.runtime.composition.passage import cycle_of
+from nonsmooth.runtime.composition.named import whole_names
+from nonsmooth.runtime.composition.naming import cycle_label, dwell_names, start_names
+from nonsmooth.runtime.composition.passage import Cycle, cycle_of
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.saved import given_value
 from nonsmooth.runtime.simulation.piecewise import system_parameters
 from nonsmooth.runtime.simulation.structure import structure_of
-from nonsmooth.runtime.values import flint_precision
+from nonsmooth.runtime.values import Value, flint_precision
 
-__all__ = ["NOT_HERE", "compare_certificate", "named_system"]
-
-
-NOT_HERE = "{} is not here: its declaration is as the file says"
+__all__ = ["Named", "compare_certificate", "given_values", "named_in"]
 
 
-def named_system(content: Mapping[str, Any], folder: Path) -> SystemKernels | None:
-    """The system that a file names, if it is there."""
-    try:
-        return load_system(content["system"], folder)
-    except InputError:
-        return None
+class Named(NamedTuple):
+    """What a file names.
+
+    Attributes
+    ----------
+    kernels : SystemKernels
+    orbit : OrbitKernels or None
+        None where the orbit is composed of phases that no declaration names.
+    cycle : Cycle
+    start, dwell : tuple of str
+        Names of the unknowns.
+    """
+
+    kernels: SystemKernels
+    orbit: OrbitKernels | None
+    cycle: Cycle
+    start: tuple[str, ...]
+    dwell: tuple[str, ...]
+
+    @property
+    def derived(self) -> OrbitKernels | None:
+        """The orbit, if its equations are derived."""
+        return self.orbit if self.orbit is not None and self.orbit.derived else None
+
+    @property
+    def period(self) -> str:
+        """Name of the period among the parameters that were given."""
+        return PERIOD if self.derived is None else period_name(self.derived) or PERIOD
+
+    def check_chosen(self, chosen: list[str]) -> None:
+        """Refuse names of parameters that the orbit does not leave open."""
+        left: list[str] = []
+        if self.derived is not None:
+            fixed = {*self.derived.parameter_names, *self.derived.required}
+            left = [p.name for p in self.kernels.parameters if p.name not in fixed]
+        if chosen != [name for name in left if name in chosen]:
+            raise Failure("the parameters that were chosen are none that the orbit leaves open")
 
 
-def compare_certificate(content: Mapping[str, Any], folder: Path) -> str | None:
-    """Compare the declaration with that of the system at the parameters that are named.
-
-    Returns
-    -------
-    str or None
-        What could not be compared: the system is not there.
+def named_in(content: Mapping[str, Any], folder: Path) -> Named | None:
+    """The system and the orbit that a file names; None if the system is not there.
 
     Raises
     ------
     Failure
+        If the system has no such orbit.
+    InputError
+        If it has no such phases.
+    """
+    system, label = content["system"], content["orbit"]
+    try:
+        kernels = load_system(system, folder)
+    except InputError:
+        return None
+    itinerary = [(c, b) for c, b in content["itinerary"]]
+    cycle = cycle_of(structure_of(kernels), itinerary)
+    states, own = kernels.table["states"], {table.name for table in kernels.parameters}
+    if label == cycle_label(system, len(itinerary)):
+        dwell = dwell_names(len(itinerary), {*states, *own})
+        return Named(kernels, None, cycle, start_names(states, {*dwell, *own}), dwell)
+    try:
+        orbit = load_orbit(label, folder)
+    except InputError as problem:
+        raise Failure(str(problem)) from None
+    phases = [(c, b) for c, b, _ in orbit.table["phases"]]
+    known = orbit.system.name == kernels.name and itinerary[: len(phases)] == phases
+    if not known or len(itinerary) % len(phases):
+        raise Failure(f"{label} is not that orbit of {system}")
+    if orbit.derived:
+        dwell = orbit.dwell_times
+        return Named(kernels, orbit, cycle, start_names(states, {*dwell, *own}), dwell)
+    names = whole_names(orbit, len(itinerary))
+    return Named(kernels, orbit, cycle, names[len(itinerary) :], names[: len(itinerary)])
+
+
+def given_values(parameters: Mapping[str, str]) -> dict[str, Value]:
+    """Values as they were written."""
+    return {name: given_value(name, text) for name, text in parameters.items()}
+
+
+def compare_certificate(content: Mapping[str, Any], folder: Path) -> bool:
+    """Compare names, values and declaration with the system and the orbit that are named.
+
+    Returns
+    -------
+    bool
+        Whether that could be done: the system is there.
+
+    Raises
+    ------
+    Failure, InputError
         If they differ.
     """
     if not content["declaration"]:
-        return None
-    kernels = named_system(content, folder)
-    if kernels is None:
-        return NOT_HERE.format(content["system"])
-    given = {name: given_value(name, text) for name, text in content["parameters"].items()}
-    values = system_parameters(kernels, given)
-    cycle = cycle_of(structure_of(kernels), [(c, b) for c, b in content["itinerary"]])
+        return False
+    named = named_in(content, folder)
+    if named is None:
+        return False
+    values = system_parameters(named.kernels, given_values(content["parameters"]))
+    named.check_chosen(content["chosen"])
     work = content["bits"] + GUARD
     with flint_precision(work):
-        tables = exact_tables(kernels, tuple(values.values()), work)
-        if [value.text for value in tables.constants] != content["constants"]:
-            raise Failure("the constants are not the irrational parameters")
-        if declaration_json(tables, cycle) != content["declaration"]:
-            raise Failure(f"the declaration is not that of {content['system']} at its parameters")
-        if content["closing"]["kind"] == "period":
-            period = value_json(given_value("period", content["given_period"]), work)
-            if period != content["closing"]["period"]:
-                raise Failure("the period is not the one that is given")
-    return None
+        declared = system_declaration(
+            named.kernels,
+            named.cycle,
+            exact_tables(named.kernels, tuple(values.values()), work),
+            named.start,
+            named.dwell,
+            timed=content["closing"]["kind"] == "period",
+        )
+    if declared != content["declaration"]:
+        raise Failure(f"the declaration is not that of {content['system']} at its parameters")
+    return True

@@ -23,6 +23,7 @@ __all__ = [
     "certificate_content",
     "certificate_entries",
     "certificate_of",
+    "check_certificate_entries",
     "load_certificate",
     "save_certificate",
 ]
@@ -45,9 +46,6 @@ CERTIFICATE = Form(
         "multipliers": list,
         "margins": list,
         "box": list,
-        "start": list,
-        "dwell_times": list,
-        "constants": list,
         "declaration": dict,
         "closing": dict,
     },
@@ -63,12 +61,12 @@ def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> 
     InputError
         If the file cannot be written.
     """
-    CERTIFICATE.write(path, _entries(certificate))
+    CERTIFICATE.write(path, certificate_entries(certificate))
 
 
 def certificate_content(certificate: Certificate) -> dict[str, Any]:
     """What is in a certificate's file."""
-    return CERTIFICATE.content(_entries(certificate))
+    return CERTIFICATE.content(certificate_entries(certificate))
 
 
 def load_certificate(path: str | os.PathLike[str]) -> Certificate:
@@ -81,11 +79,11 @@ def load_certificate(path: str | os.PathLike[str]) -> Certificate:
     """
     with naming(path) as file:
         content = CERTIFICATE.read(file)
-        certificate_entries(content)
+        check_certificate_entries(content)
         return certificate_of(content)
 
 
-def certificate_entries(content: Any) -> None:
+def check_certificate_entries(content: Any) -> None:
     """Refuse entries that are not those of a certificate, or another checksum.
 
     Raises
@@ -97,12 +95,10 @@ def certificate_entries(content: Any) -> None:
         raise InputError(f"its claims are not {', '.join(CLAIMS)}")
 
 
-def _entries(certificate: Certificate) -> dict[str, Any]:
+def certificate_entries(certificate: Certificate) -> dict[str, Any]:
+    """What a certificate's file states."""
     return {
         **certificate.to_json(),
-        "start": list(certificate.start_names),
-        "dwell_times": list(certificate.dwell_names),
-        "constants": [value.text for value in certificate.constants],
         "declaration": dict(certificate.declaration),
         "closing": dict(certificate.closing),
     }
@@ -110,7 +106,7 @@ def _entries(certificate: Certificate) -> dict[str, Any]:
 
 def certificate_of(content: Mapping[str, Any]) -> Certificate:
     """The certificate that a file's entries describe."""
-    bits = content["bits"]
+    bits, declaration = content["bits"], content["declaration"]
 
     def ball(entry: Mapping[str, str]) -> Stated:
         return Stated.of(entry["mid"], entry["rad"], bits)
@@ -129,10 +125,9 @@ def certificate_of(content: Mapping[str, Any]) -> Certificate:
         tuple(dict(margin) for margin in content["margins"]),
         tuple(Unknown(x["name"], x["mid"], x["rad"]) for x in content["box"]),
         bits,
-        tuple(content["start"]),
-        tuple(content["dwell_times"]),
+        tuple(declaration.get("start", ())),
+        tuple(phase["dwell_time"] for phase in declaration.get("phases", ())),
         given_value("period", content["given_period"]) if content["given_period"] else None,
-        tuple(given_value("constant", text) for text in content["constants"]),
-        content["declaration"],
+        declaration,
         content["closing"],
     )

@@ -10,12 +10,11 @@ from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.quotients import Quotient
 from nonsmooth.runtime.certification.tables import Tables, rational_of
 from nonsmooth.runtime.composition.passage import Cycle
-from nonsmooth.runtime.values import Value
 
 if TYPE_CHECKING:
     from flint import arb, fmpq
 
-__all__ = ["closing_json", "decimals", "declaration_json", "entry", "rational", "value_json"]
+__all__ = ["closing_json", "decimals", "declaration_json", "rational"]
 
 _RADIUS = 3  # digits that a radius needs
 
@@ -45,8 +44,24 @@ def _scientific(integer: int, exponent: int) -> str:
     return f"{sign}{digits[0]}{'.' * bool(tail)}{tail}e{exponent + len(tail)}"
 
 
-def declaration_json(tables: Tables, cycle: Cycle) -> dict[str, Any]:
-    """Configurations and transitions that the proof is about, with all their numbers."""
+def declaration_json(
+    tables: Tables,
+    cycle: Cycle,
+    parameters: Sequence[str],
+    start: Sequence[str],
+    dwell: Sequence[str],
+) -> dict[str, Any]:
+    """Configurations and transitions that the proof is about, with all their numbers.
+
+    Parameters
+    ----------
+    tables : Tables
+    cycle : Cycle
+    parameters : sequence of str
+        What the entries of the tables are functions of, in the order of their exponents.
+    start, dwell : sequences of str
+        Names of the states at the start, and of the phases' dwell times.
+    """
     structure = cycle.structure
     needed = set(cycle.configurations)
     transitions: list[dict[str, Any]] = []
@@ -75,7 +90,9 @@ def declaration_json(tables: Tables, cycle: Cycle) -> dict[str, Any]:
                 own = transitions.index(entry)
         phases.append((configuration, own))
     return {
+        "parameters": list(parameters),
         "states": list(structure.states),
+        "start": list(start),
         "forcing": [list(pair) for pair in structure.forcing],
         "configurations": {
             structure.configurations[c]: {
@@ -91,29 +108,54 @@ def declaration_json(tables: Tables, cycle: Cycle) -> dict[str, Any]:
                 "configuration": structure.configurations[c],
                 "boundaries": cycle.itinerary[place][1].split("+"),
                 "transition": own,
+                "dwell_time": dwell[place],
             }
             for place, (c, own) in enumerate(phases)
         ],
     }
 
 
-def closing_json(closing: Closing, cycle: Cycle, bits: int) -> dict[str, Any]:
-    """How the cycle closes; the energy's form where there is one."""
-    told: dict[str, Any] = {"kind": closing.kind, "dropped": closing.dropped}
+def closing_json(
+    closing: Closing, cycle: Cycle, parameters: Sequence[str], variables: Sequence[str], period: str
+) -> dict[str, Any]:
+    """How the cycle closes; the energy's form where there is one.
+
+    Parameters
+    ----------
+    closing : Closing
+    cycle : Cycle
+    parameters : sequence of str
+        As for `declaration_json`.
+    variables : sequence of str
+        Those of them that the form's entries are functions of, in the order of these.
+    period : str
+        The name among the parameters that the dwell times sum up to.
+    """
+    told: dict[str, Any] = {"kind": closing.kind}
     if closing.kind == "forcing":
         told["turns"] = closing.turns
     if closing.form is not None:
-        period = closing.period
-        told["period"] = value_json(period, bits) if isinstance(period, Value) else entry(period)
-        told["form"] = [_row(row) for row in closing.form.omega]
-        names = cycle.structure.configurations
-        told["constants"] = {names[c]: entry(x) for c, x in closing.form.constants.items()}
+        places, count = [parameters.index(name) for name in variables], len(parameters)
+        names, form = cycle.structure.configurations, closing.form
+        told |= {
+            "period": period,
+            "dropped": closing.dropped,
+            "form": [[_moved(x, places, count) for x in row] for row in form.omega],
+            "constants": {names[c]: _moved(x, places, count) for c, x in form.constants.items()},
+        }
     return told
 
 
-def value_json(value: Value, bits: int) -> Any:
-    """A value exactly, or a ball around it."""
-    return entry(value.ball(bits + 32)) if value.exact is None else str(value.exact)
+def _moved(number: Any, places: Sequence[int], count: int) -> Any:
+    """An entry whose variables have these places among so many."""
+    found = _entry(number)
+    for terms in found.values() if isinstance(found, dict) else ():
+        for term in terms:
+            exponents = [0] * count
+            for place, exponent in zip(places, term[1], strict=True):
+                exponents[place] = exponent
+            term[1] = exponents
+    return found
 
 
 def _terms(polynomial: Any) -> list[list[Any]]:
@@ -123,10 +165,10 @@ def _terms(polynomial: Any) -> list[list[Any]]:
 
 
 def _row(row: Sequence[Any]) -> list[Any]:
-    return [entry(number) for number in row]
+    return [_entry(number) for number in row]
 
 
-def entry(number: Any) -> Any:
+def _entry(number: Any) -> Any:
     """A fraction as text, a rational function by its polynomials, a ball by middle and radius."""
     if isinstance(number, Quotient):
         return {"above": _terms(number.above), "below": _terms(number.below)}

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonsmooth.runtime.arithmetic import exact_ball
 from nonsmooth.runtime.certification.closing import Closing, forcing_speeds, symplectic_form
-from nonsmooth.runtime.certification.tables import Tables
+from nonsmooth.runtime.certification.tables import Tables, rational_of
 from nonsmooth.runtime.composition.naming import start_names
 from nonsmooth.runtime.composition.newton import fitting_start
 from nonsmooth.runtime.composition.passage import Cycle, cycle_of
@@ -37,6 +38,7 @@ __all__ = [
     "guess_of",
     "period_name",
     "period_of",
+    "physical_numbers",
     "physical_values",
     "subject_near",
     "subject_of",
@@ -227,23 +229,43 @@ def _with_required(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[st
     return {**{name: as_value(text) for name, text in kernels.required.items()}, **given}
 
 
-def _completed(kernels: OrbitKernels, name: str, values: dict[str, Value]) -> bool:
-    """Find a parameter from a combination such as e = ur - us, if the others are known."""
+def physical_numbers(kernels: OrbitKernels, given: Mapping[str, Any]) -> list[Any]:
+    """As `physical_values`, in order and of exact numbers: rational functions too."""
+    required = {name: as_value(text).exact for name, text in kernels.required.items()}
+    if None in required.values():
+        raise NotCovered(f"{kernels.name} takes irrational values of {', '.join(required)}")
+    exact = {name: rational_of(value) for name, value in required.items() if value is not None}
+    numbers: dict[str, Any] = {**exact, **given}
+    for table in kernels.system.parameters:
+        if table.name not in numbers:
+            terms = _combination(kernels, table.name, numbers)
+            parts = (numbers[name] * rational_of(factor) for name, factor in terms.items())
+            numbers[table.name] = sum(parts, rational_of(Fraction(0)))
+    return [numbers[table.name] for table in kernels.system.parameters]
+
+
+def _combination(kernels: OrbitKernels, name: str, known: Container[str]) -> dict[str, Fraction]:
+    """Multiples of known parameters that sum up to another one, as in ur = e + us, if any."""
     for combined, terms in kernels.combined.items():
         rest = [term for term in terms if term != name]
-        if name not in terms or combined not in values or any(r not in values for r in rest):
-            continue
-        parts = [f"({values[combined]})"]
-        parts += [f"({-terms[term]})*({values[term]})" for term in rest]
-        exact = [values[combined].exact, *(values[term].exact for term in rest)]
-        if None not in exact:
-            factors = [1, *(-terms[term] for term in rest)]
-            total = sum(f * e for f, e in zip(factors, exact, strict=True) if e is not None)
-            values[name] = as_value(total / terms[name])
-        else:
-            values[name] = as_value(f"({' + '.join(parts)})/({terms[name]})")
-        return True
-    return False
+        if name in terms and combined in known and all(r in known for r in rest):
+            own = Fraction(terms[name])
+            return {combined: 1 / own, **{r: -terms[r] / own for r in rest}}
+    return {}
+
+
+def _completed(kernels: OrbitKernels, name: str, values: dict[str, Value]) -> bool:
+    """Find a parameter from a combination such as e = ur - us, if the others are known."""
+    terms = _combination(kernels, name, values)
+    exact = [(factor, values[other].exact) for other, factor in terms.items()]
+    known = [factor * value for factor, value in exact if value is not None]
+    if len(known) == len(exact):
+        total: object = sum(known)
+    else:
+        total = " + ".join(f"({factor})*({values[other]})" for other, factor in terms.items())
+    if terms:
+        values[name] = as_value(total)
+    return bool(terms)
 
 
 def closing_of(

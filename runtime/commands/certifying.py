@@ -22,10 +22,7 @@ from nonsmooth.runtime.commands.application import (
     split,
 )
 from nonsmooth.runtime.commands.certifying_boxes import certify_over, is_box
-from nonsmooth.runtime.commands.certifying_events import (
-    certify_events,
-    show_checked_events,
-)
+from nonsmooth.runtime.commands.certifying_events import certify_events
 from nonsmooth.runtime.commands.counting import Every, count_orbits
 from nonsmooth.runtime.commands.keeping import INTERRUPTED, Overwrite, check_new
 from nonsmooth.runtime.commands.options import AsJson, Assignments, Guess
@@ -101,7 +98,8 @@ def certify(
         typer.Option(
             "--check",
             metavar="FILE",
-            help="Prove a saved certificate again, from the file alone; exit with 1 if it differs.",
+            help="Prove a saved certificate again, from the file alone; exit with 1 if it differs."
+            " Of a census each orbit is proved again, not that there are no others.",
         ),
     ] = None,
     overwrite: Overwrite = False,
@@ -192,36 +190,27 @@ def _certify(
 
 
 def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
-    from nonsmooth.runtime.certification.certificate import Certificate
     from nonsmooth.runtime.certification.checking import check_certificate
     from nonsmooth.runtime.certification.counting.census import Census
     from nonsmooth.runtime.commands.display import steps
-    from nonsmooth.runtime.commands.display_census import show_census
-    from nonsmooth.runtime.commands.display_certificates import show_box, show_claims
+    from nonsmooth.runtime.commands.display_checks import show_check
 
     with steps(f"proving {path} again"):
         found = check_certificate(path)
-    certificate, claims = found.certificate, found.claims
     if as_json:
-        told = {"file": str(path), "same": certificate is not None, "claims": dict(claims)}
+        same = found.difference is None
+        told = {"file": str(path), "same": same, "claims": dict(found.claims)}
         print_json({**told, "difference": found.difference, "note": found.note})
-    elif certificate is not None:
-        if isinstance(certificate, Certificate):
-            show_claims(certificate)
-        elif isinstance(certificate, tuple):
-            show_checked_events(certificate)
-        elif isinstance(certificate, Census):
-            show_census(certificate)
-        else:
-            show_box(certificate)
-        what = "the certificate of each orbit" if isinstance(certificate, Census) else "every claim"
-        print(f"{path}: {what} holds; all of that was proved again from the file")
+    elif found.difference is None:
+        show_check(found)
+        every = "" if isinstance(found.certificate, Census) else "every claim holds; "
+        print(f"{path}: {every}what is shown was proved again from the file")
         if found.note:
             print(found.note)
-    if certificate is None:
+    if found.difference is not None:
         print(f"nonsmooth: {path}: {found.difference}", file=sys.stderr)
         return UNANSWERED
-    return _judged(claims, require, ANSWERED)
+    return _judged(found.claims, require, ANSWERED)
 
 
 def _judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int:

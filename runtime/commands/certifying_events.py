@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.commands.application import ANSWERED, UNANSWERED, print_json
 from nonsmooth.runtime.commands.certifying_boxes import box_and_values, solved_in
 from nonsmooth.runtime.commands.keeping import interrupted, same_command, worked
 
-if TYPE_CHECKING:
-    from nonsmooth.runtime.certification.events.record import EventCertificate
-
-__all__ = ["certify_events", "show_checked_events"]
+__all__ = ["certify_events"]
 
 
 def certify_events(
@@ -75,10 +71,3 @@ def certify_events(
         return claims, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
     goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
     return claims, interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
-
-
-def show_checked_events(found: Sequence[EventCertificate]) -> None:
-    """Show the events of a file."""
-    from nonsmooth.runtime.commands.display_certificates import show_events
-
-    show_events(", ".join(dict.fromkeys(certificate.orbit for certificate in found)), found)

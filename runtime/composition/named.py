@@ -23,7 +23,7 @@ from nonsmooth.runtime.simulation.piecewise import (
 )
 from nonsmooth.runtime.values import as_value
 
-__all__ = ["solve_declared", "unknowns_of"]
+__all__ = ["solve_declared", "unknowns_of", "whole_names"]
 
 CONTINUATION_STEPS = 24
 
@@ -40,7 +40,7 @@ def _part_names(kernels: OrbitKernels) -> tuple[str, ...]:
     return tuple(name for _, _, name in kernels.table["phases"])
 
 
-def _whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
+def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
     """Names of an orbit of so many phases: those of its images bear the image's number."""
     part = _part_names(kernels)
     images = count // len(part)
@@ -127,7 +127,7 @@ def solve_declared(
         orbit = compose(
             kernels.system, values, phases, dwell, start, period=period, symmetry=symmetry
         )
-    names = _whole_names(kernels, len(orbit.itinerary))
+    names = whole_names(kernels, len(orbit.itinerary))
     orbit = replace(orbit, label=kernels.name, names=names)
     if throw and not orbit.converged:
         raise NoConvergence(f"{kernels.name}: {orbit.message}")

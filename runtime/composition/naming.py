@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
 
-__all__ = ["dwell_names", "start_names"]
+__all__ = ["cycle_label", "dwell_names", "start_names"]
+
+
+def cycle_label(system: str, count: int) -> str:
+    """What an orbit of so many phases is called that no declaration names."""
+    return f"{system}, {count} phase{'' if count == 1 else 's'}"
 
 
 def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:

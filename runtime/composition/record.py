@@ -14,7 +14,7 @@ from nonsmooth.runtime.admissible import Admissibility
 from nonsmooth.runtime.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.composition.admissible import assess_cycle
 from nonsmooth.runtime.composition.motion import motion_along
-from nonsmooth.runtime.composition.naming import dwell_names, start_names
+from nonsmooth.runtime.composition.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.composition.newton import (
     LEAST,
     equations,
@@ -96,8 +96,7 @@ class ComposedOrbit:
     @property
     def name(self) -> str:
         """Name of the orbit, or of its system and how many phases it has."""
-        count = len(self.itinerary)
-        return self.label or f"{self.system}, {count} phase{'' if count == 1 else 's'}"
+        return self.label or cycle_label(self.system, len(self.itinerary))
 
     @property
     def dwell_time_names(self) -> tuple[str, ...]:

@@ -16,12 +16,12 @@ from nonsmooth.runtime.certification.boxes.region import (
     BITS,
     Region,
     checked_box,
+    given_of,
     region_of,
     with_open_ones,
 )
 from nonsmooth.runtime.certification.boxes.tile import Anchor, Proof, Tube, prove
 from nonsmooth.runtime.certification.certificate import CLAIMS, Stated
-from nonsmooth.runtime.certification.statement import closing_json, declaration_json
 from nonsmooth.runtime.certification.subject import NotCovered, system_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError, Interrupted
@@ -270,15 +270,13 @@ def _record(
     return BoxCertificate(
         orbit.name,
         system_of(orbit),
-        {**orbit.given, **orbit.opened},
+        {n: value for n, value in given_of(orbit).items() if n not in box},
         chosen,
         () if region is None else region.cycle.itinerary,
         dict(box),
         "stable" if region is None else region.closing.stability,
         tuple(tiles),
-        () if region is None else region.constants,
-        {} if region is None else declaration_json(region.tables, region.cycle),
-        {} if region is None else closing_json(region.closing, region.cycle, BITS),
+        *(({}, {}) if region is None else region.statement(orbit)),
     )
 
 
@@ -291,8 +289,7 @@ def _check_same(wanted: BoxCertificate, found: BoxCertificate) -> None:
                 raise InputError(f"the state to resume has another {name}")
 
     compare(("orbit", "itinerary", "box", "chosen"))
-    fixed = [name for name in wanted.parameters if name not in wanted.box]
-    for name in fixed:
+    for name in wanted.parameters:
         if wanted.parameters[name] != found.parameters.get(name):
             raise InputError(f"the state to resume has another {name}")
-    compare(("constants", "declaration", "closing"))
+    compare(("declaration", "closing"))

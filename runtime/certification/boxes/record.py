@@ -68,7 +68,7 @@ class BoxCertificate:
     ----------
     orbit, system : str
     parameters : dict of str to Value
-        All that was given for the orbit; those of the box are at the orbit's own point.
+        All that was given for the orbit, beside the box's.
     chosen : tuple of str
         Parameters that the orbit leaves open and that were chosen.
     itinerary : tuple of (configuration, boundary)
@@ -76,10 +76,8 @@ class BoxCertificate:
     stability : {"stable", "neutral"}
         What is claimed, as in a `Certificate`.
     tiles : tuple of Tile
-    constants : tuple of Value
-        Irrational parameters.
     declaration, closing : dict
-        As in a `Certificate`, in rational functions of the box's parameters and these.
+        As in a `Certificate`, over the box's parameters and those that were given.
     """
 
     orbit: str
@@ -90,7 +88,6 @@ class BoxCertificate:
     box: Mapping[str, Interval]
     stability: str
     tiles: tuple[Tile, ...] = field(repr=False)
-    constants: tuple[Value, ...] = field(repr=False)
     declaration: Mapping[str, Any] = field(repr=False)
     closing: Mapping[str, Any] = field(repr=False)
 

@@ -13,8 +13,11 @@ from nonsmooth.runtime.certification.boxes.place import Interval
 from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known, known_of
 from nonsmooth.runtime.certification.models import middle_of
+from nonsmooth.runtime.certification.parametric import PERIOD as PERIOD_NAME
+from nonsmooth.runtime.certification.parametric import orbit_declaration
 from nonsmooth.runtime.certification.plan import Plan, plan_of
 from nonsmooth.runtime.certification.quotients import Quotient
+from nonsmooth.runtime.certification.statement import closing_json
 from nonsmooth.runtime.certification.subject import (
     NotCovered,
     Subject,
@@ -39,7 +42,7 @@ from nonsmooth.runtime.values import Value, as_value, flint_precision
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["BITS", "Region", "checked_box", "region_of", "with_open_ones"]
+__all__ = ["BITS", "Region", "checked_box", "given_of", "region_of", "with_open_ones"]
 
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
 
@@ -110,6 +113,27 @@ class Region:
 
         return near
 
+    def statement(self, orbit: Orbit | ComposedOrbit) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Declaration and closing as a file states them.
+
+        Over the box's parameters and those that were given for the orbit.
+        """
+        subject, given = self.subject, given_of(orbit)
+        names = (*self.names, *(name for name in given if name not in self.names))
+        kernels = orbit.kernels if isinstance(orbit, Orbit) else None
+        declared = orbit_declaration(
+            subject.kernels, kernels, self.cycle, names, subject.start_names, subject.dwell_names
+        )
+        own = {value: name for name, value in reversed(given.items())}
+        variables = [*self.names, *(own.get(value, "") for value in self.constants)]
+        period = PERIOD_NAME if kernels is None else period_name(kernels) or ""
+        return declared, closing_json(self.closing, self.cycle, names, variables, period)
+
+
+def given_of(orbit: Orbit | ComposedOrbit) -> dict[str, Value]:
+    """All that was given for an orbit."""
+    return {**orbit.given, **orbit.opened}
+
 
 def checked_box(
     orbit: Orbit | ComposedOrbit, box: Mapping[str, tuple[object, object]]
@@ -125,7 +149,7 @@ def checked_box(
     if not isinstance(orbit, Orbit | ComposedOrbit):
         raise InputError(f"{orbit!r} is no orbit, such as solve gives")
     check_converged(orbit)
-    given = {**orbit.given, **orbit.opened}
+    given = given_of(orbit)
     found: dict[str, Interval] = {}
     if not isinstance(box, Mapping) or not box:
         raise InputError("the box has no parameter: give one, as in V=0.99:1.01")
@@ -170,7 +194,7 @@ def with_open_ones(
         bounds: dict[str, float] = {}
         points: list[Orbit | ComposedOrbit] = [orbit]
         if chosen_of(orbit):
-            given = {**orbit.given, **orbit.opened}
+            given = given_of(orbit)
             points += [
                 solve(orbit.name, {**given, **corner}, orbit.unknowns, throw=False)
                 for corner in corners
@@ -179,7 +203,7 @@ def with_open_ones(
             if point.converged and orbit.kernels.open_parameters:
                 for need in point.admissibility.requires:
                     bounds[need.parameter] = max(need.greater_than, bounds.get(need.parameter, 0.0))
-        chosen = chosen_values(orbit.kernels, {**orbit.given, **orbit.opened}, bounds)
+        chosen = chosen_values(orbit.kernels, given_of(orbit), bounds)
         orbit = replace(orbit, opened={**orbit.opened, **chosen})
     numbers, _ = _numbers(orbit, subject_near(orbit), tuple(box))
     try:
@@ -229,10 +253,10 @@ def _numbers(
     orbit: Orbit | ComposedOrbit, subject: Subject, names: Sequence[str]
 ) -> tuple[Callable[[Mapping[str, Value]], dict[str, Value]], list[Fraction]]:
     """Parameters of the system and the period at a point, and the orbit's own point."""
-    given = {**orbit.given, **orbit.opened}
+    given = given_of(orbit)
     derived = orbit if isinstance(orbit, Orbit) else None
     fixed = given if derived is None else {**given, **chosen_of(derived)}
-    own = "period" if derived is None else period_name(derived.kernels)
+    own = PERIOD_NAME if derived is None else period_name(derived.kernels)
 
     def numbers(point: Mapping[str, Value]) -> dict[str, Value]:
         told = {**fixed, **point}

@@ -10,12 +10,12 @@ from typing import Any
 from nonsmooth.runtime.certification.boxes.place import Place
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate, Tile
 from nonsmooth.runtime.certification.boxes.region import BITS
-from nonsmooth.runtime.certification.certificate import Stated
+from nonsmooth.runtime.certification.certificate import VERSION, Stated
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import Form, naming
 from nonsmooth.runtime.saved import given_value
 
-__all__ = ["BOX", "box_of", "load_box_certificate", "save_box"]
+__all__ = ["BOX", "box_entries", "box_of", "load_box_certificate", "save_box"]
 
 BOX = Form(
     "nonsmooth box certificate",
@@ -33,10 +33,10 @@ BOX = Form(
         "shares": dict,
         "enclosures": dict,
         "tiles": list,
-        "constants": list,
         "declaration": dict,
         "closing": dict,
     },
+    VERSION,
 )
 
 
@@ -48,15 +48,16 @@ def save_box(found: BoxCertificate, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    BOX.write(
-        path,
-        {
-            **found.to_json(),
-            "constants": [value.text for value in found.constants],
-            "declaration": dict(found.declaration),
-            "closing": dict(found.closing),
-        },
-    )
+    BOX.write(path, box_entries(found))
+
+
+def box_entries(found: BoxCertificate) -> dict[str, Any]:
+    """What a map's file states."""
+    return {
+        **found.to_json(),
+        "declaration": dict(found.declaration),
+        "closing": dict(found.closing),
+    }
 
 
 def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
@@ -87,7 +88,6 @@ def box_of(content: Mapping[str, Any]) -> BoxCertificate:
         {name: (Fraction(low), Fraction(high)) for name, (low, high) in content["box"].items()},
         content["stability"],
         tuple(map(_tile, content["tiles"])),
-        tuple(given_value("constant", text) for text in content["constants"]),
         content["declaration"],
         content["closing"],
     )

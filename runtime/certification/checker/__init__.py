@@ -1,12 +1,14 @@
 """The check of certificates, from nothing but their files and ball arithmetic.
 
 A certificate holds a declaration, an itinerary, a box of unknowns or tiles of parameters, and
-what is claimed. Here all of it is proved again, apart from the program that wrote it: of that
-only the arithmetic is imported, Taylor models and rational functions. Read in this order:
+what is claimed. Here all of it is proved again, of a census each orbit, apart from the program
+that wrote it: of that only the arithmetic is imported, Taylor models and rational functions.
+Read in this order:
 
     exact      numbers as they are stated, and exact arithmetic of rows
+    shape      what the files hold, entry by entry
     declared   what is declared, and what follows from it without rounding
-    constants  irrational parameters
+    parameters the values of what the declaration is a function of
     orbit      existence, enclosures, the Poincare map
     stability  its multipliers
     motion     admissibility
@@ -22,6 +24,7 @@ from nonsmooth.runtime.certification.checker.census import check_census
 from nonsmooth.runtime.certification.checker.events import check_events
 from nonsmooth.runtime.certification.checker.exact import Failure
 from nonsmooth.runtime.certification.checker.points import check
+from nonsmooth.runtime.certification.checker.shape import Malformed
 from nonsmooth.runtime.certification.checker.tiles import check_tiles
 
-__all__ = ["Failure", "check", "check_census", "check_events", "check_tiles"]
+__all__ = ["Failure", "Malformed", "check", "check_census", "check_events", "check_tiles"]

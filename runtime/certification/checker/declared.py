@@ -6,6 +6,7 @@ carry a last entry 1, so that every affine map is one matrix and every affine fu
 """
 
 import json
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -74,23 +75,37 @@ class Phase(NamedTuple):
 
 
 class Declared:
-    """The system, itinerary and closing of a certificate; `variables` are of its functions."""
+    """The system, itinerary and closing of a certificate.
 
-    def __init__(self, content: dict[str, Any], variables: Any = ()) -> None:
+    Parameters
+    ----------
+    content : dict
+    values : mapping of str to fmpq or Quotient
+        Of all parameters that the file names: the declaration's entries are functions of them.
+        Where it takes roots its entries are balls, and bound to no names.
+    """
+
+    def __init__(self, content: dict[str, Any], values: Mapping[str, Any]) -> None:
         declared, self.closing = content["declaration"], content["closing"]
-        self.variables, self.poles, self.exactly = variables, list[Any](), Elimination()
+        names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
+        self.rational = '"mid"' not in json.dumps(declared)
+        told = sorted(names) == sorted(values) or not (names or self.rational)
+        demand(told, "the declaration is not over the parameters that are named")
+        self.variables = [values[name] for name in names]
         self.size, self.forcing = len(declared["states"]), declared["forcing"]
+        self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]
+        self._check_names(declared["states"])
         zero = (fmpq(0),) * self.size
         self.configurations, self.fields = {}, {}
         for name, entry in declared["configurations"].items():
-            self.fields[name] = [*map(self.row, entry["field"]), (*zero, fmpq(0))]
+            self.fields[name] = [*self.rows(entry["field"]), (*zero, fmpq(0))]
             rows = {boundary: self.row(row) for boundary, row in entry["boundaries"].items()}
             self.configurations[name] = rows, [*map(self.row, entry["held"])]
         self.transitions = [
             Transition(
                 (entry["source"], *sorted(entry["boundaries"])),
                 [(self.row(row), along, holds) for row, along, holds in entry["conditions"]],
-                [*map(self.row, entry["reset"]), (*zero, fmpq(1))],
+                [*self.rows(entry["reset"]), (*zero, fmpq(1))],
                 entry["target"],
             )
             for entry in declared["transitions"]
@@ -111,9 +126,36 @@ class Declared:
         self.free = [k for k in range(self.size) if k not in self.forced]
         self.alone = all(len(phase["boundaries"]) == 1 for phase in self.itinerary)
         self.omega: list[Any] = []
-        period = self.closing["kind"] == "period"
-        self.period = self.number(self.closing["period"]) if period else None
-        self.rational = '"mid"' not in json.dumps(declared)
+        timed = self.closing["kind"] == "period"
+        demand(not timed or self.closing["period"] in values, "no period is given")
+        self.period = values[self.closing["period"]] if timed else None
+
+    @property
+    def unknowns(self) -> list[str]:
+        """Names of the unknowns of the orbit's equations."""
+        time = ["forcing time"] if self.forcing else []
+        return [*(self.start[k] for k in self.free), *time, *self.dwell]
+
+    @property
+    def stability(self) -> str:
+        """What can be claimed of the multipliers."""
+        return "neutral" if self.closing["kind"] == "period" else "stable"
+
+    @property
+    def dropped(self) -> int:
+        """The coordinate whose closure follows from the energy; -1 for none."""
+        return int(self.closing.get("dropped", -1))
+
+    def _check_names(self, states: list[str]) -> None:
+        """A state at the start is called as the state, or x10 for x1, or has a name of its own."""
+        demand(len(self.start) == len(states), "every state has a name at the start")
+        demand(len({*states}) == len(states), "two states have one name")
+        named = [*self.start, *self.dwell, "period", "trace"]
+        demand(len({*named}) == len(named), "two unknowns have one name")
+        for place, name in enumerate(self.start):
+            others = [other for k, other in enumerate(states) if k != place]
+            free = all(name not in (other, f"{other}0") for other in others)
+            demand(free or name == f"{states[place]}0", f"{name} is that of another state")
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
@@ -123,8 +165,14 @@ class Declared:
         return found
 
     def row(self, entries: list[Any]) -> tuple[Any, ...]:
-        """Several of them."""
+        """An affine function of the state."""
+        demand(len(entries) == self.size + 1, "a row of another size")
         return tuple(map(self.number, entries))
+
+    def rows(self, entries: list[Any]) -> list[Any]:
+        """As many of them as there are states."""
+        demand(len(entries) == self.size, "a matrix of another size")
+        return [*map(self.row, entries)]
 
     def closes(self) -> dict[str, Any]:
         """What is no equation follows: forcings return; else the energies of a kept form.
@@ -132,18 +180,20 @@ class Declared:
         The field is f = Omega^-1 grad E with E = y'H y/2, so each phase keeps E and Omega. At a
         boundary the reset keeps E, and Omega on its tangents: monodromy is symplectic.
         """
-        kind, dropped = self.closing["kind"], self.closing["dropped"]
-        demand(kind in ("state", "period", "forcing"), "it closes in an unknown way")
+        kind = self.closing["kind"]
         demand((kind == "forcing") == bool(self.forcing), "a forcing is left out")
-        demand(dropped in self.free if kind == "period" else dropped == -1, "an open coordinate")
         demand(kind == "state" or self.rational, "the declaration is not exact")
         if kind == "forcing":
             self._returns()
         if kind != "period":
             return {}
-        self.omega = omega = [self.row(row) for row in self.closing["form"]]
+        demand(self.dropped in self.free, "an open coordinate")
+        self.omega = omega = [tuple(map(self.number, row)) for row in self.closing["form"]]
+        demand(len(omega) == self.size, "no symplectic form")
         demand(omega == [tuple(-x for x in column) for column in zip(*omega, strict=True)],
                "no symplectic form")  # fmt: skip
+        visited = {step.name for step in self.steps}
+        demand(self.closing["constants"].keys() == visited, "energies of other configurations")
         energies = {}
         for step in self.steps:
             upper = [product(row, step.field[:-1]) for row in omega]

@@ -14,17 +14,23 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.certification.checker.constants import constant, numbers_at
 from nonsmooth.runtime.certification.checker.declared import Declared
-from nonsmooth.runtime.certification.checker.exact import Failure, check_sum, demand, exact
+from nonsmooth.runtime.certification.checker.exact import (
+    Failure,
+    check_sum,
+    demand,
+    exact,
+    inside,
+)
 from nonsmooth.runtime.certification.checker.orbit import Orbit
+from nonsmooth.runtime.certification.checker.parameters import numbers_at, values_of
+from nonsmooth.runtime.certification.checker.shape import EVENTS, check_bits, check_shape
 from nonsmooth.runtime.certification.checker.stability import (
     characteristic,
     paired,
     products_less_one,
 )
 from nonsmooth.runtime.certification.models import middle_of, space_of
-from nonsmooth.runtime.certification.quotients import symbols
 
 __all__ = ["check_events"]
 
@@ -36,10 +42,11 @@ _INSTANTS = {**dict.fromkeys([*_MULTIPLIERS, "vanishing-phase"], ""),
 
 def check_events(content: dict[str, Any]) -> None:
     """Prove every event of a file; Failure says which one cannot be."""
+    check_shape(content, EVENTS)
     check_sum(content)
     for number, event in enumerate(content["events"], 1):
         try:
-            with ctx.workprec(event["bits"] + _GUARD):
+            with ctx.workprec(check_bits(event) + _GUARD):
                 _check(event)
         except Failure as failure:
             raise Failure(f"event {number}, {event['kind']}: {failure}") from None
@@ -47,17 +54,20 @@ def check_events(content: dict[str, Any]) -> None:
 
 def _check(event: dict[str, Any]) -> None:
     if event["claim"] == "undecided":
-        demand(not event["enclosures"], "enclosures of no event")
+        told = [event[name] for name in ("enclosures", "box", "declaration", "closing")]
+        demand(event["reason"] and not any(told), "numbers of no event")
         return
-    demand(event["claim"] == "proved", "an unknown claim")
-    constants = list(map(constant, event["constants"]))
-    declared = Declared(event, symbols([f"variable{k}" for k in range(1 + len(constants))]))
+    demand(not event["reason"], "a reason why it is undecided")
+    values, constants = values_of(event["parameters"], [event["parameter"]])
+    declared = Declared(event, values)
+    demand(declared.rational, "the declaration is not exact")
     energies = declared.closes()
-    box = event["box"]
+    box, place = event["box"], len(declared.unknowns)  # of the parameter
     names = [side["name"] for side in box]
-    place = len(box) - 1 - (event["kind"] == "grazing")  # of the parameter
-    demand({*event["enclosures"]} == {*names}, "not every unknown has its enclosure")
-    demand(names[place] == event["parameter"], "another parameter than the event's")
+    time = ["time"] if event["kind"] == "grazing" else []
+    wanted = [*declared.unknowns, event["parameter"], *time]
+    demand(names == wanted, "the box is not that of the unknowns")
+    demand(event["enclosures"].keys() == {*names}, "not every unknown has its enclosure")
     middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
     demand(all(r > 0 for r in radii), "the box is empty")
 
@@ -72,14 +82,11 @@ def _check(event: dict[str, Any]) -> None:
         return [*values, *_event(orbit, event, unknowns[place + 1 :])]
 
     root = _roots(misses, middles, radii)
-    stated = [(arb(exact(x["mid"])), arb(exact(x["rad"])))
-              for x in (event["enclosures"][name] for name in names)]  # fmt: skip
-    inside = [abs(x - m) < r for x, (m, r) in zip(root, stated, strict=True)]
-    if not all(inside):  # in the smaller box all is sharper
+    stated = [event["enclosures"][name] for name in names]
+    if not all(map(inside, root, stated)):  # in the smaller box all is sharper
         root = _roots(misses, [x.mid() for x in root], [x.rad() for x in root], again=True)
-        inside = [abs(x - m) < r for x, (m, r) in zip(root, stated, strict=True)]
-    for name, well in zip(names, inside, strict=True):
-        demand(well, f"{name} is not in its enclosure")
+    for name, value, its in zip(names, root, stated, strict=True):
+        demand(inside(value, its), f"{name} is not in its enclosure")
     point = [middles[place] + arb(0, radii[place]), *constants]
     for divisor in declared.exactly.divisors:
         value = divisor(point) if callable(divisor) else divisor

@@ -1,30 +1,41 @@
 """Exact arithmetic: numbers as a file states them, and rows of them.
 
 A text is an exact fraction, {mid, rad} any number of a ball, {above, below} a rational function
-of the parameters of a box and of irrational constants: lists of [coefficient, exponents].
+of the parameters that the file names: lists of [coefficient, exponents].
 """
 
 import hashlib
 import json
+import re
+from collections.abc import Sequence
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz
 
 from nonsmooth.runtime.certification.quotients import Quotient
 
 __all__ = [
+    "NUMBER",
     "Elimination",
     "Failure",
     "agreed_claims",
+    "ball",
     "check_sum",
     "demand",
     "exact",
+    "inside",
     "is_integer",
     "leading",
     "number_of",
     "product",
     "reduced",
 ]
+
+
+NUMBER = re.compile(
+    r"[+-]?\d+/\d+|[+-]?(?=\.?\d)\d*(\.\d*)?(e[+-]?\d{1,6})?", re.ASCII
+)  # a fraction, or a decimal with an exponent
+_HIGHEST = 10_000  # power of a parameter
 
 
 class Failure(Exception):
@@ -44,35 +55,63 @@ def check_sum(content: dict[str, Any]) -> None:
     demand(content["sha256"] == digest, "edited or damaged: the checksum differs")
 
 
-def agreed_claims(claims: dict[str, str]) -> tuple[str, str, str]:
-    """Verdicts on existence, admissibility and stability that may go together."""
+def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str, str, str]:
+    """Verdicts on existence, admissibility and stability that may go together.
+
+    There is a reason for each that is not proved, and for no other.
+    """
     exists, *others = (claims[name] for name in ("existence", "admissibility", "stability"))
-    demand({exists, *others} <= {"proved", "refuted", "undecided"}, "unknown claims")
     if exists != "proved":
         demand({*others} == {"undecided"}, "a claim about no orbit")
+    missed = {name for name, verdict in claims.items() if verdict != "proved"}
+    demand(reasons.keys() == missed, "there are reasons for other claims")
     return exists, others[0], others[1]
 
 
 def exact(text: str) -> Any:
     """A fraction, or a decimal with an exponent, without rounding."""
+    demand(NUMBER.fullmatch(text), f"{text[:60]!r} is no number")
     digits, _, exponent = text.partition("e")
     whole, _, decimals = digits.partition(".")
     numerator, _, denominator = (whole + decimals).partition("/")
+    below = fmpz(denominator or "1")
+    demand(below != 0, f"{text[:60]!r} is no number")
     power = fmpq(10) ** (int(exponent or 0) - len(decimals))
-    return fmpq(int(numerator), int(denominator or 1)) * power
+    return fmpq(fmpz(numerator.removeprefix("+")), below) * power
 
 
-def number_of(entry: Any, variables: Any) -> Any:
-    """A fraction, a ball, or a rational function of the variables."""
+def ball(stated: dict[str, str]) -> Any:
+    """The ball of a middle and a radius."""
+    return arb(exact(stated["mid"])) + arb(0, arb(exact(stated["rad"])))
+
+
+def inside(found: Any, stated: dict[str, str]) -> Any:
+    """Whether a number lies inside a ball that is stated."""
+    return abs(found - arb(exact(stated["mid"]))) < arb(exact(stated["rad"]))
+
+
+def number_of(entry: Any, variables: Sequence[Any]) -> Any:
+    """A fraction, a ball, or the value of a rational function of the variables."""
     if isinstance(entry, str):
         return exact(entry)
     if "mid" in entry:
-        return arb(exact(entry["mid"])) + arb(0, arb(exact(entry["rad"])))
-    context, parts = variables[0].context, []
-    for part in (entry["above"], entry["below"]):
-        terms = {tuple(exponents): exact(coefficient) for coefficient, exponents in part}
-        parts.append(Quotient(context.from_dict(terms), context.constant(1)))
-    return parts[0] / parts[1]
+        return ball(entry)
+    above, below = (_polynomial(entry[part], variables) for part in ("above", "below"))
+    demand(below, "a number of the declaration has a pole")
+    return above / below
+
+
+def _polynomial(terms: list[Any], variables: Sequence[Any]) -> Any:
+    total: Any = fmpq(0)
+    for coefficient, exponents in terms:
+        demand(len(exponents) == len(variables), "a function of other parameters")
+        demand(all(0 <= k <= _HIGHEST for k in exponents), "a power too high")
+        term: Any = exact(coefficient)
+        for variable, exponent in zip(variables, exponents, strict=True):
+            if exponent:
+                term = term * variable**exponent
+        total = total + term
+    return total
 
 
 def is_integer(number: Any) -> bool:

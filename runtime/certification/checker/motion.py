@@ -24,6 +24,11 @@ def admissibility(orbit: Orbit, margins: list[Any]) -> str:
     """The verdict, and that every margin is kept that is stated."""
     stated = {(m["phase"], m["boundary"], m["quantity"]): exact(m["least"]) for m in margins}
     demand(len(stated) == len(margins), "a margin is stated twice")
+    for margin in margins:
+        place = margin["phase"]
+        there = 0 <= place < len(orbit.declared.steps)
+        there = there and margin["configuration"] == orbit.declared.steps[place].name
+        demand(there, "a margin is stated of another phase")
     demand(all(m > 0 for m in stated.values()), "a margin is not positive")
     phases = enumerate(orbit.declared.phases)
     found = [sign for place, phase in phases for sign in _phase(orbit, place, phase, stated)]

@@ -99,7 +99,7 @@ class Orbit:
             starts.append(y)
         change, closure = y - begin, dy - before
         for k in free:
-            if k != self.declared.closing["dropped"]:
+            if k != self.declared.dropped:
                 values.append(change[k, 0])
                 rows.append([closure[k, j] for j in range(self.count)] if slopes else [])
         if chain.period is not None:
@@ -195,7 +195,7 @@ class Orbit:
         omega = range_of(self.numbers(self.declared.omega)).det()
         demand(omega > 0 or omega < 0, "no symplectic form")
         first, *_, last = self.now.starts
-        k = self.declared.closing["dropped"]
+        k = self.declared.dropped
         between = first.entries()
         between[k] = between[k] + (last[k, 0] - between[k]) * arb("0.5 +/- 0.5")
         row = energies[self.declared.steps[0].name][k]
@@ -226,10 +226,11 @@ class Orbit:
             found = chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
         return matrix([[found[i, j] for j in range(len(free))] for i in free])
 
-    def enclosures(self, starts: Sequence[str], times: Sequence[str]) -> dict[str, Any]:
-        """Of what is stated by name."""
-        found = dict(zip(starts, self.now.starts[0].entries()[:-1], strict=True))
-        found |= dict(zip(times, self.dwell, strict=True))
+    def enclosures(self) -> dict[str, Any]:
+        """Of all that is stated by name."""
+        declared = self.declared
+        found = dict(zip(declared.start, self.now.starts[0].entries()[:-1], strict=True))
+        found |= dict(zip(declared.dwell, self.dwell, strict=True))
         period = self.chain.period
         found["period"] = sum(self.dwell, arb(0)) if period is None else period
         found["trace"] = trace_of(self.section)

@@ -14,21 +14,21 @@ __all__ = ["characteristic", "has_multipliers", "paired", "products_less_one", "
 
 
 def has_multipliers(square: Any, stated: Sequence[tuple[Any, Any]]) -> bool:
-    """Whether there is one in each disc: Newton's map leads into it."""
+    """Whether there is one in each disc, no two in one: Newton's map leads into it."""
     polynomial = acb_poly([acb(c) for c in reversed(characteristic(square))])
     discs = [acb(re, im) for re, im in stated]
+    if any(first.overlaps(second) for first, second in combinations(discs, 2)):
+        return False
     steps = [polynomial(disc.mid()) / polynomial.derivative()(disc) for disc in discs]
     pairs = zip(discs, steps, strict=True)
     return all(disc.contains_interior(disc.mid() - step) for disc, step in pairs)
 
 
-def stability(orbit: Orbit, kind: str) -> str:
+def stability(orbit: Orbit) -> str:
     """The verdict of a claim on the multipliers."""
     demand(orbit.declared.alone, "one-sided maps")
-    demand(kind in ("stable", "neutral"), "stability of an unknown kind")
-    if kind == "stable":
+    if orbit.declared.stability == "stable":
         return _inside(characteristic(orbit.section))
-    demand(orbit.declared.closing["kind"] == "period", "neutral without an energy")
     return _neutral(orbit.section, orbit.declared.size)
 
 

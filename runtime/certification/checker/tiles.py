@@ -9,7 +9,6 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from nonsmooth.runtime.certification.checker.constants import constant, independent, numbers_at
 from nonsmooth.runtime.certification.checker.declared import Declared
 from nonsmooth.runtime.certification.checker.exact import (
     Failure,
@@ -17,12 +16,14 @@ from nonsmooth.runtime.certification.checker.exact import (
     check_sum,
     demand,
     exact,
+    inside,
 )
 from nonsmooth.runtime.certification.checker.motion import admissibility
 from nonsmooth.runtime.certification.checker.orbit import Orbit
+from nonsmooth.runtime.certification.checker.parameters import independent, numbers_at, values_of
+from nonsmooth.runtime.certification.checker.shape import MAP, check_shape
 from nonsmooth.runtime.certification.checker.stability import stability
 from nonsmooth.runtime.certification.models import Model, Space, middle_of, range_of, space_of
-from nonsmooth.runtime.certification.quotients import symbols
 
 __all__ = ["check_tiles"]
 
@@ -30,6 +31,7 @@ _BITS = 64
 _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
+_SMALLEST = 60  # halvings of the box along an axis
 _NEWTON = 3  # steps to the orbit in the middle of a tile
 
 Interval = tuple[Any, Any]
@@ -41,26 +43,32 @@ class _Refuted(Failure):
 
 def check_tiles(content: dict[str, Any]) -> None:
     """Prove every claim of a map; Failure says which one cannot be."""
+    check_shape(content, MAP)
     check_sum(content)
     tiles = content["tiles"]
     box = [(exact(low), exact(high)) for low, high in content["box"].values()]
     demand(box and all(low < high for low, high in box), "the box is empty")
     places = [[(step, level) for step, level in tile["place"]] for tile in tiles]
+    demand(all(0 <= level <= _SMALLEST for place in places for _, level in place), "tiny tiles")
     demand(all(len(place) == len(box) for place in places), "a tile has no place in the box")
     demand(_fill(places), "the tiles do not fill the box")
     _total(content)
-    if all(tile["claims"]["existence"] == "undecided" for tile in tiles):
+    if not content["declaration"]:
+        told = any(tile["claims"]["existence"] != "undecided" for tile in tiles)
+        demand(not (told or content["closing"]), "claims about no declaration")
         demand(not any(tile["enclosures"] for tile in tiles), "enclosures of no orbit")
+        demand(content["stability"] == "stable", "stability of another kind")
         return
-    count = len(box) + len(content["constants"])
     with ctx.workprec(_BITS):
-        declared = Declared(content, symbols([f"variable{k}" for k in range(count)]))
+        values, constants = values_of(content["parameters"], [*content["box"]])
+        declared = Declared(content, values)
+        demand(declared.rational, "the declaration is not exact")
+        demand(content["stability"] == declared.stability, "stability of another kind")
         energies = declared.closes()
-        constants = [constant(text) for text in content["constants"]]
         for tile, place in zip(tiles, places, strict=True):
             where = [_interval(*step, *ends) for step, ends in zip(place, box, strict=True)]
             try:
-                _Tile(declared, energies, constants, tile, content["stability"]).check(where)
+                _Tile(declared, energies, constants, tile).check(where)
             except Failure as failure:
                 shown = ", ".join(f"{float(low):.6g}:{float(high):.6g}" for low, high in where)
                 raise Failure(f"in the tile {shown}: {failure}") from None
@@ -71,11 +79,11 @@ class _Tile:
     """What is claimed for a tile."""
 
     def __init__(
-        self, declared: Declared, energies: Any, constants: Any, tile: dict[str, Any], kind: str
+        self, declared: Declared, energies: Any, constants: Any, tile: dict[str, Any]
     ) -> None:
         self.declared, self.energies, self.constants = declared, energies, constants
-        self.tile, self.kind = tile, kind
-        self.claims = agreed_claims(tile["claims"])
+        self.tile = tile
+        self.claims = agreed_claims(tile["claims"], tile["reasons"])
 
     def check(self, where: Sequence[Interval]) -> None:
         """Prove it, on smaller tiles if need be."""
@@ -114,32 +122,31 @@ class _Tile:
                 raise
         axis = depth % len(where)
         for half in (0, 1):
-            there, inside = (
+            there, within = (
                 [_interval(half, 1, *ends) if k == axis else ends for k, ends in enumerate(box)]
                 for box in (where, part)
             )
-            point = [arb((low + high) / 2) for low, high in inside]
+            point = [arb((low + high) / 2) for low, high in within]
             near = [_at(x, point) for x in whole.centre]
             smaller = self._orbit(there, [x.mid() for x in near])
             found = [_at(x, [arb(0)] * len(where)) for x in smaller.root]
             ways = zip(found, near, whole.radii, strict=True)
             same = all(abs(x - y) < r for x, y, r in ways)
             demand(same, "another orbit is found on a part of it")
-            self._judge(whole, smaller, there, inside, depth + 1)
+            self._judge(whole, smaller, there, within, depth + 1)
 
     def _claims(self, orbit: Orbit) -> None:
-        named = [name for name in self.tile["enclosures"] if name not in ("trace", "period")]
-        times = len(self.declared.steps)
-        whole = len(named) == times + self.declared.size
-        demand(whole, "dwell times and start are not stated")
-        found = orbit.enclosures(named[times:], named[:times])
-        for name, stated in self.tile["enclosures"].items():
-            miss = abs(range_of(found[name]) - arb(exact(stated["mid"])))
-            radius = arb(exact(stated["rad"]))
-            _agree(miss < radius, miss > radius, f"{name} is not in its enclosure")
         _, admissible, stable = self.claims
+        found, told = orbit.enclosures(), self.tile["enclosures"]
+        without = {"trace"} if stable == "undecided" else set()
+        all_told = found.keys() - without <= told.keys() <= found.keys()
+        _agree(all_told, not all_told, "the enclosures are not those of the unknowns")
+        for name, stated in told.items():
+            value = range_of(found[name])
+            miss = abs(value - arb(exact(stated["mid"]))) > arb(exact(stated["rad"]))
+            _agree(inside(value, stated), miss, f"{name} is not in its enclosure")
         if stable != "undecided":
-            verdict = stability(orbit, self.kind)
+            verdict = stability(orbit)
             _agree(verdict == stable, verdict != "undecided", f"stability is {verdict}")
         if admissible != "undecided":
             verdict = admissibility(orbit, [])
@@ -196,9 +203,8 @@ def _fill(places: list[list[tuple[int, int]]]) -> bool:
 def _total(content: dict[str, Any]) -> None:
     """What is said of the whole box follows from the tiles."""
     tiles, shares = content["tiles"], dict.fromkeys(content["shares"], fmpq(0))
-    demand({*shares} == {"proved", "unstable", "not admissible", "undecided"}, "unknown shares")
     for tile in tiles:
-        _, admissible, stable = agreed_claims(tile["claims"])
+        _, admissible, stable = agreed_claims(tile["claims"], tile["reasons"])
         verdict = {"proved": "proved", "refuted": "unstable"}.get(stable, "undecided")
         verdict = {"proved": verdict, "refuted": "not admissible"}.get(admissible, "undecided")
         shares[verdict] += fmpq(1, 2 ** sum(level for _, level in tile["place"]))
@@ -208,12 +214,12 @@ def _total(content: dict[str, Any]) -> None:
         verdicts = {tile["claims"][name] for tile in tiles}
         worst = next(v for v in ("refuted", "undecided", "proved") if v in verdicts)
         demand(verdict == worst, f"{name} of the box is not that of the tiles")
-    demand({*content["claims"]} == {"existence", "admissibility", "stability"}, "unknown claims")
     proved = [tile["enclosures"] for tile in tiles if tile["claims"]["existence"] == "proved"]
+    common = {*proved[0]}.intersection(*proved) if proved else set()
+    demand(content["enclosures"].keys() == common, "enclosures of the box are not those of tiles")
     for name, whole in content["enclosures"].items():
         middle, radius = exact(whole["mid"]), exact(whole["rad"])
         for stated in proved:
-            demand(name in stated, f"{name} is not stated for every orbit")
             away = exact(stated[name]["mid"]) - middle
-            inside = max(away, -away) + exact(stated[name]["rad"]) <= radius
-            demand(inside, f"{name} of the box does not contain that of a tile")
+            holds = max(away, -away) + exact(stated[name]["rad"]) <= radius
+            demand(holds, f"{name} of the box does not contain that of a tile")

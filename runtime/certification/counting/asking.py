@@ -20,7 +20,7 @@ from nonsmooth.runtime.certification.subject import (
     period_of,
     physical_values,
 )
-from nonsmooth.runtime.composition.naming import dwell_names
+from nonsmooth.runtime.composition.naming import cycle_label, dwell_names
 from nonsmooth.runtime.composition.passage import Cycle, cycle_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
@@ -149,8 +149,7 @@ def _of_cycle(
 ) -> Asked:
     sides = sides_of(names, names, box)
     question = dwell_question(label, kernels, values, cycle, sides, period, largest, bits)
-    count = len(cycle)
-    told = label or f"{kernels.name}, {count} phase{'' if count == 1 else 's'}"
+    told = label or cycle_label(kernels.name, len(cycle))
     return Asked(told, kernels.name, values, cycle.itinerary, sides, question)
 
 

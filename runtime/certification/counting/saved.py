@@ -6,11 +6,12 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
+from nonsmooth.runtime.certification.certificate import VERSION
 from nonsmooth.runtime.certification.counting.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.certification.saved import (
     certificate_content,
-    certificate_entries,
     certificate_of,
+    check_certificate_entries,
 )
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import Form, naming
@@ -18,6 +19,7 @@ from nonsmooth.runtime.saved import given_value
 
 __all__ = [
     "CENSUS",
+    "census_entries",
     "census_of",
     "load_census",
     "save_census",
@@ -43,6 +45,7 @@ CENSUS = Form(
         "looked": int,
         "bits": int,
     },
+    VERSION,
 )
 _FOLLOW = ("count", "admissible", "decided", "statement")  # from the rest of the file
 
@@ -55,11 +58,16 @@ def save_census(census: Census, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
+    CENSUS.write(path, census_entries(census))
+
+
+def census_entries(census: Census) -> dict[str, Any]:
+    """What a census' file states."""
     content = census.to_json()
     for told, orbit in zip(content["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
             told["certificate"] = certificate_content(orbit.certificate)
-    CENSUS.write(path, content)
+    return content
 
 
 def load_census(path: str | os.PathLike[str]) -> Census:
@@ -105,7 +113,7 @@ def census_of(content: Mapping[str, Any]) -> Census:
 def _counted(entry: Any) -> Counted:
     found = entry["certificate"]
     if found is not None:
-        certificate_entries(found)
+        check_certificate_entries(found)
     certificate = None if found is None else certificate_of(found)
     return Counted(_bounds(entry["unique"]), certificate, entry["reason"])
 

@@ -14,25 +14,20 @@ from fractions import Fraction
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.certification.boxes.region import BITS, Region, region_of
+from nonsmooth.runtime.certification.boxes.region import Region, given_of, region_of
 from nonsmooth.runtime.certification.certificate import GUARD, Unknown
 from nonsmooth.runtime.certification.certify import FEWEST_BITS, MOST_BITS, stated
 from nonsmooth.runtime.certification.events.augmented import Augmented, augmented, instant_of
 from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.certification.location import unknown_names
-from nonsmooth.runtime.certification.statement import (
-    closing_json,
-    decimals,
-    declaration_json,
-    rational,
-)
+from nonsmooth.runtime.certification.statement import decimals, rational
 from nonsmooth.runtime.certification.subject import NotCovered, chosen_of, guess_of, system_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.continuation.event import Event
 from nonsmooth.runtime.continuation.record import Branch
 from nonsmooth.runtime.errors import InputError, Interrupted
 from nonsmooth.runtime.orbit import Orbit
-from nonsmooth.runtime.values import flint_precision
+from nonsmooth.runtime.values import Value, flint_precision
 
 if TYPE_CHECKING:
     from flint import arb
@@ -88,15 +83,15 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
         raise InputError("certify_event takes a branch and one of its events")
     if event not in branch.events:
         raise InputError(f"{event.text}: this is no event of the branch")
-    found = _undecided(branch, event, bits)
+    undecided = _undecided(branch, event, bits)
     try:
         orbit = _orbit_near(branch, event)
         region = _region(orbit, event)
-        found = _about(found, orbit, region)
+        found = _about(undecided, orbit, event, region)
         system, guess = _problem(region, event)
         names, enclosures, box = _enclosed(system, guess, bits)
     except NotCovered as reason:
-        return replace(found, reason=str(reason))
+        return replace(undecided, reason=str(reason))
     with flint_precision(bits + GUARD):
         told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
     return replace(found, claim="proved", enclosures=told, box=box)
@@ -151,26 +146,34 @@ def _is_of(certificate: EventCertificate, asked: EventCertificate) -> bool:
 def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
     orbit = branch.orbit
     return EventCertificate(
-        branch.name, system_of(orbit), {**orbit.given, **orbit.opened}, (), (),
+        branch.name, system_of(orbit), _beside(orbit, event), (), (),
         event.kind, event.text, event.parameter, event.phase, event.configuration,
-        event.boundary, instant_of(event), "undecided", "", {}, (), bits, (), {}, {},
+        event.boundary, instant_of(event), "undecided", "", {}, (), bits, {}, {},
     )  # fmt: skip
 
 
 def _about(
-    empty: EventCertificate, orbit: Orbit | ComposedOrbit, region: Region
+    empty: EventCertificate, orbit: Orbit | ComposedOrbit, event: Event, region: Region
 ) -> EventCertificate:
     """With all that the equations are made from."""
-    chosen = chosen_of(orbit) if isinstance(orbit, Orbit) else {}
+    chosen: dict[str, Value] = {}
+    if isinstance(orbit, Orbit):
+        chosen = chosen_of(orbit)
+        orbit = replace(orbit, opened={**orbit.opened, **chosen})
+    declaration, closing = region.statement(orbit)
     return replace(
         empty,
-        parameters={**orbit.given, **orbit.opened, **chosen},
+        parameters=_beside(orbit, event),
         chosen=tuple(chosen),
         itinerary=region.cycle.itinerary,
-        constants=region.constants,
-        declaration=declaration_json(region.tables, region.cycle),
-        closing=closing_json(region.closing, region.cycle, BITS),
+        declaration=declaration,
+        closing=closing,
     )
+
+
+def _beside(orbit: Orbit | ComposedOrbit, event: Event) -> dict[str, Value]:
+    """All that was given for an orbit, beside the branch's parameter."""
+    return {name: value for name, value in given_of(orbit).items() if name != event.parameter}
 
 
 def _region(orbit: Orbit | ComposedOrbit, event: Event) -> Region:

@@ -21,7 +21,7 @@ class EventCertificate:
     ----------
     orbit, system : str
     parameters : dict of str to Value
-        All that was given for an orbit near it; the branch's parameter has that orbit's value.
+        All that was given for an orbit near it, beside the branch's parameter.
     chosen : tuple of str
         Parameters that the orbit leaves open and that were chosen.
     itinerary : tuple of (configuration, boundary)
@@ -43,10 +43,8 @@ class EventCertificate:
     box : tuple of Unknown
         The unknowns of the orbit's equations, the parameter, and for a grazing its time.
     bits : int
-    constants : tuple of Value
-        Irrational parameters.
     declaration, closing : dict
-        As in a `BoxCertificate`, in rational functions of the parameter and these.
+        As in a `BoxCertificate`, over the parameter and those that were given.
     """
 
     orbit: str
@@ -66,7 +64,6 @@ class EventCertificate:
     enclosures: Mapping[str, Stated]
     box: tuple[Unknown, ...]
     bits: int
-    constants: tuple[Value, ...] = field(repr=False)
     declaration: Mapping[str, Any] = field(repr=False)
     closing: Mapping[str, Any] = field(repr=False)
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.certification.boxes.comparing import compare_box
-from nonsmooth.runtime.certification.certificate import Stated, Unknown
+from nonsmooth.runtime.certification.certificate import VERSION, Stated, Unknown
 from nonsmooth.runtime.certification.checker import Failure
 from nonsmooth.runtime.certification.events.record import EventCertificate
 from nonsmooth.runtime.certification.statement import rational
@@ -18,6 +18,7 @@ from nonsmooth.runtime.saved import given_value
 
 __all__ = [
     "EVENTS",
+    "check_event_entries",
     "compare_events",
     "event_entries",
     "events_of",
@@ -25,7 +26,7 @@ __all__ = [
     "save_events",
 ]
 
-EVENTS = Form("nonsmooth event certificate", "file of events", {"events": list})
+EVENTS = Form("nonsmooth event certificate", "file of events", {"events": list}, VERSION)
 _EVENT: dict[str, type | tuple[type, ...]] = {
     "orbit": str,
     "system": str,
@@ -44,7 +45,6 @@ _EVENT: dict[str, type | tuple[type, ...]] = {
     "bits": int,
     "enclosures": dict,
     "box": list,
-    "constants": list,
     "declaration": dict,
     "closing": dict,
 }
@@ -58,7 +58,12 @@ def save_events(found: Sequence[EventCertificate], path: str | os.PathLike[str])
     InputError
         If the file cannot be written.
     """
-    EVENTS.write(path, {"events": [_entry(certificate) for certificate in found]})
+    EVENTS.write(path, event_entries(found))
+
+
+def event_entries(found: Sequence[EventCertificate]) -> dict[str, Any]:
+    """What a file of events states."""
+    return {"events": [_entry(certificate) for certificate in found]}
 
 
 def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertificate, ...]:
@@ -77,11 +82,11 @@ def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertific
     """
     with naming(path) as file:
         content = EVENTS.read(file)
-        event_entries(content)
+        check_event_entries(content)
         return events_of(content)
 
 
-def event_entries(content: Mapping[str, Any]) -> None:
+def check_event_entries(content: Mapping[str, Any]) -> None:
     """Refuse entries that are not those of such a file, or another checksum.
 
     Raises
@@ -105,20 +110,20 @@ def events_of(content: Mapping[str, Any]) -> tuple[EventCertificate, ...]:
     return tuple(map(_event, content["events"]))
 
 
-def compare_events(content: Mapping[str, Any], folder: Path) -> str | None:
-    """Compare the declarations with those of the systems at the parameters that are named.
+def compare_events(content: Mapping[str, Any], folder: Path) -> bool:
+    """Compare names, values and declarations with the systems and the orbits that are named.
 
     Returns
     -------
-    str or None
-        What could not be compared: a system is not there.
+    bool
+        Whether that could be done: the systems are there.
 
     Raises
     ------
-    Failure
+    Failure, InputError
         If they differ.
     """
-    notes = []
+    compared = []
     for number, event in enumerate(content["events"], 1):
         if event["claim"] != "proved":
             continue
@@ -128,16 +133,15 @@ def compare_events(content: Mapping[str, Any], folder: Path) -> str | None:
         middle, radius = rational(side["mid"]), rational(side["rad"])
         box = {name: [str(middle - radius), str(middle + radius)]}
         try:
-            notes.append(compare_box({**event, "box": box}, folder))
+            compared.append(compare_box({**event, "box": box}, folder))
         except Failure as problem:
             raise Failure(f"event {number}, {event['kind']}: {problem}") from None
-    return next(filter(None, notes), None)
+    return all(compared)
 
 
 def _entry(certificate: EventCertificate) -> dict[str, Any]:
     return {
         **certificate.to_json(),
-        "constants": [value.text for value in certificate.constants],
         "declaration": dict(certificate.declaration),
         "closing": dict(certificate.closing),
     }
@@ -163,7 +167,6 @@ def _event(event: Mapping[str, Any]) -> EventCertificate:
         {n: Stated.of(x["mid"], x["rad"], bits) for n, x in event["enclosures"].items()},
         tuple(Unknown(x["name"], x["mid"], x["rad"]) for x in event["box"]),
         bits,
-        tuple(given_value("constant", text) for text in event["constants"]),
         event["declaration"],
         event["closing"],
     )
