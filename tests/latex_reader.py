@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import math
 import random
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
 import numpy as np
 import sympy as sp
+from formulas.values import Reading, name_of
 
 import nonsmooth as ns
 from nonsmooth.derive.document.blocks import Document, Line
@@ -35,100 +35,16 @@ class Reader:
     """Evaluate the LaTeX of a right-hand side, knowing the values of the symbols as written."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
-        self.values = {_plain(name): value for name, value in values.items()}
-        names = "|".join(re.escape(n) for n in sorted(self.values, key=len, reverse=True))
-        self.token = re.compile(
-            rf"\s*(?:(?P<name>{names})(?![A-Za-z])|(?P<number>\d+)|(?P<sign>[-+()^{{}}/])"
-            r"|(?P<word>\\[A-Za-z]+)|\\[,;]|(?P<end>$))"
-        )
+        self.reading = Reading({name_of(name): value for name, value in values.items()})
 
     def __call__(self, latex: str) -> Any:
-        self.tokens = list(self.scan(_plain(latex)))
-        value = self.sum()
-        assert not self.tokens, self.tokens
-        return value
+        return self.reading.latex(latex)
 
     def matrix(self, latex: str) -> np.ndarray:
-        """Evaluate the entries of a matrix."""
-        (entries,) = re.findall(r"\\begin\{matrix\}(.*?)\\end\{matrix\}", latex)
-        rows = re.split(r"\\\\", entries)
-        found = np.array([[self(entry) for entry in row.split("&")] for row in rows])
+        """Evaluate a matrix, wherever it stands."""
+        (matrix,) = re.findall(r"\\begin\{matrix\}.*?\\end\{matrix\}", latex)
+        found = np.atleast_2d(self.reading.latex(matrix))
         return found.T if r"^{\mathsf{T}}" in latex else found
-
-    def scan(self, text: str) -> Iterator[tuple[str, str]]:
-        position = 0
-        while position < len(text):
-            match = self.token.match(text, position)
-            assert match, f"unreadable: {text[position : position + 60]}"
-            position = match.end()
-            if match.lastgroup and match.lastgroup != "end":
-                yield match.lastgroup, match[match.lastgroup]
-
-    def peek(self) -> str:
-        return self.tokens[0][1] if self.tokens else ""
-
-    def sum(self) -> Any:
-        total: Any = 0.0
-        while self.tokens and self.peek() not in (")", "}"):
-            sign = 1.0
-            if self.peek() in ("+", "-"):
-                sign = -1.0 if self.tokens.pop(0)[1] == "-" else 1.0
-            total += sign * self.product()
-        return total
-
-    def product(self) -> Any:
-        value = self.factor()
-        while self.tokens and self.peek() not in ("+", "-", ")", "}"):
-            if self.peek() == "/":
-                self.tokens.pop(0)
-                value /= self.factor()
-            else:
-                value *= self.factor()
-        return value
-
-    def group(self) -> Any:
-        self.tokens.pop(0)
-        value = self.sum()
-        self.tokens.pop(0)
-        return value
-
-    def factor(self) -> Any:
-        kind, text = self.tokens[0]
-        value: Any
-        if text in ("(", "{"):
-            value = self.group()
-        else:
-            self.tokens.pop(0)
-            if kind == "name":
-                value = self.values[text]
-            elif kind == "number":
-                value = float(text)
-            elif text == r"\frac":
-                value = self.group()
-                value /= self.group()
-            elif text == r"\sqrt":
-                value = math.sqrt(self.group())
-            elif text in (r"\cos", r"\sin", r"\cosh", r"\sinh"):
-                value = getattr(math, text[1:])(self.argument())
-            else:
-                raise AssertionError(text)
-        if self.peek() == "^":
-            self.tokens.pop(0)
-            value = value ** self.group()
-        return value
-
-    def argument(self) -> Any:
-        """What a cosine or sine is of: a group, or the symbols that follow."""
-        if self.peek() == "(":
-            return self.group()
-        value = 1.0
-        while self.tokens and isinstance(self.values.get(self.peek()), float):
-            value *= self.values[self.tokens.pop(0)[1]]
-        return value
-
-
-def _plain(latex: str) -> str:
-    return re.sub(r"\\(left|right|biggl|biggr)(?=[()])", "", latex).replace(r"\qquad", " ")
 
 
 class Written:
@@ -203,13 +119,21 @@ class Written:
         for line in self.lines:
             if line.shows is None or not line.shows.free_symbols <= {*numbers}:
                 continue
-            if line.left in (r"\kappa", "D(T)"):
+            if line.left == r"\kappa":
                 names[line.left] = value_of(line, numbers)
+            if line.left == "D(T)":
+                names["D"] = _AtOneTime(value_of(line, numbers))
             match = re.match(r"S_\{(\d+)\} = ", "".join(line.pieces))
             if match:
-                for (i, j), value in np.ndenumerate(value_of(line, numbers)):
-                    names[rf"\left(S_{{{match[1]}}}\right)_{{{i + 1}{j + 1}}}"] = float(value)
+                names[rf"S_{{{match[1]}}}"] = value_of(line, numbers)
         return Reader(names)
+
+
+class _AtOneTime(float):
+    """A function of time that is known at one time, there also written without it."""
+
+    def __call__(self, time: float) -> float:
+        return float(self)
 
 
 def value_of(line: Line, numbers: Numbers) -> Any:

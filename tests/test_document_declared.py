@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -68,6 +68,11 @@ def flow(field: Field, time: float) -> Field:
 
 def lines_of(document: Document) -> list[Line]:
     return [line for formula in document.formulas for line in formula.relations]
+
+
+def constant(value: float, time: float) -> float:
+    """A function of time that is known at one time."""
+    return value
 
 
 @cache
@@ -149,10 +154,14 @@ def test_one_damped_coordinate_in_closed_form(zeta: Any, square: int, word: str)
         for text in cosine.latex.replace(r",\qquad", "|").split("|")
     )
     read = Reader({"D": discriminant, "t": time})
-    values = {r"\operatorname{C}(t)": read(left), r"\operatorname{S}(t)": read(right)}
+    values = {
+        rf"\operatorname{{{letter}}}": partial(constant, read(text))
+        for letter, text in (("C", left), ("S", right))
+    }
     for start in ([1.5, -0.4], [0.0, 2.0]):
         phi, forcing = flow(field, time)
-        names = {**values, "x(0)": start[0], "v(0)": start[1], "t": time, "e": float(np.e)}
+        names = {**values, "t": time, r"\mathrm{e}": float(np.e)}
+        names |= {"x": partial(constant, start[0]), "v": partial(constant, start[1])}
         text = " ".join(lines["x(t)"].pieces[:3]).partition(r",\qquad")[0]
         assert Reader(names)(text) == pytest.approx((phi @ start + forcing)[0], rel=1e-13)
 

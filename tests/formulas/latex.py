@@ -26,9 +26,7 @@ _GREEK_NAMES = (
     " pi rho varrho sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi"
     " Sigma Upsilon Phi Psi Omega ell"
 )
-_GREEK = dict(
-    zip(_GREEK_NAMES.split(), "αβγδϵεζηθϑικλμνξπρϱστυϕφχψωΓΔΘΛΞΠΣΥΦΨΩℓ", strict=True)
-)
+_GREEK = dict(zip(_GREEK_NAMES.split(), "αβγδϵεζηθϑικλμνξπρϱστυϕφχψωΓΔΘΛΞΠΣΥΦΨΩℓ", strict=True))
 _SIGNS = {
     "ge": "≥", "le": "≤", "in": "∈", "mapsto": "↦", "to": "→", "pm": "±", "ldots": "…",
     "sum": "∑", "prod": "∏", "partial": "∂", "cdot": "·", "infty": "∞",

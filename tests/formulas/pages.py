@@ -10,7 +10,6 @@ from xml.etree import ElementTree
 from formulas.latex import read_latex
 from formulas.layout import Row
 from formulas.mathml import read_element
-
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
 from nonsmooth.derive.document.hypertext import to_html
 from nonsmooth.derive.document.latex import to_latex

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import ChainMap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -27,7 +28,7 @@ from formulas.layout import (
     plain,
 )
 
-__all__ = ["Reading", "name_of", "split", "without_spaces"]
+__all__ = ["UNIT", "Reading", "name_of", "split", "without_spaces"]
 
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "cos": np.cos,
@@ -78,7 +79,8 @@ class Reading:
 
     def at(self, **indices: Any) -> Reading:
         """The same names at other indices."""
-        return replace(self, indices={**self.indices, **indices})
+        names = ChainMap(indices, self.names)  # type: ignore[arg-type]
+        return replace(self, names=names, indices={**self.indices, **indices})
 
     def latex(self, text: str) -> Any:
         """Value of LaTeX."""
@@ -109,6 +111,27 @@ class Reading:
         below = f"_{{{self.label(item.below)}}}" if item.below else ""
         raised = f"^{{{self.label(item.above)}}}" if item.above and above else ""
         return f"{plain((item.base,))}{below}{raised}"
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A multiple of the unit matrix, of whatever size is needed."""
+
+    scale: Any = 1.0
+
+    def __mul__(self, other: Any) -> Any:
+        return self.scale * other if _is_array(other) else Unit(self.scale * _scalar(other))
+
+    __rmul__ = __mul__
+    # or NumPy would take it for an entry
+    __array_ufunc__ = None
+
+    def of(self, size: int) -> np.ndarray:
+        """The matrix."""
+        return np.asarray(self.scale * np.eye(size))
+
+
+UNIT = Unit()
 
 
 class _Walk:
@@ -174,6 +197,13 @@ class _Walk:
             value = _times(value, self.factor())
 
     def factor(self) -> Any:
+        value = self.plain_factor()
+        while self.sign() == "!":
+            self.place += 1
+            value = math.factorial(int(value))
+        return value
+
+    def plain_factor(self) -> Any:
         self.spaces()
         item = self.item()
         if item is None:
@@ -239,6 +269,8 @@ class _Walk:
         if callable(value):
             while callable(value):
                 if not self.sign() or self.sign() not in OPENING:
+                    if isinstance(value, np.ndarray | float):
+                        return np.asarray(value) if isinstance(value, np.ndarray) else float(value)
                     raise Unreadable(f"a function of nothing: {plain(self.row)}")
                 value = value(*self.arguments())
             return value
@@ -452,6 +484,8 @@ def _scalar(value: Any) -> Any:
 
 
 def _times(left: Any, right: Any) -> Any:
+    if isinstance(left, Unit) or isinstance(right, Unit):
+        return left * right
     left, right = _one(left, right)
     if isinstance(left, np.ndarray) and isinstance(right, np.ndarray):
         return left @ right
@@ -469,6 +503,11 @@ def _one(left: Any, right: Any) -> tuple[Any, Any]:
 
 def _added(left: Any, right: Any) -> Any:
     left, right = _scalar(left), _scalar(right)
+    for one, other in ((left, right), (right, left)):
+        if isinstance(one, Unit) and isinstance(other, Unit):
+            return Unit(one.scale + other.scale)
+        if isinstance(one, Unit):
+            return one.of(len(np.atleast_2d(other))) + other
     if _is_array(left) != _is_array(right):
         raise Unreadable("a matrix and a number are added")
     return left + right

@@ -1,0 +1,649 @@
+"""What a document says of a system, held against the declaration."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from scipy.linalg import expm
+
+from formulas.latex import read_latex
+from formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
+from formulas.pages import inline
+from formulas.values import UNIT, Reading, Unit, name_of, split, without_spaces
+from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
+from nonsmooth.derive.document.centres import Centres
+from nonsmooth.derive.document.damped import damped_coordinate
+from nonsmooth.derive.document.letters import letters_of
+from nonsmooth.derive.document.wording import Naming
+from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.modal import Spectrum
+from nonsmooth.derive.system import System
+
+__all__ = ["Broken", "Facts", "Motion", "SystemLaw", "drawn"]
+
+_RELATIONS = "=<>≤≥∈"
+_INDEX_TEXTS = {"k=0"}
+Numbers = dict[sp.Symbol, float]
+
+
+class Broken(AssertionError):
+    """A formula that does not say what the declaration says."""
+
+
+class Motion(np.ndarray):
+    """A state that is also a function of time."""
+
+    flow: Any = None
+
+    @classmethod
+    def of(cls, state: np.ndarray, flow: Any) -> Motion:
+        found = np.array(state, dtype=float).reshape(-1, 1).view(cls)
+        found.flow = flow
+        return found
+
+    def __call__(self, time: float) -> Any:
+        return self.flow(time)
+
+
+def drawn(system: System, seed: int) -> Numbers:
+    """Parameters inside their domains, and any state."""
+    draw = np.random.default_rng(seed)
+    while True:
+        found: Numbers = {}
+        for parameter in system.parameters:
+            low, high = (float(sp.N(e)) for e in (parameter.lower, parameter.upper))
+            low = -1.7 if low == -np.inf else low
+            high = low + 1.7 if high == np.inf else high
+            found[parameter.symbol] = float(low + (high - low) * draw.uniform(0.07, 0.93))
+        if all(float(c.xreplace(found)) >= 0 for c in system.constraints):
+            break
+    found |= {s: float(draw.uniform(0.3, 1.6) * draw.choice([-1, 1])) for s in system.states}
+    return found
+
+
+def array(matrix: sp.Matrix, numbers: Mapping[sp.Symbol, float]) -> np.ndarray:
+    return np.array(sp.Matrix(matrix).xreplace(dict(numbers)).tolist(), dtype=float)
+
+
+@dataclass(frozen=True)
+class Facts:
+    """A system as its document writes it, at numbers.
+
+    Attributes
+    ----------
+    system : System
+    naming : Naming
+    spectrum : Spectrum
+    centres : Centres
+    given : mapping of symbol to float
+        Parameters and state.
+    """
+
+    system: System
+    naming: Naming
+    spectrum: Spectrum
+    centres: Centres
+    given: Numbers
+
+    @cached_property
+    def numbers(self) -> Numbers:
+        """All that follows from the parameters."""
+        found = dict(self.given)
+        for group, matrix in self.spectrum.eigenvalues:
+            roots = np.sort(np.linalg.eigvals(array(matrix, found)).real)
+            found |= dict(zip(group, map(float, roots), strict=True))
+        for symbol, value in (*self.spectrum.entries, *self.centres.values.items()):
+            found[symbol] = float(value.xreplace(found))
+        return found
+
+    @property
+    def state(self) -> np.ndarray:
+        return np.array([self.given[s] for s in self.system.states])
+
+    def field(self, name: str) -> tuple[np.ndarray, np.ndarray]:
+        matrix, offset = self.system.configuration(name).dynamics.field(self.system.states)
+        return array(matrix, self.given), array(offset, self.given)
+
+    def flow(self, name: str, time: float) -> tuple[np.ndarray, np.ndarray]:
+        """Phi and what does not depend on the state."""
+        a, b = self.field(name)
+        found = expm(np.block([[a, b], [np.zeros((1, len(a) + 1))]]) * time)
+        return found[:-1, :-1], found[:-1, -1:]
+
+    def value(self, expression: sp.Expr) -> float:
+        return float(sp.sympify(expression).xreplace(self.given))
+
+    def held_state(self, name: str) -> np.ndarray:
+        """The state, with the velocities that a configuration holds."""
+        state, dynamics = self.state, self.system.configuration(name).dynamics
+        if isinstance(dynamics, SecondOrder):
+            for place, velocity in dynamics.held_at(self.system.states).items():
+                state[dynamics.mass.rows + place] = self.value(velocity)
+        return state
+
+    def names(self, configuration: str, time: float = 0.83) -> dict[str, Any]:
+        """Names of a document, inside a configuration."""
+        notation, system = self.naming.notation, self.system
+        found: dict[str, Any] = {name_of(r"\mathrm{e}"): np.e, "π": np.pi, "t": time}
+        for symbol, value in self.numbers.items():
+            found[name_of(notation.symbol(symbol))] = value
+        letters = letters_of(self.naming, (*system.states, *notation.constants))
+        size = len(system.states)
+        state = self.held_state(configuration)
+        found |= {name_of(notation.symbol(s)): v for s, v in zip(system.states, state, strict=True)}
+        a, b = self.field(configuration)
+        rates = a @ state + b[:, 0]
+        dynamics = system.configuration(configuration).dynamics
+        for i, symbol in enumerate(system.states):
+            found[name_of(f"{notation.symbol(symbol)}'")] = rates[i]
+            if isinstance(dynamics, SecondOrder) and i < size // 2:
+                found[name_of(f"{notation.symbol(symbol)}''")] = rates[size // 2 + i]
+        letter = self.naming.letter
+        if isinstance(dynamics, SecondOrder) and size > 2:
+            if name_of(letter) in found:
+                raise Broken(f"{letter} is a coordinate, and all of them")
+            found[name_of(letter)] = state[: size // 2, None]
+            found[name_of(f"{letter}'")] = rates[: size // 2, None]
+            found[name_of(f"{letter}''")] = rates[size // 2 :, None]
+        if isinstance(dynamics, SecondOrder):
+            found |= self.matrices(dynamics)
+        start = state + 0.37 * np.cos(np.arange(size))
+        for i in [j for j in range(size) if a[j].any() == 0 and b[j, 0] == 0]:
+            start[i] = state[i]
+
+        def moved(t: float) -> Any:
+            phi, forcing = self.flow(configuration, t)
+            return phi @ start[:, None] + forcing
+
+        found[name_of(self.naming.state)] = Motion.of(state, moved)
+        found[name_of(f"{self.naming.state}'")] = rates[:, None]
+        for i, symbol in enumerate(system.states):
+            name = name_of(notation.symbol(symbol))
+            found[f"{name}()"] = lambda t, i=i: moved(t)[i, 0]
+            found[f"{name}^{{′}}()"] = lambda t, i=i: (a @ moved(t) + b)[i, 0]
+        augmented = np.block([[a, b], [np.zeros((1, size + 1))]])
+        found |= {
+            name_of(letters.matrix): a, name_of(letters.offset): b,
+            name_of(letters.augmented): augmented, name_of(letters.eigenvalue): 0.4321,
+            name_of("I"): UNIT,
+            "Φ": lambda t: self.flow(configuration, t)[0],
+            name_of(letters.forcing): lambda t: self.flow(configuration, t)[1],
+        }  # fmt: skip
+        return found
+
+    def one_cluster(self, configuration: str) -> dict[str, Any]:
+        """All eigenvalues as one cluster: what is said of clusters holds for it too."""
+        a, _ = self.field(configuration)
+        letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
+        return {
+            f"{name_of(letters.centre)}_{{1}}": float(np.trace(a)) / (len(a) + 1),
+            f"{name_of(letters.projector)}_{{1}}": np.eye(len(a) + 1),
+        }
+
+    def matrices(self, dynamics: SecondOrder) -> dict[str, Any]:
+        """M, C and K: of the system, and of one configuration."""
+        chosen = [c.dynamics for c in self.system.configurations]
+        second = [d for d in chosen if isinstance(d, SecondOrder)]
+        found: dict[str, Any] = {"ℓ": array(dynamics.load, self.given)}
+        for letter, attribute in (("M", "mass"), ("C", "damping"), ("K", "stiffness")):
+            found[letter] = array(getattr(dynamics, attribute), self.given)
+            different = dict.fromkeys(getattr(d, attribute) for d in second)
+            for place, matrix in enumerate(different, start=1):
+                found[f"{letter}_{{{place}}}"] = array(matrix, self.given)
+        return found
+
+
+class SystemLaw:
+    """Go through a document: every formula is a name, true, or what was declared."""
+
+    def __init__(self, document: Document, facts: Facts) -> None:
+        self.document, self.facts = document, facts
+        self.count = 0
+        self.defined: dict[str, Any] = {}
+        self.used: set[str] = set()
+        self.inside = facts.system.configurations[0].name
+        self.where = ""
+
+    def check(self, sections: Iterable[str]) -> int:
+        """Check these sections, and say how many formulas were held against something."""
+        for title in sections:
+            self.where = title
+            blocks = self.document.section(title)
+            for block in blocks:
+                self.enter(block)
+                if isinstance(block, Paragraph):
+                    self.paragraph(block.text)
+                elif isinstance(block, Formula):
+                    for line in block.lines:
+                        self.statements(line.latex)
+                elif isinstance(block, Table):
+                    self.table(block)
+            unused = set(self.defined) - self.used
+            if unused:
+                raise Broken(f"{self.document.title}: named and not used: {unused}")
+        return self.count
+
+    # -- where a formula stands
+
+    def enter(self, block: Any) -> None:
+        if isinstance(block, Heading) or not isinstance(block, Paragraph):
+            return
+        known = {c.name for c in self.facts.system.configurations}
+        found = re.match(
+            r"(?:\$\\Phi_\{\d+\}\$, of )?\*([^*]+)\*(?:,| \(phase|:| has no|$)", block.text
+        )
+        chosen = [found[1]] if found else re.findall(r"flow of \*([^*]+)\*", block.text)
+        if "flow of no configuration" in block.text:
+            chosen = [self.facts.system.configurations[0].name]
+        if chosen and chosen[0] in known:
+            self.inside = chosen[0]
+
+    @property
+    def names(self) -> dict[str, Any]:
+        return {**self.facts.names(self.inside), **self.flows, **self.defined}
+
+    @cached_property
+    def flows(self) -> dict[str, Any]:
+        """Flows by the numbers that the document gives them, in blocks and whole."""
+        found: dict[str, Any] = {}
+        half = len(self.facts.system.states) // 2
+        for block in self.document.blocks:
+            text = block.text if isinstance(block, Paragraph) else ""
+            match = re.match(r"\$\\Phi_\{(\d+)\}\$, of (.*?):", text)
+            if not match:
+                continue
+            sharing = re.findall(r"\*([^*]+)\*", match[2])
+            matrices = [self.facts.flow(name, 0.7)[0] for name in sharing]
+            if not all(np.allclose(m, matrices[0], rtol=1e-12) for m in matrices):
+                raise Broken(f"{sharing} do not share a flow")
+
+            def phi(t: float, name: str = sharing[0]) -> np.ndarray:
+                return self.facts.flow(name, t)[0]
+
+            found[f"Φ_{{{match[1]}}}"] = phi
+            for i in range(2):
+                for j in range(2):
+                    rows, columns = (slice(k * half, (k + 1) * half) for k in (i, j))
+
+                    def block_of(t: float, phi=phi, place=(rows, columns)) -> Any:  # type: ignore[no-untyped-def]
+                        return phi(t)[place]
+
+                    found[f"Φ_{{{match[1]}}}^{{{i + 1}{j + 1}}}"] = block_of
+        return found
+
+    # -- what is said
+
+    def paragraph(self, text: str) -> None:
+        if text.startswith("Throughout, "):
+            return self.constraints(text)
+        if text.startswith("The parameters obey"):
+            wanted = [c for c in self.facts.system.constraints if not c.is_nonnegative]
+            shown = [self.left(f, "≥") for f in inline(text)]
+            return self.same(shown, wanted)
+        for formula, following in re.findall(r"\$([^$]+)\$([^$]*)", text):
+            place = re.match(r" in \*([^*]+)\*", following)
+            before, self.inside = self.inside, place[1] if place else self.inside
+            if place and formula.startswith("d ="):
+                self.centre(Reading(self.names)(split(read_latex(formula), "=")[1]))
+            elif formula == self.about_centre:
+                continue  # of each configuration with a centre, below
+            else:
+                self.statements(formula)
+            self.inside = before
+        return None
+
+    @property
+    def about_centre(self) -> str:
+        state = self.facts.naming.state
+        return rf"{state}(t) = d + \Phi(t)\,({state}(0) - d)"
+
+    def centre(self, value: Any) -> None:
+        """The motion keeps its form about the centre."""
+        self.defined["d"] = value
+        self.statements(self.about_centre)
+        self.used |= {"d", f"d_{{{self.inside}}}"}
+
+    def constraints(self, text: str) -> None:
+        for part in re.split(r"(?<=\*),? and |(?<=\*), ", text.removeprefix("Throughout, ")):
+            (name,) = re.findall(r"in \*([^*]+)\*", part)
+            shown = [self.left(f, "=") for f in inline(part)]
+            self.same(shown, self.facts.system.configuration(name).constraints)
+
+    def left(self, formula: str, sign: str) -> Row:
+        left, right = split(read_latex(formula), sign)
+        if plain(right) != "0":
+            raise Broken(formula)
+        return left
+
+    def same(self, shown: Sequence[Row], declared: Sequence[sp.Expr]) -> None:
+        """Expressions as they are written, and as they are declared."""
+        reading = Reading(self.plain_names)
+        found = [reading(row) for row in shown]
+        wanted = [self.facts.value(e) for e in declared]
+        if len(found) != len(wanted) or not np.allclose(found, wanted, rtol=1e-10, atol=1e-12):
+            raise Broken(f"{list(map(plain, shown))} of {list(declared)}")
+        self.count += len(shown)
+
+    @property
+    def plain_names(self) -> dict[str, float]:
+        notation = self.facts.naming.notation
+        return {name_of(notation.symbol(s)): v for s, v in self.facts.given.items()} | {
+            "π": np.pi,
+            name_of(r"\mathrm{e}"): np.e,
+        }
+
+    def statements(self, latex: str) -> None:
+        """Whatever a formula says, part by part."""
+        whole, condition = _condition(read_latex(latex))
+        for row in parts_of(whole):
+            if is_name(row) or plain(row) in _INDEX_TEXTS:
+                continue
+            try:
+                self.statement(row, condition)
+            except (Unreadable, Broken, KeyError, IndexError, ValueError, TypeError) as problem:
+                raise Broken(
+                    f"{self.document.title}, {self.where}, {self.inside}: {latex}: {problem}"
+                ) from problem
+
+    def statement(self, row: Row, condition: Row) -> None:
+        sides, signs = relations_of(row)
+        names = self.with_functions(self.names, row, condition)
+        if "∑" in plain(row):
+            names |= self.facts.one_cluster(self.inside)
+        reading = Reading(names, ranges={"j": (1,)})
+        if not signs:
+            reading(row)
+            return
+        self.used |= {plain((i,)) for i in _all_items(row)} & set(self.defined)
+        values: list[Any] = []
+        unknown: list[Row] = []
+        for side in sides:
+            if is_name(side) and plain(side) not in names:
+                unknown.append(side)
+            else:
+                values.append(reading(side))
+        if set(signs) == {"="}:
+            for value in values[1:]:
+                if not _close(value, values[0]):
+                    raise Broken(f"{values[0]} is not {value}")
+            for side in unknown:
+                self.defined[plain(side)] = values[0]
+                place = re.fullmatch(r"d_\{(.*)\}", plain(side))
+                if place and place[1] in {c.name for c in self.facts.system.configurations}:
+                    before, self.inside = self.inside, place[1]
+                    self.centre(values[0])
+                    self.inside = before
+        elif unknown:
+            raise Broken(f"unknown: {list(map(plain, unknown))}")
+        elif "∈" not in signs:
+            if not all(map(_holds, signs, values, values[1:])):
+                raise Broken(f"false at {values}")
+        self.count += 1
+
+    def with_functions(self, names: dict[str, Any], row: Row, condition: Row) -> dict[str, Any]:
+        """Functions of one damped coordinate, for the sign of the discriminant that is meant."""
+        system, given = self.facts.system, self.facts.given
+        for name in list(names):
+            # a coordinate is a function where it stands in front of one time
+            if name.endswith("()") and re.search(rf"{re.escape(name[:-2])}\([t0]\)", plain(row)):
+                names[name[:-2]] = names[name]
+        motion = damped_coordinate(
+            system.configuration(self.inside).dynamics.field(system.states), system.parameters
+        )
+        if motion is None:
+            return names
+        discriminant = float(motion.discriminant.xreplace(given))
+        letter = name_of(
+            letters_of(
+                self.facts.naming, (*system.states, *self.facts.naming.notation.constants)
+            ).discriminant
+        )
+        if condition:
+            _, (sign,) = relations_of(condition)
+            discriminant = {"<": -0.77, "=": 0.0, ">": 0.77}[sign]
+
+        def function(place: int) -> Any:
+            return lambda t: expm(np.array([[0, 1], [discriminant, 0]]) * t)[0, place]
+
+        return names | {letter: discriminant, "`C": function(0), "`S": function(1)}
+
+    # -- tables
+
+    def table(self, table: Table) -> None:
+        kinds = {
+            ("Parameter", "Meaning", "Domain"): self.domains,
+            ("Configuration", "Boundary", "Inside", "Acts when"): self.boundaries,
+            ("Condition", "Holds if", "Along"): self.conditions,
+            ("Rule", "To", "If", "Reset"): self.rules,
+            ("From", "Boundaries", "Rule"): self.events,
+            ("From", "Boundary", "To"): self.transitions,
+            ("From", "Boundary", "To", "Reset"): self.transitions,
+            ("Contact", "Velocity", "Surroundings", "Configuration", "Force"): self.contacts,
+        }
+        kinds[table.header](table)
+
+    def domains(self, table: Table) -> None:
+        notation = self.facts.naming.notation
+        known = {f"${notation.symbol(p.symbol)}$": p for p in self.parameters}
+        for name, _, domain in table.rows:
+            parameter = known.pop(name)
+            sides, signs = relations_of(read_latex(domain[1:-1]))
+            low, high = (float(sp.N(e)) for e in (parameter.lower, parameter.upper))
+            for value in (low - 1, low, low + 1e-6, 0.5, high - 1e-6, high, high + 1):
+                if not np.isfinite(value):
+                    continue
+                inside = (value > low or (parameter.closed and value == low)) and (
+                    value < high or (parameter.upper_closed and value == high)
+                )
+                values = [
+                    value
+                    if f"${plain(s)}$" and s == read_latex(name[1:-1])
+                    else None
+                    if plain(s) == "ℝ"
+                    else Reading({"π": np.pi})(s)
+                    for s in sides
+                ]
+                holds = all(
+                    s == "∈" or _holds(s, a, b)
+                    for s, a, b in zip(signs, values, values[1:], strict=False)
+                )
+                if holds != inside:
+                    raise Broken(f"{domain} at {value}")
+            self.count += 1
+        if known:
+            raise Broken(f"not in the table: {list(known)}")
+
+    @property
+    def parameters(self) -> tuple[Any, ...]:
+        return self.facts.system.parameters
+
+    def boundaries(self, table: Table) -> None:
+        inside = ""
+        shown = set()
+        for configuration, boundary, formula, acts in table.rows:
+            inside = configuration.strip("*") or inside
+            declared = self.facts.system.configuration(inside).boundary(boundary.strip("*"))
+            left, right = split(read_latex(formula[1:-1]), "<")
+            if plain(right) != "0" or acts != declared.acts_when:
+                raise Broken(formula)
+            self.same([left], [declared.function])
+            shown.add((inside, declared.name))
+        for name in {name for name, _ in shown}:
+            boundaries = self.facts.system.configuration(name).boundaries
+            if {b for n, b in shown if n == name} != {b.name for b in boundaries}:
+                raise Broken(f"boundaries of {name}")
+
+    def conditions(self, table: Table) -> None:
+        self.numbered = {}
+        for number, text, along in table.rows:
+            negated, formula = text.startswith("not "), text.removeprefix("not ")
+            value = Reading(self.plain_names)(split(read_latex(formula[1:-1]), ">")[0])
+            self.numbered[number] = (value, not negated, along.strip("*"))
+            self.count += 1
+
+    def rules(self, table: Table) -> None:
+        self.outcomes: dict[str, list[Any]] = {}
+        rule = ""
+        for name, target, conditions, reset in table.rows:
+            rule = name or rule
+            numbers = re.findall(r"\$C_\{\d+\}\$", conditions)
+            self.outcomes.setdefault(rule, []).append((target, numbers, reset))
+
+    def events(self, table: Table) -> None:
+        source, seen = "", 0
+        for name, boundaries, rule in table.rows:
+            source = name.strip("*") or source
+            for together in boundaries.split(", or "):
+                reached = frozenset(re.findall(r"\*([^*]+)\*", together))
+                declared = [
+                    t
+                    for t in self.facts.system.transitions
+                    if (t.source, t.boundaries) == (source, reached)
+                ]
+                seen += len(declared)
+                outcomes = self.outcomes[rule]
+                if [f"*{t.target}*" for t in declared] != [target for target, *_ in outcomes]:
+                    raise Broken(f"{source}, {together}: where to?")
+                for transition, (_, numbers, reset) in zip(declared, outcomes, strict=True):
+                    wanted = [
+                        (self.facts.value(c.function), c.holds, c.along)
+                        for c in transition.conditions
+                    ]
+                    for number, (value, holds, along) in zip(numbers, wanted, strict=True):
+                        shown = self.numbered[number]
+                        if not _close(shown[0], value) or shown[1:] != (holds, along):
+                            raise Broken(f"{source}, {together}: {number}")
+                    self.reset(transition, reset)
+        if seen != len(self.facts.system.transitions):
+            raise Broken("not all transitions are shown")
+
+    def transitions(self, table: Table) -> None:
+        declared = self.facts.system.transitions
+        for transition, (source, boundaries, target, *reset) in zip(
+            declared, table.rows, strict=True
+        ):
+            reached = frozenset(re.findall(r"\*([^*]+)\*", boundaries))
+            if (f"*{transition.source}*", transition.boundaries, f"*{transition.target}*") != (
+                source,
+                reached,
+                target,
+            ):
+                raise Broken(f"{source}, {boundaries}, {target}")
+            self.reset(transition, *(reset or [""]))
+
+    def reset(self, transition: Any, text: str) -> None:
+        notation = self.facts.naming.notation
+        wanted = {name_of(notation.symbol(s)): e for s, e in transition.reset.items()}
+        for formula in inline(text):
+            left, right = split(read_latex(formula), "=")
+            if plain(left[-1:]) != ":":
+                raise Broken(formula)
+            self.same([right], [wanted.pop(plain(left[:-1]))])
+        if wanted:
+            raise Broken(f"resets that are not shown: {wanted}")
+
+    def contacts(self, table: Table) -> None:
+        declared = {c.name: c for c in self.facts.system.contacts}
+        name, shown = "", set()
+        for contact, velocity, surface, configuration, force in table.rows:
+            if contact:
+                name = contact.strip("*")
+                formulas = [read_latex(f[1:-1]) for f in (velocity, surface)]
+                self.same(formulas, [declared[name].velocity, declared[name].surface])
+            if force:
+                wanted = declared[name].forces[configuration.strip("*")]
+                self.same([read_latex(force[1:-1])], [wanted])
+                shown.add((name, configuration.strip("*")))
+        if shown != {(c.name, f) for c in declared.values() for f in c.forces}:
+            raise Broken("forces that are not shown")
+
+
+def parts_of(row: Row) -> list[Row]:
+    """What a formula says, relation by relation."""
+    items = list(row)
+    while items and items[-1] in (Atom(".", "sign"), Atom(",", "sign")):
+        items.pop()
+    found: list[Row] = []
+    begun: list[Item] = []
+    pieces = split(tuple(items), ",")
+    for piece in pieces:
+        spaced = bool(piece) and isinstance(piece[0], Atom) and piece[0].kind == "space"
+        if begun and spaced:
+            found.append(tuple(begun))
+            begun = []
+        begun += ([Atom(",", "sign")] if begun else []) + list(piece)
+    return [without_spaces(part) for part in (*found, tuple(begun)) if without_spaces(part)]
+
+
+def relations_of(row: Row) -> tuple[list[Row], list[str]]:
+    """Sides and signs of a chain of relations."""
+    sides = [without_spaces(side) for side in split(row, _RELATIONS)]
+    signs, depth = [], 0
+    for item in row:
+        text = item.text if isinstance(item, Atom) and item.kind == "sign" else ""
+        core = item.base if isinstance(item, Script) else item
+        sign = core.text if isinstance(core, Atom) and core.kind == "sign" else ""
+        depth += (sign in ("(", "[")) - (sign in (")", "]"))
+        if depth == 0 and text and text in _RELATIONS:
+            signs.append(text)
+    return sides, signs
+
+
+def is_name(row: Row) -> bool:
+    """Whether a formula is one name, which says nothing that could be false."""
+    if not row:
+        return False
+    *whole, last = row
+    core = last.base if isinstance(last, Script) else last
+    if whole:
+        spelt = all(isinstance(w, Atom) and w.kind == "upright" for w in whole)
+        return spelt and isinstance(core, Atom) and core.kind == "upright"
+    if isinstance(core, Atom):
+        return core.kind in ("letter", "upright")
+    return isinstance(core, Accent)
+
+
+def _condition(row: Row) -> tuple[Row, Row]:
+    for place, item in enumerate(row):
+        if isinstance(item, Atom) and item.kind == "text":
+            return without_spaces(row[:place]), without_spaces(row[place + 1 :])
+    return row, ()
+
+
+def _all_items(row: Row) -> Iterable[Item]:
+    for item in row:
+        yield item
+        for value in vars(item).values():
+            yield from _deep(value)
+
+
+def _deep(value: Any) -> Iterable[Item]:
+    if isinstance(value, tuple):
+        for part in value:
+            yield from _deep(part)
+    elif not isinstance(value, str):
+        yield from _all_items((value,))
+
+
+def _close(a: Any, b: Any) -> bool:
+    for one, other in ((a, b), (b, a)):
+        if isinstance(one, Unit):
+            return _close(one.of(len(np.atleast_2d(other))), other)
+    a, b = np.asarray(a), np.asarray(b)
+    if a.size == 1 and b.size > 1:
+        a, b = b, a
+    if a.size > 1 and b.size == 1:
+        return bool(b.ravel()[0] == 0 and np.allclose(a, 0, atol=1e-9))
+    if a.size == 1:
+        a, b = a.ravel(), b.ravel()
+    return a.shape == b.shape and np.allclose(a, b, rtol=1e-9, atol=1e-9)
+
+
+def _holds(sign: str, a: Any, b: Any) -> bool:
+    return bool({"=": a == b, "<": a < b, ">": a > b, "≤": a <= b, "≥": a >= b}[sign])
