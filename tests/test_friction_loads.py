@@ -299,3 +299,41 @@ def test_mirrored_declarations_have_mirrored_motions(load: bool, falling: bool) 
             assert list(other.configurations) == names
             assert np.allclose(other.times, given.times, rtol=1e-12, atol=1e-12)
             assert np.allclose(other.states[:, :4], image * given.states[:, :4], atol=1e-10)
+
+
+def test_a_block_without_a_force_along_its_belt_lifts_and_lands_at_rest() -> None:
+    """Both limits vanish at one instant, and it lands at the velocity of the belt."""
+    c = sp.Symbol("c1")
+    pads = [Friction(x, 0.3, 0.4, velocity=1, normal=1 + 2 * c, name=f"{x}-pad") for x in "xy"]
+    zero = np.zeros((2, 2))
+    system = kernels_of(
+        oscillator("blocks", ["x", "y"], MASS, zero, forcing=[Harmonic(1)], elements=pads)
+    )
+    motion = ns.simulate(system, {}, [0, 0, 1, 1, 1, 0], until=10.0)
+    assert motion.configurations == tuple(["stick-stick", "lifted-lifted"] * 2)
+    assert np.allclose(motion.times[1:], np.array([2, 4, 8]) * math.pi / 3, atol=1e-12)
+    assert np.allclose(motion(10.0)[:4], [10, 10, 1, 1], atol=1e-12)
+
+
+def test_behind_an_impact_the_load_tells_the_regime() -> None:
+    """The load depends on the velocity of the mass that strikes; the pad rubs on another."""
+    rate, eye = sp.Symbol("v_y"), np.eye(2)
+    pad = Friction("x", 0.3, velocity=1, normal=0.5 + 0.4 * rate, name="pad")
+    stop = RigidStop("y", at=0, restitution=1, name="stop")
+    system = kernels_of(oscillator("struck", ["x", "y"], eye, eye, elements=[pad, stop]))
+    motion = ns.simulate(system, {}, [0, -0.5, 0, 2], transitions=2)
+    assert motion.configurations == ("slip-free", "lifted-free", "slip-free")
+    assert motion.boundaries[1:] == (("stop-reaches-stop",), ("pad-lands",))
+    # it strikes with sqrt(4.25), and the load 0.5 + 0.4 y' jumps from 1.32 to -0.32
+    times = np.cumsum([0, math.atan(0.25), math.acos(1.25 / math.sqrt(4.25))])
+    assert np.allclose(motion.times, times, atol=1e-13)
+
+
+def test_a_plastic_impact_leaves_a_contact_at_rest() -> None:
+    """On the ground, against a stop without rebound: the pad is at rest, then held."""
+    pad = Friction("x", 0.3, 0.4, normal=1 + sp.Symbol("x"), falling=0.1, name="pad")
+    stop = RigidStop("x", at=0.2, restitution=0, name="stop")
+    system = kernels_of(oscillator("held", ["x"], [[1]], [[1]], load=[2], elements=[pad, stop]))
+    motion = ns.simulate(system, {}, [0, 0], until=5.0)
+    assert motion.configurations[-1].endswith("contact")
+    assert np.allclose(motion(5.0), [0.2, 0], atol=1e-14)

@@ -24,6 +24,8 @@ from nonsmooth.runtime.cli import app
 GALLERY = Path(__file__).resolve().parents[1] / "docs" / "gallery"
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
 ORBITS = [
+    ("brake_pad", "lifting"),
+    ("brake_pad", "pressed"),
     ("den_hartog", "without-rest"),
     ("impact_oscillator", "one-period"),
     ("impact_oscillator", "two-periods"),
@@ -668,6 +670,53 @@ def test_a_jenkins_element_by_matrix_exponentials() -> None:
             ("backward", "joint-turns"): (backward, lambda y: y[1], kept),
         },
     )
+
+
+# --- the brake pad ------------------------------------------------------------------------
+
+
+def test_a_brake_pad_lifts_as_its_load_says() -> None:
+    orbit = solved("brake_pad", "lifting")
+    height = 4 / math.hypot(4 - 1.3**2, 1.3 / 5)
+    assert float(orbit.dwell_times[0]) == pytest.approx(
+        2 / 1.3 * math.acos(0.5 / height), abs=1e-14
+    )
+    assert float(orbit.period) == pytest.approx(2 * math.pi / 1.3, abs=1e-14)
+    slip = forced(
+        second_order([[1, 0.6], [0, 4]], np.eye(2) / 5, [0.3, 0]), 1.3, np.array([0, 4])
+    )  # fmt: skip
+    lifted, stick = slip.copy(), slip.copy()
+    lifted[2, [1, -1]], stick[2] = 0, 0
+
+    def breaks(state: np.ndarray) -> float:
+        return float(state[0] + state[2] / 5 - 0.3 * (1 - 2 * state[1]))
+
+    assert_motion(
+        orbit,
+        {
+            ("lifted", "pad-lands"): (lifted, lambda s: 1 - 2 * s[1], kept),
+            ("slip", "pad-lifts"): (slip, lambda s: 2 * s[1] - 1, kept),
+            ("slip", "pad-reaches-belt"): (slip, lambda s: s[2] - 1, kept),
+            ("stick", "pad-breaks-forward"): (stick, breaks, kept),
+        },
+    )
+
+
+def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
+    lifting, pressed = (solved("brake_pad", name) for name in ("lifting", "pressed"))
+    for orbit in (lifting, pressed):
+        assert ns.certify(orbit).claims["admissibility"] == "proved"
+    beyond = solved("brake_pad", "pressed", {"A": "4"})
+    assert beyond.converged
+    assert beyond.admissibility.verdict is False
+    assert ns.certify(beyond).claims["admissibility"] == "refuted"
+    assert not ns.solve_many(
+        f"{page('brake_pad')}:pressed", A=np.array([1.17, 4.0])
+    ).admissible.any()
+    branch = ns.continue_orbit(pressed, "A", (1.1, 1.3))
+    (graze,) = (event for event in branch.events if event.kind == "grazing")
+    assert graze.boundary == "pad-lifts"
+    assert float(graze.value) == pytest.approx(math.hypot(4 - 1.3**2, 1.3 / 5) / 2, abs=1e-10)
 
 
 # --- the command line ---------------------------------------------------------------------

@@ -136,7 +136,7 @@ def _settled(
         # a direction at rest moves on with the jump alone
         relative = sp.expand(step if before[i] == "stick" or i in moved else part.relative + step)
         regimes_behind = {"lifted": -load} if loads else {}
-        regimes_behind |= part.sliding(relative, load)
+        regimes_behind |= part.sliding(relative, load) if relative != 0 else {}
         ways: list[tuple[str, tuple[Condition, ...]]] = []
         for regime, function in regimes_behind.items():
             sign = _sign_behind(assembly, function, struck)

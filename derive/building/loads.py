@@ -87,4 +87,7 @@ def _sides(
         for regime, function in part.sliding(part.relative, part.load).items()
         if regime in possible
     ]
-    return [*sides, (None if "stick" in possible else sides[-1][0], ())]
+    if "stick" not in possible:
+        return [*sides, (sides[-1][0], ())]
+    at_rest = (Condition(sign * part.relative, along, holds=False) for sign in (-1, 1))
+    return [*sides, (None, tuple(at_rest))]

@@ -107,8 +107,9 @@ def _choices(assembly: Assembly, cluster: tuple[int, ...], regimes: Regimes) -> 
         yield (), regimes
     elif possible:
         forward, backward = assembly.excesses(index, holding)
-        yield (Condition(forward, along),), changed(regimes, index, "slip")
-        yield (Condition(backward, along),), changed(regimes, index, "overshoot")
+        if forward != backward:  # there is a force to be held
+            yield (Condition(forward, along),), changed(regimes, index, "slip")
+            yield (Condition(backward, along),), changed(regimes, index, "overshoot")
         yield (), holding
 
 
