@@ -1,5 +1,7 @@
 """Modes found numerically, against the exponential of the field at 60 digits."""
 
+import math
+
 import mpmath
 import numpy as np
 import pytest
@@ -174,3 +176,45 @@ def test_the_exponential_to_many_digits(digits: int) -> None:
     wanted = mp.expm(whole * (mp.mpf(7) / 3))
     largest = max(abs(found[place] - wanted[place]) for place in np.ndindex(size, size + 1))
     assert largest < mp.mpf(10) ** (1 - digits)
+
+
+def soft(stiffness: float, damping: float = 0.0, load: float = 0.0, frequency: float = 1.7):
+    """x'' + c x' + k x = 5 cos(w t) + load, with cosine and sine turning."""
+    field = np.zeros((4, 5))
+    field[0, 1], field[1] = 1, (-stiffness, -damping, 5, 0, load)
+    field[2, 3], field[3, 2] = -frequency, frequency
+    return field
+
+
+@pytest.mark.parametrize("stiffness", [0.0, *10.0 ** -np.arange(20, -1, -2.5)])
+def test_no_stiffness_is_too_soft(stiffness: float) -> None:
+    """The cluster {i root k, -i root k, 0} is taken apart, or together, as it has to be."""
+    for damping in (0.0, stiffness, 2 * math.sqrt(stiffness)):
+        modes = numeric_modes(soft(stiffness, damping))
+        for t in (0.1, 1.0, 10.0):
+            wanted = exact(soft(stiffness, damping), t)
+            assert np.abs(summed(modes, t) - wanted).max() < 1e-13 * np.abs(wanted).max()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_free_chains_are_never_refused(seed: int) -> None:
+    """Full mass matrices, rigid-body modes, proportional damping, forcing or load."""
+    random = np.random.default_rng(seed)
+    size = int(random.integers(2, 5))
+    factor = random.normal(size=(size, size)) / 4
+    mass = np.eye(size) + factor @ factor.T
+    links = np.diff(np.eye(size), axis=0)
+    stiffness = links.T @ np.diag(random.uniform(0.1, 30, size - 1)) @ links
+    a, b = random.choice([0.0, 1 / 16, 0.3]), random.choice([0.0, 0.1])
+    field = oscillator(mass, a * stiffness + b * mass, stiffness, random.normal(size=size))
+    modes = numeric_modes(field)
+    for t in (0.1, 1.0, 5.0):
+        wanted = exact(field, t)
+        assert np.abs(summed(modes, t) - wanted).max() < 1e-12 * np.abs(wanted).max()
+
+
+def test_the_chain_that_was_refused() -> None:
+    mass = np.array([[2.0, 0.5, 0.25], [0.5, 3, 0.5], [0.25, 0.5, 2]])
+    for factor in (1.0, 2.0, 7.0):
+        field = oscillator(mass, factor * FREE / 16 + mass / 10, factor * FREE, [1, 0, 0])
+        assert np.abs(summed(numeric_modes(field), 3.0) - exact(field, 3.0)).max() < 1e-12

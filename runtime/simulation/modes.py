@@ -8,19 +8,25 @@ a sum over clusters of eigenvalues with centres mu_c and spectral projectors P_c
 single eigenvalue wherever its projector is small enough to be known well; eigenvalues that are
 equal, or so near each other that their projectors cancel, are taken together. The powers of a
 cluster end at its size where its eigenvalues are equal, and a little later where they are not.
+
+The sum is compared with the exponential. Where it misses more than rounding (clusters of very
+different sizes, eigenvalues neither equal nor apart) the clusters are found in many digits, and
+rounded once.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import lru_cache
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg import matrix_balance, schur, solve_sylvester
+from scipy.linalg import expm, matrix_balance, schur, solve_sylvester
 
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.simulation.projectors import chain, exponential_of
 from nonsmooth.runtime.simulation.run import LONGEST_WAIT
 from nonsmooth.runtime.simulation.structure import ModeShape, mode_shapes
 from nonsmooth.runtime.values import flint_precision
@@ -30,7 +36,11 @@ __all__ = ["NumericModes", "numeric_modes"]
 _EPSILON = float(np.finfo(float).eps)
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, math.inf)  # of the largest modulus
 _LARGE = 30.0  # norm of a projector: as much, squared, may be lost of the digits
-_LARGEST = 1e9
+_FAR = 0.05  # of the largest modulus: no digits are lost
+_CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
+_LARGEST = 1e-7
+_HUGE = 1e100  # entry of a power that belongs to no cluster
+_ANGLES = (1 / 64, 1.0, 16.0)  # radians of the fastest at which sums are compared
 _BITS = 320
 _LONGEST_CHAIN = 24
 
@@ -86,13 +96,16 @@ def _numeric_modes(content: bytes, size: int) -> NumericModes:
     # a change of units keeps powers of two exact
     with np.errstate(invalid="ignore"):  # of the permutation, which is none
         scaled, (units, _) = matrix_balance(whole, permute=False, separate=True)
-    found = _decomposed(scaled)
+    found = [
+        cluster._replace(terms=[units[:, None] * term / units for term in cluster.terms or ()])
+        for cluster in _decomposed(scaled, units)
+    ]
     exponents, flows, shapes = [], [], []
     for cluster in found:
         assert cluster.terms is not None
         oscillates = cluster.centre.imag > 0
         for k, term in enumerate(cluster.terms):
-            part = (units[:, None] * term / units)[:size] / math.factorial(k)
+            part = term[:size] / math.factorial(k)
             flows += [2 * part.real, -2 * part.imag] if oscillates else [part.real]
         exponents.append((cluster.centre.real, cluster.centre.imag))
         shapes.append((len(cluster.terms), oscillates))
@@ -101,13 +114,133 @@ def _numeric_modes(content: bytes, size: int) -> NumericModes:
     return NumericModes(mode_shapes(shapes), exponents_, flows_)
 
 
-def _decomposed(matrix: np.ndarray) -> list[_Cluster]:
-    """Clusters whose projectors are smallest, among those whose powers end."""
+def _decomposed(matrix: np.ndarray, units: np.ndarray) -> list[_Cluster]:
+    """Clusters that sum up to the exponential of a matrix, given in units of its coordinates.
+
+    Those in double precision if they do so to rounding, else the best of those in more digits.
+    """
     values, right = np.linalg.eig(matrix)
     scale = float(np.abs(values).max())
-    best = _apart(values, right, scale)
-    if best is not None:
-        return _sorted(best)
+    found = _apart(values, right, scale)
+    if found is not None and _gap(values) > _FAR * scale:
+        return _sorted(found)
+    found = found or _together(matrix, values, scale)
+    if found is not None and (not scale or _missed(matrix, units, found, scale, expm) <= _CLOSE):
+        return _sorted(found)
+    best, least = found, math.inf
+    for candidate in (found, *_candidates(matrix, values.tolist(), scale)):
+        if candidate is not None:
+            missed = _missed(matrix, units, candidate, scale, exponential_of)
+            if missed < least:
+                best, least = candidate, missed
+            if least <= _CLOSE:
+                break
+    if best is None or not least <= _LARGEST:
+        raise InputError(
+            "eigenvalues of a vector field are neither equal nor apart: double precision does not"
+            f" tell them from each other ({', '.join(f'{v:.6g}' for v in values)})"
+        )
+    return _sorted(best)
+
+
+def _missed(
+    matrix: np.ndarray,
+    units: np.ndarray,
+    clusters: list[_Cluster],
+    scale: float,
+    exponential: Callable[[np.ndarray], np.ndarray],
+) -> float:
+    """Largest error of the clusters' sum in the coordinates' own units, relative to the flow."""
+    worst = 0.0
+    for angle in _ANGLES:
+        t = 2.0 ** round(math.log2(angle / scale))  # products with it are exact
+        wanted = units[:, None] * exponential(matrix * t) / units
+        total = np.zeros_like(matrix)
+        for cluster in clusters:
+            factor = np.exp(cluster.centre * t) * (2 if cluster.centre.imag > 0 else 1)
+            for k, term in enumerate(cluster.terms or ()):
+                total += (factor * t**k / math.factorial(k) * term).real
+        missed = np.abs(units[:, None] * total / units - wanted).max()
+        worst = max(worst, float(missed / max(1.0, np.abs(wanted).max())))
+    return worst
+
+
+def _candidates(
+    matrix: np.ndarray, values: list[complex], scale: float
+) -> Iterator[list[_Cluster]]:
+    """Clusters in more digits, eigenvalue by eigenvalue, then further and further together."""
+    single = _precise(matrix, scale)
+    if single is not None:
+        yield single
+    known: list[list[list[complex]]] = []
+    for nearness in _NEARNESS:
+        groups = _groups(values, nearness * scale if scale else math.inf)
+        if groups in known:
+            continue
+        known.append(groups)
+        found = [_exact_cluster(matrix, group, groups, scale) for group in groups
+                 if _leads(group)]  # fmt: skip
+        if all(cluster.terms is not None for cluster in found):
+            yield found
+
+
+def _leads(group: list[complex]) -> bool:
+    """Whether a group is not the conjugate of one that is taken."""
+    return _is_real(group) or sum(group).imag > 0
+
+
+def _is_real(group: list[complex]) -> bool:
+    return {v.conjugate() for v in group} == set(group)
+
+
+def _exact_cluster(
+    matrix: np.ndarray, group: list[complex], groups: list[list[complex]], scale: float
+) -> _Cluster:
+    """A cluster of which all terms are rounded once."""
+    others = [v for other in groups if other is not group for v in other]
+    constant = min(map(abs, group)) <= 8 * len(matrix) * _EPSILON * scale
+    longest = LONGEST_WAIT / scale if scale else math.inf
+    terms: list[np.ndarray] = []
+    silent, norm = 0, 0.0
+    try:
+        for k, (centre, term) in enumerate(
+            islice(chain(matrix, group, others, _is_real(group), constant), _LONGEST_CHAIN)
+        ):
+            centre = _snapped(centre, len(matrix), scale)
+            size = float(np.abs(term).max())
+            if not size < _HUGE:
+                break
+            if k:
+                # what the rounding of the matrix may make of zero is zero
+                shifted = np.abs(matrix - centre * np.eye(len(matrix)))
+                if (np.abs(term) <= 64 * _EPSILON * shifted @ np.abs(terms[-1])).all():
+                    return _Cluster(centre, norm, terms)
+            else:
+                norm = size
+            silent = (
+                silent + 1 if size * _largest(k, centre.real, longest) <= _EPSILON * norm else 0
+            )
+            if silent == 2 and k >= len(group):
+                return _Cluster(centre, norm, terms[:-1])
+            terms.append(term)
+    except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
+        pass
+    return _Cluster(0j, math.inf, None)
+
+
+def _sorted(clusters: list[_Cluster]) -> list[_Cluster]:
+    return sorted(clusters, key=lambda c: (c.centre != 0, c.centre.imag, c.centre.real))
+
+
+def _gap(values: np.ndarray) -> float:
+    """Smallest distance of two eigenvalues."""
+    gaps = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
+    return float(gaps.min())
+
+
+def _together(matrix: np.ndarray, values: np.ndarray, scale: float) -> list[_Cluster] | None:
+    """Clusters whose projectors are smallest, among those whose powers end."""
+    best: list[_Cluster] | None = None
     groupings: list[list[list[complex]]] = []
     for nearness in _NEARNESS:
         groups = _groups(values.tolist(), nearness * scale if scale else math.inf)
@@ -120,24 +253,12 @@ def _decomposed(matrix: np.ndarray) -> list[_Cluster]:
                 best = found
             if _worst(best) <= _LARGE:
                 break
-    if best is None or _worst(best) > _LARGE:
-        best = _precise(matrix, scale) or best
-    if best is None or _worst(best) > _LARGEST:
-        raise InputError(
-            "eigenvalues of a vector field are neither equal nor apart: double precision does not"
-            f" tell them from each other ({', '.join(f'{v:.6g}' for v in values)})"
-        )
-    return _sorted(best)
-
-
-def _sorted(clusters: list[_Cluster]) -> list[_Cluster]:
-    return sorted(clusters, key=lambda c: (c.centre != 0, c.centre.imag, c.centre.real))
+    return best
 
 
 def _apart(values: np.ndarray, right: np.ndarray, scale: float) -> list[_Cluster] | None:
     """A cluster for each eigenvalue, from eigenvectors; None where some are near each other."""
-    gaps = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
-    if gaps.min() <= _NEARNESS[0] * scale:
+    if _gap(values) <= _NEARNESS[0] * scale:
         return None
     left = np.linalg.inv(right)
     found = _singles(values, right, left, scale)
@@ -197,9 +318,8 @@ def _groups(values: list[complex], distance: float) -> list[list[complex]]:
 def _clusters(matrix: np.ndarray, groups: list[list[complex]], scale: float) -> Iterator[_Cluster]:
     """Each cluster of which the conjugate is not another one."""
     for group in groups:
-        real = {v.conjugate() for v in group} == set(group)
-        if real or sum(group).imag > 0:
-            yield _cluster(matrix, group, real, scale)
+        if _leads(group):
+            yield _cluster(matrix, group, _is_real(group), scale)
 
 
 def _cluster(matrix: np.ndarray, group: list[complex], real: bool, scale: float) -> _Cluster:
