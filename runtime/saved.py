@@ -154,9 +154,20 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
 def parsed(found: bytes) -> Any:
     """What JSON text holds; InputError if it is none."""
     try:
-        return json.loads(found.decode("utf-8"))
-    except (ValueError, RecursionError):
-        raise InputError("cut, or not JSON") from None
+        return json.loads(found.decode("utf-8"), object_pairs_hook=_once)
+    except (ValueError, RecursionError) as problem:
+        told = str(problem) if isinstance(problem, InputError) else "cut, or not JSON"
+        raise InputError(told) from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Entries by name; InputError where a name is there twice."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InputError(f"{twice!r} is there twice")
+    return found
 
 
 def orbit_of(content: Any, folder: Path) -> Orbit | ComposedOrbit:
