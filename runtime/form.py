@@ -133,11 +133,22 @@ def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
 
 
 def parsed(found: bytes) -> Any:
-    """What JSON text holds; InputError if it is none."""
+    """What JSON text holds; InputError if it is none, or names an entry twice."""
     try:
-        return json.loads(found.decode("utf-8"))
-    except (ValueError, RecursionError):
-        raise InputError("cut, or not JSON") from None
+        return json.loads(found.decode("utf-8"), object_pairs_hook=_once)
+    except (ValueError, RecursionError) as problem:
+        told = str(problem) if isinstance(problem, InputError) else "cut, or not JSON"
+        raise InputError(told) from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Entries by name; InputError where a name is there twice."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InputError(f"{twice!r} is there twice")
+    return found
 
 
 def format_in(path: Path) -> str | None:

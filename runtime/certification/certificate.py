@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.statement import decimals, rational
+from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.validation.proof import Enclosure
 from nonsmooth.runtime.values import Value, flint_precision
 
@@ -131,7 +132,17 @@ class Certificate:
 
     @property
     def trace(self) -> Stated:
-        """Enclosure of the trace of the Poincare map's Jacobian."""
+        """Enclosure of the trace of the Poincare map's Jacobian.
+
+        Raises
+        ------
+        InputError
+            If no orbit is proved to exist, or a boundary may be reached tangentially.
+        """
+        if "trace" not in self.enclosures:
+            name = "stability" if self.claims["existence"] == "proved" else "existence"
+            told = f"{name} is {self.claims[name]}: {self.reasons[name]}"
+            raise InputError(f"{self.orbit} has no trace that is enclosed: {told}")
         return self.enclosures["trace"]
 
     def to_json(self) -> dict[str, Any]:

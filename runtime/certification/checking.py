@@ -134,9 +134,9 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     folder = Path(path).parent
     try:
         content = parsed(read_file(Path(path), CERTIFICATE.most, CERTIFICATE.what))
-        if not isinstance(content, dict) or content.get("format") not in _KINDS:
+        kind = _KINDS.get(str(content.get("format"))) if isinstance(content, dict) else None
+        if kind is None:
             raise InputError("not a certificate, such as --save or save() writes")
-        kind = _KINDS[content["format"]]
         kind.form.check({**content, "sha256": checksum_of(content)})  # that is the checker's
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from nonsmooth.runtime.certification.certificate import Stated, Unknown
+from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.values import Value
 
 __all__ = ["EventCertificate", "events_claim"]
@@ -74,7 +75,15 @@ class EventCertificate:
 
     @property
     def value(self) -> Stated:
-        """Enclosure of the parameter."""
+        """Enclosure of the parameter.
+
+        Raises
+        ------
+        InputError
+            If the event is undecided.
+        """
+        if not self.proved:
+            raise InputError(f"the {self.kind} is undecided and has no value: {self.reason}")
         return self.enclosures[self.parameter]
 
     def to_json(self) -> dict[str, Any]:
