@@ -282,7 +282,7 @@ def test_other_places_are_refused(content: dict[str, Any]) -> None:
         if event["phase"] is None:
             continue
         count = len(event["itinerary"])
-        for phase in ((event["phase"] + 1) % count, event["phase"] - count, count, True):
+        for phase in (event["phase"] % count + 1, event["phase"] - count, count + 1, 0, True):
             if phase != event["phase"] or phase is True:
                 refused({**content, "events": [{**event, "phase": phase}]})
         configuration = event["declaration"]["configurations"][event["configuration"]]
@@ -392,7 +392,7 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
     [
         (lambda text: text[:-20], "cut, or not JSON"),
         (lambda text: "[]", "not "),
-        (lambda text: text.replace('"version": 1', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
         (lambda text: text.replace('"instant"', '"moment"', 1), "'(instant|moment)' of event 1"),
         (lambda text: text.replace('"bits": 128', '"bits": true', 1), "'bits' of event 1"),
         (lambda text: text.replace('"events": [', '"events": [[],', 1), "event 1 is none"),

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["CLAIMS", "FORMAT", "GUARD", "VERSION", "Certificate", "Stated", "Unknown"]
 
 FORMAT = "nonsmooth certificate"
-VERSION = 1
+VERSION = 2
 GUARD = 32  # bits beyond those of the enclosures
 NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")

@@ -12,6 +12,7 @@ import numpy as np
 
 from nonsmooth.runtime.charting.problem import MISSING, NEITHER
 from nonsmooth.runtime.charting.store import ATTRIBUTE
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.simulation.run import Status
@@ -75,7 +76,7 @@ def counts_of(chart: Dataset) -> dict[str, int]:
 def title_of(chart: Dataset) -> str:
     """What the chart is of."""
     identity = _identity(chart)
-    return str(identity.get("orbit") or identity.get("system"))
+    return shown_name(str(identity.get("orbit") or identity.get("system")))
 
 
 def _identity(chart: Dataset) -> dict[str, Any]:

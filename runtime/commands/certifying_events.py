@@ -61,9 +61,13 @@ def certify_events(
         }
         print_json(told if save is None else {**told, "file": str(save)})
     else:
+        from nonsmooth.runtime.composition.naming import shown_name
+
         values = branch.parameter_values
+        low, high = values.min(), values.max()
         show_events(
-            f"{branch.name}, {parameter} = {values.min():.6g} ... {values.max():.6g}", found
+            f"{shown_name(branch.name)}, {parameter} = {low:.6g} ... {high:.6g}",
+            found,
         )
         if save is not None:
             print(f"\n{save} written")
@@ -80,5 +84,7 @@ def certify_events(
 def show_checked_events(found: Sequence[EventCertificate]) -> None:
     """Show the events of a file."""
     from nonsmooth.runtime.commands.display_certificates import show_events
+    from nonsmooth.runtime.composition.naming import shown_name
 
-    show_events(", ".join(dict.fromkeys(certificate.orbit for certificate in found)), found)
+    orbits = dict.fromkeys(shown_name(certificate.orbit) for certificate in found)
+    show_events(", ".join(orbits), found)

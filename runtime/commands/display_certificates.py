@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rich import box
-from rich.table import Table
 from rich.text import Text
 
 from nonsmooth.runtime.certification.boxes.record import BoxCertificate
 from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.certification.events.record import EventCertificate
-from nonsmooth.runtime.commands.display import wide_console
+from nonsmooth.runtime.commands.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.composition.naming import shown_name
 
 __all__ = ["show_box", "show_certificate", "show_claims", "show_events"]
 
-_WIDTH = 118
 _UNIFORM = {
     "existence": "one orbit next to the one that was followed",
     "admissibility": "a motion of the real system",
@@ -25,10 +23,10 @@ _STYLES = {"proved": "green", "refuted": "red", "undecided": "yellow"}
 
 def show_claims(certificate: Certificate) -> None:
     """Show what is claimed, and what is proved of it."""
-    out = wide_console(_WIDTH)
-    out.print(Text(f"{certificate.orbit}, {certificate.bits} bits", style="bold"))
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(certificate.orbit)}, {certificate.bits} bits", style="bold"))
     out.print(Text(" -> ".join([*(c for c, _ in certificate.itinerary), "..."])))
-    table = _table("claim", "", "")
+    table = listing("claim", "", "")
     meaning = {
         "existence": "one orbit, and no other, in the box",
         "admissibility": "a motion of the real system",
@@ -39,13 +37,13 @@ def show_claims(certificate: Certificate) -> None:
         if name in certificate.reasons:
             told.append(f": {certificate.reasons[name]}", style="dim")
         table.add_row(name, Text(verdict, style=_STYLES[verdict]), told)
-    out.print(table)
+    show_table(table, out)
 
 
 def show_certificate(certificate: Certificate) -> None:
     """Show claims, parameters, enclosures, the box, and the margins."""
     show_claims(certificate)
-    out = wide_console(_WIDTH)
+    out = console_as_wide()
     values = {**certificate.parameters}
     if certificate.given_period is not None:
         values["period"] = certificate.given_period
@@ -55,44 +53,44 @@ def show_certificate(certificate: Certificate) -> None:
         out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
     if not certificate.enclosures:
         return
-    table = _table("enclosure", "", "unique within")
+    table = listing("enclosure", "", "unique within")
     sides = {side.name: side.rad for side in certificate.box}
     for name, enclosure in certificate.enclosures.items():
         table.add_row(name, str(enclosure), _rounded(sides[name]) if name in sides else "")
     for number, (re, im) in enumerate(certificate.multipliers, 1):
         imaginary = "" if im.contains(0) else f" + {im} i"
         table.add_row(f"multiplier {number}", f"{re}{imaginary}", "")
-    out.print(table)
+    show_table(table, out)
     if certificate.margins:
-        table = _table("phase", "boundary", "respected by at least")
+        table = listing("phase", "boundary", "respected by at least")
         for margin in certificate.margins:
             place = f"{margin['phase']} {margin['configuration']}"
             size = f"{_rounded(margin['least'])} ({margin['quantity']})"
             table.add_row(place, margin["boundary"], size)
-        out.print(table)
+        show_table(table, out)
 
 
 def show_box(found: BoxCertificate) -> None:
     """Show what is proved for a box of parameters, and of how much of it."""
-    out = wide_console(_WIDTH)
+    out = console_as_wide()
     ends = ", ".join(f"{name} = {low} ... {high}" for name, (low, high) in _decimal(found))
-    out.print(Text(f"{found.orbit} for all {ends}", style="bold"))
+    out.print(Text(f"{shown_name(found.orbit)} for all {ends}", style="bold"))
     out.print(Text(" -> ".join([*(c for c, _ in found.itinerary), "..."])))
-    table = _table("claim", "", "")
+    table = listing("claim", "", "")
     reasons = found.reasons
     for name, verdict in found.claims.items():
         told = Text(found.stability if name == "stability" else _UNIFORM[name])
         if name in reasons:
             told.append(f"; {verdict} {reasons[name]}", style="dim")
         table.add_row(name, Text(verdict, style=_STYLES[verdict]), told)
-    out.print(table)
-    table = _table("of the box", "", "tiles")
+    show_table(table, out)
+    table = listing("of the box", "", "tiles")
     for verdict, share in found.shares.items():
         tiles = sum(tile.verdict == verdict for tile in found.tiles)
         name = f"{found.stability}, proved" if verdict == "proved" else verdict
         if tiles:
             table.add_row(name, f"{float(100 * share):.4g} %", str(tiles))
-    out.print(table)
+    show_table(table, out)
     values = {n: value for n, value in found.parameters.items() if n not in found.box}
     if values:
         out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
@@ -100,38 +98,35 @@ def show_box(found: BoxCertificate) -> None:
         names = ", ".join(found.chosen)
         out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
     if enclosures := found.enclosures:
-        table = _table("enclosure", "from", "to")
+        table = listing("enclosure", "from", "to")
         for name, enclosure in enclosures.items():
             table.add_row(name, f"{enclosure.lower:.8g}", f"{enclosure.upper:.8g}")
-        out.print(table)
+        show_table(table, out)
 
 
 def show_events(told: str, found: Sequence[EventCertificate]) -> None:
     """Show where events are proved to be, below what they are events of."""
-    out = wide_console(_WIDTH)
+    out = console_as_wide()
     out.print(Text(told, style="bold"))
-    table = _table("event", "where", "", "parameter")
+    table = listing("event", "where", "", "parameter")
     for certificate in found:
         where = ""
         if certificate.phase is not None:
-            where = f"phase {certificate.phase} {certificate.configuration}: {certificate.boundary}"
+            where = f"phase {certificate.phase + 1} {certificate.configuration}:"
+            where += f" {certificate.boundary}"
         value = certificate.reason
         if certificate.proved:
             value = f"{certificate.parameter} = {certificate.value}"
         claim = Text(certificate.claim, style=_STYLES[certificate.claim])
         table.add_row(certificate.kind, where, claim, value)
-    out.print(table if found else Text("nothing happens: no events"))
+    if found:
+        show_table(table, out)
+    else:
+        out.print(Text("nothing happens: no events"))
 
 
 def _decimal(found: BoxCertificate) -> list[tuple[str, tuple[float, float]]]:
     return [(name, (float(low), float(high))) for name, (low, high) in found.box.items()]
-
-
-def _table(*columns: str) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-    for name in columns:
-        table.add_column(name, overflow="fold")
-    return table
 
 
 def _rounded(text: str) -> str:

@@ -9,7 +9,8 @@ import numpy as np
 from nonsmooth.runtime.charting.classes import Part, parts_of, title_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.notebook import symbol
-from nonsmooth.runtime.pictures.drawing import UNIT, check_picture, finish
+from nonsmooth.runtime.pictures.drawing import check_picture, finish
+from nonsmooth.runtime.units import with_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -110,8 +111,8 @@ def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) 
             where = part.where.T.astype(float)
             axes.contour(x, y, where, levels=[0.5], colors="0.1", linewidths=0.7)
         _label(axes, x, y, part, color)
-    axes.set_xlabel(_named(across))
-    axes.set_ylabel(_named(up))
+    axes.set_xlabel(_named(chart, across))
+    axes.set_ylabel(_named(chart, up))
 
 
 def _label(axes: Axes, x: np.ndarray, y: np.ndarray, part: Part, color: str) -> None:
@@ -151,9 +152,10 @@ def _draw_line(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str])
     if shown == "trace":
         for level in (-1.0, 1.0):
             axes.axhline(level, color="0.3", linewidth=0.9, linestyle=":")
-    axes.set_xlabel(_named(name))
-    axes.set_ylabel(shown if shown == "trace" else f"{shown} {UNIT}")
+    axes.set_xlabel(_named(chart, name))
+    axes.set_ylabel(with_unit(shown, str(chart[shown].attrs.get("units", ""))))
 
 
-def _named(name: str) -> str:
-    return f"${symbol(name)}$ {UNIT}" if name.isalnum() else name
+def _named(chart: Dataset, name: str) -> str:
+    text = f"${symbol(name)}$" if name.isalnum() else name
+    return with_unit(text, str(chart[name].attrs.get("units", "")))

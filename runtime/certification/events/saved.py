@@ -25,7 +25,7 @@ __all__ = [
     "save_events",
 ]
 
-EVENTS = Form("nonsmooth event certificate", "file of events", {"events": list})
+EVENTS = Form("nonsmooth event certificate", "file of events", {"events": list}, 2)
 _EVENT: dict[str, type | tuple[type, ...]] = {
     "orbit": str,
     "system": str,
@@ -154,7 +154,7 @@ def _event(event: Mapping[str, Any]) -> EventCertificate:
         event["kind"],
         event["text"],
         event["parameter"],
-        event["phase"],
+        None if event["phase"] is None else event["phase"] - 1,
         event["configuration"],
         event["boundary"],
         event["instant"],
