@@ -1,4 +1,4 @@
-"""The parts of a chart for people: stable, unstable, what fails, no orbit; or attractors."""
+"""The parts of a chart for people: stable, unstable, what fails, none found; or attractors."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def _orbits(chart: Dataset) -> Iterator[Part]:
         told = f"not admissible: {text}" if number >= 0 else "not admissible"
         yield Part("limit", told, lost & (limit == number))
     yield Part("limit", "not admissible: others", lost & ~np.isin(limit, several))
-    yield Part("none", "no orbit", ~there & (status != MISSING))
+    yield Part("none", "none found", ~there & (status != MISSING))
 
 
 def _motions(chart: Dataset) -> Iterator[Part]:

@@ -81,7 +81,7 @@ class OrbitProblem:
         """What is computed."""
         orbits, units = self.orbits, units_of(self.kernels.system)
         told = "" if not set(orbits.bounded) - set(self.given) else ", for large enough open ones"
-        limits = {NEITHER: "none fails", NO_ORBIT: "no orbit", UNTOLD: "not told"}
+        limits = {NEITHER: "none fails", NO_ORBIT: "none found", UNTOLD: "not told"}
         return (
             _flags("status", MISSING, {MISSING: "not computed", **STATUS}),
             Variable(

@@ -152,7 +152,7 @@ _KINDS = {
     "unstable": "unstable",
     "admissible": "admissible",
     "limit": "not admissible",
-    "none": "none",
+    "none": "none found",
     "missing": "not computed",
     "periodic": "periodic",
     "rest": "rest",
