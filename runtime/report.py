@@ -67,13 +67,16 @@ def orbit_json(orbit: Orbit | ComposedOrbit, digits: int | None = None) -> dict[
 
 
 def admissibility_json(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
-    """Verdict, and what it rests on: violations, or bounds on the open parameters."""
+    """Verdict, and what it rests on: violations, or bounds on the open parameters.
+
+    Phases are counted from 1.
+    """
     admissibility = orbit.admissibility
     found: dict[str, Any] = {"admissible": admissibility.verdict}
     if admissibility.verdict is False:
         found["violations"] = [
             {
-                "phase": v.phase,
+                "phase": v.phase + 1,
                 "configuration": v.configuration,
                 "boundary": v.boundary,
                 "time": repr(v.time),
@@ -88,7 +91,7 @@ def admissibility_json(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
         ]
     if admissibility.coincidences:
         found["coincidences"] = [
-            {"phase": c.phase, "boundaries": list(c.boundaries), "time": repr(c.time)}
+            {"phase": c.phase + 1, "boundaries": list(c.boundaries), "time": repr(c.time)}
             for c in admissibility.coincidences
         ]
     return found

@@ -275,7 +275,7 @@ def test_near_a_fold_either_the_orbit_is_proved_or_nothing() -> None:
 def test_an_orbit_that_crosses_a_boundary_is_refuted_with_its_place() -> None:
     certificate = ns.certify(loop(a="1"))
     assert certificate.claims["admissibility"] == "refuted"
-    assert "phase 0, right: wall is crossed" in certificate.reasons["admissibility"]
+    assert "phase 1, right: wall is crossed" in certificate.reasons["admissibility"]
 
 
 def test_margins_are_true() -> None:
@@ -289,7 +289,7 @@ def test_margins_are_true() -> None:
     system = composed.piecewise
     begins = np.concatenate([[0], np.cumsum(composed.dwell_times)])
     for margin in certificate.margins:
-        place = margin["phase"]
+        place = margin["phase"] - 1
         index = system.structure.configuration(margin["configuration"])
         boundary = system.structure.boundary(index, margin["boundary"])
         row = system.rows[system.structure.boundaries[index][boundary].row]

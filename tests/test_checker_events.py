@@ -282,7 +282,7 @@ def test_other_places_are_refused(content: dict[str, Any]) -> None:
         if event["phase"] is None:
             continue
         count = len(event["itinerary"])
-        for phase in ((event["phase"] + 1) % count, event["phase"] - count, count, True):
+        for phase in (event["phase"] % count + 1, event["phase"] - count, count + 1, 0, True):
             if phase != event["phase"] or phase is True:
                 refused({**content, "events": [{**event, "phase": phase}]})
         configuration = event["declaration"]["configurations"][event["configuration"]]

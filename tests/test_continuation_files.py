@@ -54,7 +54,7 @@ def test_composed_branch_saved_and_read(tmp_path: Path) -> None:
         (lambda text: text.replace('"start": ', '"start": 1'), "the checksum differs"),
         (lambda text: text.replace("nonsmooth branch", "nonsmooth orbit"), "not a saved branch"),
         (lambda text: "[]", "not a saved branch"),
-        (lambda text: text.replace('"version": 1', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
     ],
 )
 def test_damaged_files_are_refused(tmp_path: Path, change, message: str) -> None:

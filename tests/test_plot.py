@@ -417,7 +417,7 @@ def test_html_of_an_orbit(digits: int | None) -> None:
 
 def test_html_says_what_is_wrong() -> None:
     refused = nonsmooth.solve(ORBIT, {"us2": "0.7"})
-    assert "second-breaks-backward is crossed in phase 0" in refused._repr_html_()
+    assert "second-breaks-backward is crossed in phase 1" in refused._repr_html_()
     lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
     assert lost.message in " ".join(Table(lost._repr_html_()).texts)
     assert lost.message in lost._repr_latex_()

@@ -281,7 +281,7 @@ def test_an_exact_tangency_is_not_decided() -> None:
     assert proof.transitions == 0
     assert proof.bits == 2048
     assert proof.reason is not None
-    assert "phase 0, slip-stick" in proof.reason
+    assert "phase 1, slip-stick" in proof.reason
     assert "first-reaches-belt is reached tangentially" in proof.reason
     assert at_multiple_of_pi(proof, Fraction(3, 2), 1e-15)
 

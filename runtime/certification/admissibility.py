@@ -72,7 +72,7 @@ def judge(plans: Sequence[Plan], chain: Chain, now: Passage, dwell: Sequence[Any
     margins: list[Margin] = []
     undecided = ""
     for plan, field, time in zip(plans, chain.fields, dwell, strict=True):
-        name = f"phase {plan.place}, {plan.configuration}"
+        name = f"phase {plan.place + 1}, {plan.configuration}"
         try:
             margins += _Phase(plan, field, now, time).judged()
         except _Refuted as found:

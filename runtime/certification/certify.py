@@ -270,7 +270,7 @@ def stated(ball: arb, bits: int, size: int = 0) -> Stated:
 def _margin(margin: Margin) -> dict[str, Any]:
     text, _ = decimals(margin.least * 0.99, 8)  # rounded down: few digits are enough
     return {
-        "phase": margin.phase,
+        "phase": margin.phase + 1,  # counted from 1, as in all that is shown
         "configuration": margin.configuration,
         "boundary": margin.boundary,
         "quantity": margin.quantity,

@@ -17,6 +17,7 @@ from nonsmooth.runtime.simulation.run import Status
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 from nonsmooth.runtime.simulation.structure import structure_of
+from nonsmooth.runtime.units import units_of
 
 __all__ = ["LONGEST", "AttractorProblem", "attractor_problem", "settled_lengths"]
 
@@ -87,7 +88,10 @@ class AttractorProblem:
                 {"long_name": "transitions in a period; 0 where the motion is not periodic"},
             ),
             Variable(
-                "period", "<f8", float("nan"), {"long_name": "period", "units": "nondimensional"}
+                "period",
+                "<f8",
+                float("nan"),
+                {"long_name": "period", **units_of(self.kernels).attributes()},
             ),
             Variable(
                 "configuration",
@@ -96,6 +100,10 @@ class AttractorProblem:
                 {"long_name": "configuration at the end", "meanings": places},
             ),
         )
+
+    def axis_attributes(self, name: str) -> dict[str, str]:
+        """Unit of a parameter, where the system states it."""
+        return units_of(self.kernels).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
         """Nothing: each point is on its own."""

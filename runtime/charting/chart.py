@@ -274,7 +274,7 @@ def _in_memory(problem: Problem, grid: Grid, threads: int | None, progress: Prog
     return Dataset(
         {v.name: (grid.names, arrays[v.name], v.attributes) for v in problem.variables()},
         {
-            a.name: (a.name, a.part(0, a.count), {"units": "nondimensional"}) for a in grid.axes
+            a.name: (a.name, a.part(0, a.count), problem.axis_attributes(a.name)) for a in grid.axes
         },
         {ATTRIBUTE: {"format": FORMAT, **problem.identity()}},
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The parts of a chart for people: stable, unstable, what fails, no orbit; or attractors."""
+"""The parts of a chart for people: stable, unstable, what fails, none found; or attractors."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from nonsmooth.runtime.charting.problem import MISSING, NEITHER
 from nonsmooth.runtime.charting.store import ATTRIBUTE
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.simulation.run import Status
@@ -75,7 +76,7 @@ def counts_of(chart: Dataset) -> dict[str, int]:
 def title_of(chart: Dataset) -> str:
     """What the chart is of."""
     identity = _identity(chart)
-    return str(identity.get("orbit") or identity.get("system"))
+    return shown_name(str(identity.get("orbit") or identity.get("system")))
 
 
 def _identity(chart: Dataset) -> dict[str, Any]:
@@ -102,7 +103,7 @@ def _orbits(chart: Dataset) -> Iterator[Part]:
         told = f"not admissible: {text}" if number >= 0 else "not admissible"
         yield Part("limit", told, lost & (limit == number))
     yield Part("limit", "not admissible: others", lost & ~np.isin(limit, several))
-    yield Part("none", "no orbit", ~there & (status != MISSING))
+    yield Part("none", "none found", ~there & (status != MISSING))
 
 
 def _motions(chart: Dataset) -> Iterator[Part]:

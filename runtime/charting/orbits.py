@@ -24,6 +24,7 @@ from nonsmooth.runtime.charting.problem import (
 )
 from nonsmooth.runtime.kernels import OrbitKernels, ParameterTable, load_orbit
 from nonsmooth.runtime.orbit import STATUS
+from nonsmooth.runtime.units import units_of
 
 __all__ = ["OrbitProblem", "orbit_problem"]
 
@@ -78,9 +79,9 @@ class OrbitProblem:
 
     def variables(self) -> tuple[Variable, ...]:
         """What is computed."""
-        orbits = self.orbits
+        orbits, units = self.orbits, units_of(self.kernels.system)
         told = "" if not set(orbits.bounded) - set(self.given) else ", for large enough open ones"
-        limits = {NEITHER: "none fails", NO_ORBIT: "no orbit", UNTOLD: "not told"}
+        limits = {NEITHER: "none fails", NO_ORBIT: "none found", UNTOLD: "not told"}
         return (
             _flags("status", MISSING, {MISSING: "not computed", **STATUS}),
             Variable(
@@ -92,10 +93,14 @@ class OrbitProblem:
                 "margin",
                 "1 - the largest nontrivial multiplier's size; 0 where neutral or undecided",
             ),
-            _number("period", "period", units="nondimensional"),
-            *(_number(n, f"unknown {n}", units="nondimensional") for n in orbits.unknowns),
+            _number("period", "period", **units.attributes()),
+            *(_number(n, f"unknown {n}", **units.attributes()) for n in orbits.unknowns),
             *(_number(f"least_{n}", f"what {n} has to exceed") for n in orbits.bounded),
         )
+
+    def axis_attributes(self, name: str) -> dict[str, str]:
+        """Unit of a parameter, where the system states it."""
+        return units_of(self.kernels.system).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
         """Starts (..., m) at the anchors of a grid."""

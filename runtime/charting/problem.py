@@ -63,6 +63,9 @@ class Problem(Protocol):
     def variables(self) -> tuple[Variable, ...]:
         """What is computed."""
 
+    def axis_attributes(self, name: str) -> dict[str, str]:
+        """Unit of a parameter, where the system states it."""
+
     def prepare(self, grid: Grid) -> np.ndarray:
         """What all chunks need to know of the whole grid."""
 

@@ -267,7 +267,7 @@ def _begin(path: Path, problem: Problem, grid: Grid, identity: Mapping[str, Any]
         for axis in grid.axes:
             _create(
                 group,
-                Variable(axis.name, "<f8", float("nan"), {"units": "nondimensional"}),
+                Variable(axis.name, "<f8", float("nan"), problem.axis_attributes(axis.name)),
                 (axis.count,), (min(axis.count, BLOCK),), (axis.name,),
             )  # fmt: skip
             _write_axis(group, axis)

@@ -57,9 +57,13 @@ def certify_events(
         }
         print_json(told if save is None else {**told, "file": str(save)})
     else:
+        from nonsmooth.runtime.composition.naming import shown_name
+
         values = branch.parameter_values
+        low, high = values.min(), values.max()
         show_events(
-            f"{branch.name}, {parameter} = {values.min():.6g} ... {values.max():.6g}", found
+            f"{shown_name(branch.name)}, {parameter} = {low:.6g} ... {high:.6g}",
+            found,
         )
         if save is not None:
             print(f"\n{save} written")

@@ -135,8 +135,10 @@ def chart(
 
 
 def _show(told: dict[str, Any]) -> None:
+    from nonsmooth.runtime.composition.naming import shown_name
+
     size = " x ".join(f"{name} {count}" for name, count in told["dimensions"].items())
-    print(f"{told['name']}: {size}")
+    print(f"{shown_name(told['name'])}: {size}")
     for kind, count in (told["points"] or {}).items():
         print(f"  {_KINDS[kind]:28} {count:>12,}")
     repaired = f", {told['damaged']} of them damaged before" if told["damaged"] else ""
@@ -150,7 +152,7 @@ _KINDS = {
     "unstable": "unstable",
     "admissible": "admissible",
     "limit": "not admissible",
-    "none": "none",
+    "none": "none found",
     "missing": "not computed",
     "periodic": "periodic",
     "rest": "rest",

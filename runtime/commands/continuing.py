@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -14,6 +15,7 @@ from nonsmooth.runtime.commands.application import (
     assignments,
     print_json,
     ranges,
+    split,
 )
 from nonsmooth.runtime.commands.keeping import (
     Overwrite,
@@ -36,6 +38,13 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.values import Value
 
 __all__ = ["follow"]
+
+
+class Frequency(StrEnum):
+    """How frequencies are drawn."""
+
+    ANGULAR = "angular"
+    CYCLES = "cycles"
 
 
 @app.command(
@@ -104,14 +113,19 @@ def follow(
         ),
     ] = None,
     quantity: Annotated[
-        str,
+        list[str] | None,
         typer.Option(
             "--quantity",
-            metavar="NAME",
+            metavar="NAME,...",
             help="What --plot draws: period, frequency, energy, trace, amplitude_x of a state x,"
-            " or an unknown.",
+            " or an unknown. Of a forced system by default the amplitude of each coordinate, else"
+            " the period.",
         ),
-    ] = "period",
+    ] = None,
+    frequency: Annotated[
+        Frequency,
+        typer.Option("--frequency", help="Frequencies in radians or cycles in a unit of time."),
+    ] = Frequency.ANGULAR,
     over: Annotated[
         str | None,
         typer.Option(
@@ -196,7 +210,7 @@ def follow(
         from nonsmooth.runtime.continuation.drawing import branch_figure
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        save_figure(branch_figure(branch, quantity, over), plot)
+        save_figure(branch_figure(branch, split(quantity), over, frequency.value), plot)
         written.append(str(plot))
     if as_json:
         print_json({**branch_json(branch, beyond_events), "files": written})

@@ -7,11 +7,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from rich import box
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonsmooth.runtime.commands.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.parameters import default_parameters
 from nonsmooth.runtime.values import decimal_string
@@ -27,10 +28,8 @@ __all__ = [
     "show_report",
     "show_written",
     "steps",
-    "wide_console",
 ]
 
-_LEAST_WIDTH = 80
 _LONGEST_NUMBER = 64  # beside the labels
 _GROUP, _GROUPS_IN_LINE = 10, 5
 _RANKS = {1: "one", 2: "two", 3: "three"}
@@ -56,9 +55,9 @@ def show_report(
     trace_first : bool
         Show the trace criterion before the orbit.
     """
-    console = wide_console()
+    console = console_as_wide()
     rank_one = orbit.stability.rank == 1
-    console.print(Text(f"{found['orbit']}, {found['digits']} digits", style="bold"))
+    console.print(Text(f"{shown_name(found['orbit'])}, {found['digits']} digits", style="bold"))
     console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
     parameters = _table()
     for name, text, source in _sources(orbit, found, assigned):
@@ -84,7 +83,7 @@ def show_report(
 
 def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
     """Show systems and orbits with their parameters and unknowns."""
-    console = wide_console()
+    console = console_as_wide()
     for system in systems:
         console.print(Text.assemble((system["name"], "bold"), f": {system['description']}"))
         for orbit in system["orbits"]:
@@ -94,14 +93,11 @@ def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
                 place = f"{phase['configuration']} until {phase['boundary']}"
                 console.print(Text(f"  {phase['dwell_time']:5} {place}"))
             console.print(Text(f"  unknowns: {' '.join(orbit['unknowns'])}"))
-            table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-            table.add_column("parameter", no_wrap=True)
-            table.add_column("default", no_wrap=True)
-            table.add_column("meaning")
+            table = listing("parameter", "default", "meaning")
             for parameter in orbit["parameters"]:
                 default = parameter["default"] or ""
                 table.add_row(_domain(parameter), default, Text(parameter["description"]))
-            console.print(table)
+            show_table(table, console, keys=2)
 
 
 def show_written(paths: Iterable[str], nothing: str) -> None:
@@ -207,13 +203,6 @@ def _sources(
             yield name, found["parameters"][name], "follows"
 
 
-def wide_console(least: int = _LEAST_WIDTH) -> Console:
-    """Give a console wide enough for 50 digits in one piece."""
-    console = Console(highlight=False)
-    console.width = max(console.width, least)
-    return console
-
-
 def _table() -> Table:
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     table.add_column(no_wrap=True, min_width=12)
@@ -272,14 +261,12 @@ def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:
         together = " and ".join(meeting["boundaries"])
         console.print(Text(f"  at t = {float(meeting['time']):.10g} {together} coincide"))
     if verdict is False:
-        table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-        for title in ("phase", "configuration", "boundary", "time", "excess"):
-            table.add_column(title, no_wrap=True)
+        table = listing("phase", "configuration", "boundary", "time", "excess")
         for violation in found["violations"]:
             numbers = (f"{float(violation[name]):.6g}" for name in ("time", "excess"))
             names = (str(violation[n]) for n in ("phase", "configuration", "boundary"))
             table.add_row(*names, *numbers)
-        console.print(table)
+        show_table(table, console)
 
 
 def _digits(number: str) -> str:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from rich import box
-from rich.console import Console
-from rich.table import Table
+from nonsmooth.runtime.commands.tables import listing, show_table
+from nonsmooth.runtime.composition.naming import shown_name
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.continuation.locus import Locus
@@ -34,7 +33,7 @@ def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
             {
                 "kind": event.kind,
                 "value": event.value,
-                "phase": event.phase,
+                "phase": None if event.phase is None else event.phase + 1,
                 "configuration": event.configuration,
                 "boundary": event.boundary,
                 "touching": event.touching,
@@ -52,18 +51,17 @@ def show_branch(branch: Branch, others: Others) -> None:
     low, high = float(branch.parameter_values.min()), float(branch.parameter_values.max())
     allowed = int(branch.admissible.sum())
     print(
-        f"{branch.name}: {len(branch)} points, {branch.parameter} from {low:.10g} to {high:.10g},"
+        f"{shown_name(branch.name)}: {len(branch)} points,"
+        f" {branch.parameter} from {low:.10g} to {high:.10g},"
         f" {allowed} of them motions of the real system"
     )
     if branch.events:
-        table = Table(box=box.SIMPLE)
-        for title in ("event", branch.parameter, "where", "boundary"):
-            table.add_column(title)
+        table = listing("event", branch.parameter, "where", "boundary")
         for event in branch.events:
             where = "" if event.phase is None else f"{event.configuration} ({event.phase + 1})"
             kind = event.kind + ", touched" * event.touching
             table.add_row(kind, f"{event.value:.12g}", where, event.boundary)
-        Console().print(table)
+        show_table(table)
     for number, orbits in others.items():
         value = branch.events[number].value
         for orbit in orbits:
@@ -110,13 +108,11 @@ def locus_json(locus: Locus) -> dict[str, Any]:
 def show_locus(locus: Locus) -> None:
     """Where a curve of events goes, and why it ends."""
     print(f"{locus.title}: {len(locus)} points in the plane of {' and '.join(locus.parameters)}")
-    table = Table(box=box.SIMPLE)
-    for title in ("", *locus.parameters):
-        table.add_column(title)
+    table = listing("", *locus.parameters)
     places = {"begins": 0, "from": locus.start, "ends": len(locus) - 1}
     for word, place in places.items():
         table.add_row(word, *(f"{value:.12g}" for value in locus.values[place].tolist()))
-    Console().print(table)
+    show_table(table)
     for end, reason in zip(("begins", "ends"), locus.ends, strict=True):
         print(f"{end}: {reason}")
 

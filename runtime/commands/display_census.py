@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from rich import box
-from rich.table import Table
 from rich.text import Text
 
 from nonsmooth.runtime.certification.counting.census import Bounds, Census
-from nonsmooth.runtime.commands.display import wide_console
+from nonsmooth.runtime.commands.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.composition.naming import shown_name
 
 __all__ = ["show_census"]
 
-_WIDTH = 118
 _VERDICTS = {True: ("yes", "green"), False: ("no", "red"), None: ("undecided", "yellow")}
 
 
 def show_census(census: Census) -> None:
     """Show what is proved, the orbits, and the boxes that are undecided."""
-    out = wide_console(_WIDTH)
-    out.print(Text(f"{census.orbit}, {census.looked} boxes", style="bold"))
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(census.orbit)}, {census.looked} boxes", style="bold"))
     out.print(Text(" -> ".join([*(c for c, _ in census.itinerary), "..."])))
     found = [orbit.certificate for orbit in census.orbits if orbit.certificate is not None]
     names = found[0].dwell_names if found else ()
-    table = _table("orbit", *names, "admissible", "stability")
+    table = listing("orbit", *names, "admissible", "stability")
     for number, orbit in enumerate(census.orbits, 1):
         word, style = _VERDICTS[orbit.admissible]
         times = ["" for _ in names]
@@ -33,15 +31,15 @@ def show_census(census: Census) -> None:
             stability = words.get(orbit.certificate.claims["stability"], stability)
         table.add_row(str(number), *times, Text(word, style=style), stability)
     if census.orbits:
-        out.print(table)
+        show_table(table, out)
     for number, orbit in enumerate(census.orbits, 1):
         if orbit.certificate is None:
             out.print(f"orbit {number}, {_text(orbit.unique)}: no certificate: {orbit.reason}")
     if census.undecided:
-        table = _table("undecided box", "why")
+        table = listing("undecided box", "why")
         for entry in census.undecided:
             table.add_row(_text(entry.bounds), entry.reason)
-        out.print(table)
+        show_table(table, out)
     if census.beyond:
         solutions = "solution has" if census.beyond == 1 else "solutions have"
         follow = "a dwell time that follows and is not positive, or not in the box"
@@ -52,10 +50,3 @@ def show_census(census: Census) -> None:
 
 def _text(bounds: Bounds) -> str:
     return ", ".join(f"{low} <= {name} <= {high}" for name, (low, high) in bounds.items())
-
-
-def _table(*columns: str) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-    for name in columns:
-        table.add_column(name, overflow="fold")
-    return table

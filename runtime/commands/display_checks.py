@@ -13,15 +13,14 @@ from nonsmooth.runtime.certification.certificate import Certificate
 from nonsmooth.runtime.certification.checking import Check
 from nonsmooth.runtime.certification.counting.census import Census
 from nonsmooth.runtime.certification.events.record import EventCertificate
-from nonsmooth.runtime.commands.display import wide_console
 from nonsmooth.runtime.commands.display_certificates import (
     STYLES,
     UNIFORM,
-    WIDTH,
     enclosure_table,
     share_table,
-    table_of,
 )
+from nonsmooth.runtime.commands.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.values import Value
 
 __all__ = ["show_check"]
@@ -41,7 +40,7 @@ _OF_A_BOX = {
 
 def show_check(found: Check) -> None:
     """Show what was proved again of a file, and what was not."""
-    out = wide_console(WIDTH)
+    out = console_as_wide()
     match found.certificate:
         case Certificate() as certificate:
             _show_point(out, certificate, compared=found.compared)
@@ -63,10 +62,10 @@ def _show_point(out: Console, certificate: Certificate, *, compared: bool) -> No
     meaning = {**_POINT, "stability": certificate.stability}
     _show_claims(out, certificate.claims, meaning, _VERDICTS)
     if certificate.enclosures:
-        table = table_of("enclosure", "")
+        table = listing("enclosure", "")
         for name, enclosure in certificate.enclosures.items():
             table.add_row(name, str(enclosure))
-        out.print(table)
+        show_table(table, out)
 
 
 def _show_map(out: Console, found: BoxCertificate, *, compared: bool) -> None:
@@ -79,9 +78,9 @@ def _show_map(out: Console, found: BoxCertificate, *, compared: bool) -> None:
     _show_values(out, found.parameters)
     meaning = {**UNIFORM, "stability": found.stability}
     _show_claims(out, found.claims, meaning, _OF_A_BOX)
-    out.print(share_table(found))
+    show_table(share_table(found), out)
     if found.enclosures:
-        out.print(enclosure_table(found))
+        show_table(enclosure_table(found), out)
 
 
 def _show_events(out: Console, events: Sequence[EventCertificate], *, compared: bool) -> None:
@@ -94,12 +93,12 @@ def _show_events(out: Console, events: Sequence[EventCertificate], *, compared: 
         out.print(Text(_called(label, compared=compared), style="bold"))
         _show_cycle(out, itinerary)
         _show_values(out, dict(values))
-        table = table_of("event", "where", "parameter")
+        table = listing("event", "where", "parameter")
         for event in group:
             where = "" if event.phase is None else f"phase {event.phase} {event.configuration}"
             where += f": {event.boundary}" if event.boundary else ""
             table.add_row(event.kind, where, f"{event.parameter} = {event.value}")
-        out.print(table)
+        show_table(table, out)
     left = sum(1 for event in events if not event.proved)
     if left or not events:
         out.print(f"{left} of {len(events)} events {'is' if left == 1 else 'are'} not claimed")
@@ -114,7 +113,7 @@ def _show_census(out: Console, census: Census, *, compared: bool) -> None:
         _show_cycle(out, certificate.itinerary)
         out.print(Text("in the box " + ", ".join(census.box)))
     names = found[0].dwell_names if found else ()
-    table = table_of("orbit", *names, "admissible", "stability")
+    table = listing("orbit", *names, "admissible", "stability")
     for number, orbit in enumerate(census.orbits, 1):
         if orbit.certificate is None:
             table.add_row(str(number), *("" for _ in names), "not proved", "again")
@@ -128,7 +127,7 @@ def _show_census(out: Console, census: Census, *, compared: bool) -> None:
             words.get(claims["stability"], "not claimed"),
         )
     if census.orbits:
-        out.print(table)
+        show_table(table, out)
     for certificate in found[:1]:
         _show_point_values(out, certificate, compared=compared)
 
@@ -157,12 +156,12 @@ def _show_claims(
     meaning: Mapping[str, str],
     words: Mapping[str, str],
 ) -> None:
-    table = table_of("claim", "", "")
+    table = listing("claim", "", "")
     for name, verdict in claims.items():
         table.add_row(name, Text(words[verdict], style=STYLES[verdict]), meaning[name])
-    out.print(table)
+    show_table(table, out)
 
 
 def _called(label: str, *, compared: bool) -> str:
     """The orbit's name, if it was compared with what is called so."""
-    return label if compared else "an orbit of the declaration in the file"
+    return shown_name(label) if compared else "an orbit of the declaration in the file"

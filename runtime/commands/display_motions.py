@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from rich import box
-from rich.table import Table
 from rich.text import Text
 
-from nonsmooth.runtime.commands.display import wide_console
 from nonsmooth.runtime.commands.report_motions import largest_exponent
+from nonsmooth.runtime.commands.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.finding.find import Found
 from nonsmooth.runtime.finding.sweep import Sweep
 from nonsmooth.runtime.observing.observables import Observables
@@ -19,19 +18,20 @@ __all__ = ["show_found", "show_motion", "show_observables", "show_proof", "show_
 
 _ROWS = 40  # of a long motion: the first and the last half of them
 _DIGITS = 8
-_WIDTH = 118
+_EXTREMES = ("", "least", "at", "greatest", "at", "mean", "RMS")
+_FORCES = ("force", "least", "greatest", "mean", "work", "dissipated")
 
 
 def show_motion(motion: Trajectory) -> None:
     """Show the transitions of a motion; of a long one the first and the last."""
-    out = wide_console(_WIDTH)
-    out.print(Text(f"{motion.name}, {_count(motion.transitions, 'transition')}", style="bold"))
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("time", justify="right", no_wrap=True)
-    table.add_column("reached", min_width=22)
-    table.add_column("then", no_wrap=True)
-    for name in motion.names:
-        table.add_column(name, justify="right", no_wrap=True)
+    out = console_as_wide()
+    out.print(
+        Text(f"{shown_name(motion.name)}, {_count(motion.transitions, 'transition')}", style="bold")
+    )
+    shown = [place for place in range(len(motion.names)) if place not in _forced(motion)]
+    names = [motion.names[place] for place in shown]
+    phases = ["forcing phase"] if motion.structure.forcing else []
+    table = listing("time", "reached", "then", *names, *phases, right=("time", *names, *phases))
     count = len(motion.times)
     hidden = count - _ROWS
     for i in range(count):
@@ -43,9 +43,10 @@ def show_motion(motion: Trajectory) -> None:
             _number(motion.times[i]),
             " + ".join(motion.boundaries[i]),
             motion.configurations[i],
-            *map(_number, motion.states[i]),
+            *map(_number, motion.states[i][shown]),
+            *(_number(angle) for angle in _angles(motion, i)[: len(phases)]),
         )
-    out.print(table)
+    show_table(table, out)
     out.print(f"ended at {_number(motion.end)}: {motion.message}")
     for g in motion.grazings:
         shape = motion.structure.boundaries[g.configuration][g.boundary]
@@ -56,14 +57,13 @@ def show_motion(motion: Trajectory) -> None:
 
 def show_found(found: Found) -> None:
     """Show periodic orbits, with period, itinerary, stability and basin."""
-    out = wide_console(_WIDTH)
+    out = console_as_wide()
     count = len(found.starts)
-    title = f"{found.system}, {_count(len(found.orbits), 'periodic orbit')} from {count} starts"
+    orbits = _count(len(found.orbits), "periodic orbit")
+    title = f"{shown_name(found.system)}, {orbits} from {count} starts"
     out.print(Text(title, style="bold"))
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-    for name in ("", "period", "stability", "multipliers", "starts", "itinerary"):
-        right = name in ("", "period", "starts")
-        table.add_column(name, justify="right" if right else "left", no_wrap=right)
+    titles = ("", "period", "stability", "multipliers", "starts", "itinerary")
+    table = listing(*titles, right=("", "period", "starts"))
     for i, orbit in enumerate(found.orbits, 1):
         multipliers = ", ".join(_complex(m) for m in orbit.orbit.multipliers)
         style = {"stable": "green", "unstable": "red"}.get(orbit.verdict, "")
@@ -77,7 +77,7 @@ def show_found(found: Found) -> None:
             basin,
             phases,
         )
-    out.print(table)
+    show_table(table, out)
     for share, what in ((found.resting, "came to rest"), (found.unclassified, "not classified")):
         if share:
             out.print(f"{100 * share:.4g} % of the starts {what}")
@@ -87,22 +87,24 @@ def show_found(found: Found) -> None:
 
 def show_observables(found: Observables) -> None:
     """Show peaks and averages, shares of time, and what passes through the contacts."""
-    out = wide_console(_WIDTH)
+    out = console_as_wide()
     out.print()
     out.print(Text(f"From {_number(found.since)} on", style="bold"))
-    states = _listing("", "least", "at", "greatest", "at", "mean", "RMS")
+    states = listing(*_EXTREMES, right=_EXTREMES[1:])
     for name, low in found.minima.items():
+        if name in _forced_names(found.trajectory):
+            continue
         high = found.maxima[name]
         numbers = (low.value, low.time, high.value, high.time, found.means[name], found.rms[name])
         states.add_row(name, *map(_number, numbers))
-    out.print(states)
+    show_table(states, out)
     if found.contacts:
-        contacts = _listing("force", "least", "greatest", "mean", "work", "dissipated")
+        contacts = listing(*_FORCES, right=_FORCES[1:])
         for name, contact in found.contacts.items():
             ends = contact.minimum.value, contact.maximum.value
             rest = contact.mean, contact.work, contact.dissipated
             contacts.add_row(name, *map(_number, (*ends, *rest)))
-        out.print(contacts)
+        show_table(contacts, out)
     shares = {name: share for name, share in found.fractions.items() if share}
     told = ", ".join(f"{name} {100 * share:.4g} %" for name, share in shares.items())
     out.print(f"time: {told}")
@@ -117,7 +119,7 @@ def show_observables(found: Observables) -> None:
 
 def show_proof(proof: Proof) -> None:
     """Say how much of a motion's sequence is proved."""
-    out = wide_console(_WIDTH)
+    out = console_as_wide()
     out.print()
     proved = f"proved: {_count(proof.transitions, 'transition')}, in balls of {proof.bits} bits"
     out.print(Text(proved, style="green" if proof.decided else ""))
@@ -126,11 +128,22 @@ def show_proof(proof: Proof) -> None:
         out.print(f"then{where}: {proof.reason}")
 
 
-def _listing(*names: str) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-    for i, name in enumerate(names):
-        table.add_column(name, justify="right" if i else "left", no_wrap=True)
-    return table
+def _forced(motion: Trajectory) -> set[int]:
+    """States that are the cosine or the sine of a forcing."""
+    return {place for pair in motion.structure.forcing for place in pair}
+
+
+def _forced_names(motion: Trajectory) -> set[str]:
+    return {motion.names[place] for place in _forced(motion)}
+
+
+def _angles(motion: Trajectory, row: int) -> list[float]:
+    """Phases of the forcings at a transition, in radians from 0 to 2 pi."""
+    states = motion.states[row]
+    return [
+        float(np.arctan2(states[sine], states[cosine]) % (2 * np.pi))
+        for cosine, sine in motion.structure.forcing
+    ]
 
 
 def show_sweep(diagram: Sweep) -> None:
@@ -138,7 +151,7 @@ def show_sweep(diagram: Sweep) -> None:
     points = int(np.isfinite(diagram.samples).sum())
     low, high = diagram.values[[0, diagram.done - 1]] if diagram.done else (np.nan, np.nan)
     print(
-        f"{diagram.system}: {points} points of {diagram.state} {diagram.when},"
+        f"{shown_name(diagram.system)}: {points} points of {diagram.state} {diagram.when},"
         f" {diagram.parameter} from {_number(low)} to {_number(high)}"
     )
 

@@ -1,10 +1,11 @@
-"""Names of a composed orbit's unknowns."""
+"""Names of a composed orbit's unknowns, and names as people see them."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Container, Mapping, Sequence
 
-__all__ = ["cycle_label", "dwell_names", "start_names"]
+__all__ = ["cycle_label", "dwell_names", "shown_name", "start_names"]
 
 
 def cycle_label(system: str, count: int) -> str:
@@ -29,3 +30,17 @@ def start_names(
         known.get(name, name if f"{name}0" in taken or f"{name}0" in states else f"{name}0")
         for name in states
     )
+
+
+def shown_name(name: str) -> str:
+    """System, or system/orbit, of a name that may be that of a file or of an orbit in one.
+
+    Examples
+    --------
+    >>> shown_name("/home/me/gear.py:rattle"), shown_name("dry-friction/symmetric")
+    ('gear/rattle', 'dry-friction/symmetric')
+    """
+    if not (os.path.isabs(name) or ":" in name or name.endswith(".py")):
+        return name
+    system, _, orbit = os.path.basename(name).partition(":")
+    return "/".join(filter(None, (system.removesuffix(".py"), orbit)))

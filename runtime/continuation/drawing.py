@@ -5,13 +5,22 @@ Of a branch stable parts are solid, unstable ones dashed, what is no motion is g
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.composition.naming import shown_name
+from nonsmooth.runtime.continuation.response import (
+    forcing_frequencies,
+    system_of,
+    usual_quantities,
+)
+from nonsmooth.runtime.errors import unknown_name
 from nonsmooth.runtime.notebook import symbol
-from nonsmooth.runtime.pictures.drawing import LINES, UNIT, check_picture, given_axes
+from nonsmooth.runtime.pictures.drawing import LINES, check_picture, given_axes
+from nonsmooth.runtime.units import units_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,6 +31,8 @@ if TYPE_CHECKING:
 
 __all__ = ["branch_figure", "draw_branch", "draw_locus", "locus_figure"]
 
+ANGULAR = "angular"
+FREQUENCIES = (ANGULAR, "cycles")
 _GREY = "#999999"
 _STYLES = {"stable": "-", "neutral": "-", "unstable": (0, (5, 2)), "undecided": ":"}
 _MARKERS = {
@@ -40,8 +51,23 @@ _MARKERS = {
 }
 
 
-def branch_figure(branch: Branch, quantity: str = "period", over: str | None = None) -> Figure:
-    """A figure of one quantity over the parameter, or over another one.
+def branch_figure(
+    branch: Branch,
+    quantities: Sequence[str] = (),
+    over: str | None = None,
+    frequency: str = ANGULAR,
+) -> Figure:
+    """A figure of quantities over the parameter, or over another one, one below the other.
+
+    Parameters
+    ----------
+    branch : Branch
+    quantities : sequence of str
+        As for `Branch.quantity`; by default the amplitude of each coordinate of a forced
+        system, else the period.
+    over : str, optional
+    frequency : {"angular", "cycles"}
+        How frequencies are given: in radians, or in cycles, in a unit of time.
 
     Raises
     ------
@@ -50,26 +76,47 @@ def branch_figure(branch: Branch, quantity: str = "period", over: str | None = N
     MissingExtra
         If matplotlib is not installed.
     """
+    shown = tuple(quantities) or usual_quantities(branch)
     figure = _empty_figure()
-    _draw(branch, quantity, over or branch.parameter, figure.add_subplot())
+    figure.set_size_inches(6.4, 4.4 + 2.6 * (len(shown) - 1))
+    first = None
+    for place, quantity in enumerate(shown, 1):
+        axes = figure.add_subplot(len(shown), 1, place, sharex=first)
+        _draw(branch, quantity, over or branch.parameter, axes, frequency)
+        first = first or axes
+        if place > 1:
+            axes.set_title("")
+            legend = axes.get_legend()
+            if legend is not None:
+                legend.remove()
+        if place < len(shown):
+            axes.set_xlabel("")
     return figure
 
 
 def draw_branch(
-    branch: Branch, quantity: str = "period", axes: Any = None, *, over: str | None = None
+    branch: Branch,
+    quantity: str | None = None,
+    axes: Any = None,
+    *,
+    over: str | None = None,
+    frequency: str = ANGULAR,
 ) -> Any:
     """Draw one quantity over the parameter, or over another one.
 
     Parameters
     ----------
     branch : Branch
-    quantity : str
-        As for `Branch.quantity`.
+    quantity : str, optional
+        As for `Branch.quantity`; by default the amplitude of a coordinate of a forced system,
+        of each of them where no Axes are given, else the period.
     axes : matplotlib Axes, optional
         Where to draw; a figure of its own by default.
     over : str, optional
         Another quantity in place of the parameter: "energy" below "frequency" is the
         frequency-energy curve of a conservative family.
+    frequency : {"angular", "cycles"}
+        How frequencies are given: in radians, or in cycles, in a unit of time.
 
     Returns
     -------
@@ -83,10 +130,12 @@ def draw_branch(
         If matplotlib is not installed.
     """
     if axes is None:
-        return branch_figure(branch, quantity, over)
+        return branch_figure(branch, () if quantity is None else (quantity,), over, frequency)
     check_picture("branch", ("branch",))
     (place,) = given_axes(axes, "branch", (1,))
-    _draw(branch, quantity, over or branch.parameter, place)
+    _draw(
+        branch, quantity or usual_quantities(branch)[0], over or branch.parameter, place, frequency
+    )
     return place
 
 
@@ -149,14 +198,18 @@ def _draw_locus(locus: Locus, axes: Any) -> None:
         linestyle="none",
     )
     first, second = locus.parameters
-    axes.set_xlabel(f"${symbol(first)}$ {UNIT}")
-    axes.set_ylabel(f"${symbol(second)}$ {UNIT}")
-    axes.set_title(locus.name)
+    units = units_of(system_of(locus.orbit))
+    axes.set_xlabel(units.label(first))
+    axes.set_ylabel(units.label(second))
+    axes.set_title(shown_name(locus.name))
     axes.legend(frameon=False)
 
 
-def _draw(branch: Branch, quantity: str, over: str, axes: Any) -> None:
-    x, y = branch.quantity(over), branch.quantity(quantity)
+def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -> None:
+    if frequency not in FREQUENCIES:
+        raise unknown_name("frequency", frequency, FREQUENCIES)
+    across, up = (_shown(branch, name, frequency) for name in (over, quantity))
+    x, y = across.values, up.values
     labels = [
         s if allowed else "no motion"
         for s, allowed in zip(branch.stability, branch.admissible, strict=True)
@@ -183,8 +236,8 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any) -> None:
         told.add(kind)
     for event in branch.events:
         axes.plot(
-            _at(event, branch, over, x),
-            _at(event, branch, quantity, y),
+            _at(event, branch, over, across),
+            _at(event, branch, quantity, up),
             marker=_MARKERS[event.kind],
             color=LINES[1][0],
             linestyle="none",
@@ -194,23 +247,46 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any) -> None:
         told.add(event.kind)
     if over == "energy" and x.min() > 0:
         axes.set_xscale("log")
-    axes.set_xlabel(_label(branch, over))
-    axes.set_ylabel(_label(branch, quantity))
-    axes.set_title(branch.name)
+    axes.set_xlabel(across.label)
+    axes.set_ylabel(up.label)
+    axes.set_title(shown_name(branch.name))
     axes.legend(frameon=False)
 
 
-def _at(event: Event, branch: Branch, quantity: str, values: np.ndarray) -> float:
+class _Shown(NamedTuple):
+    """Values (k,) of a quantity as they are shown, its label, and what it was multiplied by."""
+
+    values: np.ndarray
+    label: str
+    factor: float = 1.0
+
+
+def _shown(branch: Branch, name: str, frequency: str) -> _Shown:
+    units = units_of(system_of(branch.orbit))
+    values = branch.quantity(name)
+    forced = forcing_frequencies(branch) if name == branch.parameter else None
+    if forced is not None or name == "frequency":
+        text = "frequency" if forced is None else f"frequency of the forcing (${symbol(name)}$)"
+        angular = values if forced is None else forced
+        if frequency == ANGULAR:
+            factor = float(angular[0] / values[0])
+            return _Shown(values * factor, f"{text}, angular (rad per unit of time)", factor)
+        factor = float(angular[0] / values[0]) / (2 * np.pi)
+        return _Shown(values * factor, f"{text}, in cycles per unit of time", factor)
+    if name in (branch.parameter, *branch.unknown_names):
+        return _Shown(values, units.label(name))
+    if name.startswith("amplitude_"):
+        text = f"amplitude of ${symbol(name.removeprefix('amplitude_'))}$"
+        return _Shown(values, units.text(text))
+    return _Shown(values, name if name == "trace" else units.text(name))
+
+
+def _at(event: Event, branch: Branch, quantity: str, shown: _Shown) -> float:
     """A quantity at an event."""
     known = {**event.unknowns, branch.parameter: event.value}
     if quantity in known:
-        return known[quantity]
-    return float(np.interp(event.place, np.arange(len(values)), values))
-
-
-def _label(branch: Branch, quantity: str) -> str:
-    known = quantity in (branch.parameter, *branch.unknown_names)
-    return f"${symbol(quantity)}$ {UNIT}" if known else f"{quantity} {UNIT}"
+        return known[quantity] * shown.factor
+    return float(np.interp(event.place, np.arange(len(shown.values)), shown.values))
 
 
 def _worse(labels: list[str]) -> str:

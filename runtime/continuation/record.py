@@ -183,11 +183,18 @@ class Branch:
             attrs={"orbit": self.name, "events": [event.text for event in self.events]},
         )
 
-    def plot(self, quantity: str = "period", axes: Any = None, *, over: str | None = None) -> Any:
+    def plot(
+        self,
+        quantity: str | None = None,
+        axes: Any = None,
+        *,
+        over: str | None = None,
+        frequency: str = "angular",
+    ) -> Any:
         """Draw a quantity over the parameter, or another one; see `drawing.draw_branch`."""
         from nonsmooth.runtime.continuation.drawing import draw_branch
 
-        return draw_branch(self, quantity, axes, over=over)
+        return draw_branch(self, quantity, axes, over=over, frequency=frequency)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the branch to a file; `nonsmooth.load_branch` reads it."""

@@ -40,6 +40,7 @@ _FORM = Form(
         "start": int,
         "orbit": list,
     },
+    version=2,
 )
 _COLUMNS = ("parameter_values", "unknowns", "period", "multipliers", "trace")
 
@@ -127,10 +128,12 @@ def numbers_of(texts: Sequence[str]) -> np.ndarray:
 
 def _entries(event: Event) -> dict[str, Any]:
     found = {field.name: getattr(event, field.name) for field in fields(event)}
-    return {**found, "unknowns": dict(event.unknowns)}
+    phase = None if event.phase is None else event.phase + 1
+    return {**found, "unknowns": dict(event.unknowns), "phase": phase}
 
 
 def _event(entry: Any) -> Event:
     if entry["kind"] not in KINDS:
         raise InputError(f"{entry['kind']!r} is no kind of event")
-    return Event(**entry)
+    phase = None if entry["phase"] is None else entry["phase"] - 1
+    return Event(**{**entry, "phase": phase})

@@ -9,7 +9,8 @@ import numpy as np
 from nonsmooth.runtime.charting.classes import Part, parts_of, title_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.notebook import symbol
-from nonsmooth.runtime.pictures.drawing import UNIT, check_picture, finish
+from nonsmooth.runtime.pictures.drawing import check_picture, finish
+from nonsmooth.runtime.units import with_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -88,6 +89,7 @@ def _colors(parts: list[Part]) -> list[str]:
 
 
 def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) -> None:
+    from matplotlib.collections import LineCollection
     from matplotlib.colors import ListedColormap
 
     across, up = map(str, chart.sizes)
@@ -105,13 +107,40 @@ def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) 
         vmax=len(parts) - 0.5,
         rasterized=True,
     )
+    axes.add_collection(LineCollection([*_outlines(labels, x, y)], colors="0.1", linewidths=0.7))
     for part, color in zip(parts, colors, strict=True):
-        if len(parts) > 1:
-            where = part.where.T.astype(float)
-            axes.contour(x, y, where, levels=[0.5], colors="0.1", linewidths=0.7)
         _label(axes, x, y, part, color)
-    axes.set_xlabel(_named(across))
-    axes.set_ylabel(_named(up))
+    axes.set_xlabel(_named(chart, across))
+    axes.set_ylabel(_named(chart, up))
+
+
+def _outlines(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Sides (n, 2, 2) between cells of different parts: boundaries go along the cells."""
+    left, below = _sides(x), _sides(y)
+    i, j = np.nonzero(labels[1:] != labels[:-1])
+    upright = np.stack(
+        [
+            np.stack([left[i + 1], below[j]], axis=-1),
+            np.stack([left[i + 1], below[j + 1]], axis=-1),
+        ],
+        axis=1,
+    )
+    i, j = np.nonzero(labels[:, 1:] != labels[:, :-1])
+    level = np.stack(
+        [
+            np.stack([left[i], below[j + 1]], axis=-1),
+            np.stack([left[i + 1], below[j + 1]], axis=-1),
+        ],
+        axis=1,
+    )
+    return np.concatenate([upright, level])
+
+
+def _sides(values: np.ndarray) -> np.ndarray:
+    """Where cells (n,) begin and end (n + 1,): halfway between their values."""
+    middles = (values[1:] + values[:-1]) / 2
+    first, last = 2 * values[0] - middles[0], 2 * values[-1] - middles[-1]
+    return np.concatenate([[first], middles, [last]])
 
 
 def _label(axes: Axes, x: np.ndarray, y: np.ndarray, part: Part, color: str) -> None:
@@ -151,9 +180,10 @@ def _draw_line(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str])
     if shown == "trace":
         for level in (-1.0, 1.0):
             axes.axhline(level, color="0.3", linewidth=0.9, linestyle=":")
-    axes.set_xlabel(_named(name))
-    axes.set_ylabel(shown if shown == "trace" else f"{shown} {UNIT}")
+    axes.set_xlabel(_named(chart, name))
+    axes.set_ylabel(with_unit(shown, str(chart[shown].attrs.get("units", ""))))
 
 
-def _named(name: str) -> str:
-    return f"${symbol(name)}$ {UNIT}" if name.isalnum() else name
+def _named(chart: Dataset, name: str) -> str:
+    text = f"${symbol(name)}$" if name.isalnum() else name
+    return with_unit(text, str(chart[name].attrs.get("units", "")))

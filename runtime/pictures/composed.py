@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.pictures.drawing import check_picture, chosen_masses, given_axes
 from nonsmooth.runtime.pictures.motion_panels import View, coordinates_of, draw_motion, view_of
@@ -119,8 +119,8 @@ def composed_view(
 
 
 def _title(orbit: ComposedOrbit) -> str:
-    """Name of the orbit without the folders of its file."""
-    return os.path.basename(orbit.name) if orbit.label else orbit.name
+    """Name of the orbit."""
+    return shown_name(orbit.name) if orbit.label else orbit.name
 
 
 def _draw(orbit: ComposedOrbit, view: View, kind: str, places: list[Axes]) -> None:

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 __all__ = [
     "LINES",
-    "UNIT",
     "band_style",
     "check_picture",
     "chosen_masses",
@@ -34,7 +33,6 @@ __all__ = [
     "noun",
 ]
 
-UNIT = "(nondimensional)"
 LINES = (("#0072B2", "-"), ("#D55E00", (0, (5, 1.6))), ("#009E73", "-."), ("#CC79A7", ":"))
 _CONFIGURATIONS = (
     *("#99DDFF", "#EEDD88", "#FFAABB", "#BBCC33", "#DDDDDD"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding.find import Found, FoundOrbit
 from nonsmooth.runtime.pictures.composed import composed_view
@@ -53,7 +54,7 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
     figure = Figure(figsize=(sum(widths), _ROW * len(shown)))
     figure.set_layout_engine("constrained", wspace=0.04, hspace=0.04)
     if len(shown) < len(found.orbits):
-        figure.suptitle(f"{found.system}: {len(shown)} of {len(found.orbits)} orbits")
+        figure.suptitle(f"{shown_name(found.system)}: {len(shown)} of {len(found.orbits)} orbits")
     grid = figure.add_gridspec(len(shown), len(kinds), width_ratios=widths)
     for row, entry in enumerate(shown):
         for column, one in enumerate(kinds):

@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding.find import RESTING, label_names
 from nonsmooth.runtime.notebook import symbol
-from nonsmooth.runtime.pictures.drawing import LINES, UNIT, check_picture, finish
+from nonsmooth.runtime.pictures.drawing import LINES, check_picture, finish
+from nonsmooth.runtime.units import units_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -145,7 +147,7 @@ def bifurcation_figure(
         kept = np.isfinite(points)
         _draw_sweep(axes, across[kept], points[kept], name, place)
     axes.set_xlabel(_label(parameter))
-    axes.set_ylabel(_label(state) if state else f"state at each return {UNIT}")
+    axes.set_ylabel(_label(state) if state else "state at each return")
     axes.margins(0.02, 0.05)
     finish(axes, title)
     return figure
@@ -178,24 +180,26 @@ def draw_basins(plane: Basins) -> Figure:
     labels = np.full(plane.labels.shape, -1)
     for place, label in enumerate(order):
         labels[plane.labels == label] = place
+    units = units_of(plane.found.system)
     return basin_figure(
         plane.x_values,
         plane.y_values,
         labels,
         [names[label] for label in order],
-        axes_labels=(plane.x, plane.y),
-        title=plane.found.system,
+        axes_labels=(units.label(plane.x), units.label(plane.y)),
+        title=shown_name(plane.found.system),
     )
 
 
 def draw_sweep(diagram: Sweep) -> Figure:
     """Draw a bifurcation diagram."""
+    units = units_of(diagram.system)
     return bifurcation_figure(
-        diagram.parameter,
+        units.label(diagram.parameter),
         diagram.values,
         diagram.samples,
-        state=diagram.state,
-        title=f"{diagram.system}: {diagram.state} {diagram.when}",
+        state=units.label(diagram.state),
+        title=f"{shown_name(diagram.system)}: {diagram.state} {diagram.when}",
     )
 
 
@@ -213,5 +217,5 @@ def _percent(part: float) -> str:
 
 
 def _label(name: str) -> str:
-    """A name as a formula with its unit; other texts as they are."""
-    return f"${symbol(name)}$ {UNIT}" if name.isalnum() else name
+    """A name as a formula; other texts as they are."""
+    return f"${symbol(name)}$" if name.isalnum() else name

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.notebook import symbol
 from nonsmooth.runtime.observing.phases import fastest
 from nonsmooth.runtime.pictures.drawing import (
-    UNIT,
     band_style,
     configuration_color,
     dot_style,
@@ -25,6 +25,7 @@ from nonsmooth.runtime.pictures.drawing import (
     noun,
 )
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise_at
+from nonsmooth.runtime.units import Units, units_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -72,6 +73,11 @@ class View:
     composed: bool = False
 
     @property
+    def units(self) -> Units:
+        """Those that the system declares."""
+        return units_of(self.kernels or self.trajectory.name)
+
+    @property
     def coordinates(self) -> tuple[tuple[int, int], ...]:
         """Position and velocity of every mass, as states."""
         return coordinates_of(self.trajectory)
@@ -107,7 +113,7 @@ class View:
         """What the picture shows; empty in one part of several."""
         count = self.trajectory.transitions
         plural = "" if count == 1 else "s"
-        text = self.name or f"{self.trajectory.name}, {count:,} transition{plural}"
+        text = self.name or f"{shown_name(self.trajectory.name)}, {count:,} transition{plural}"
         return "" if self.composed else text
 
     @property
@@ -197,8 +203,8 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
     _draw_background(view, axes)
     draw_levels(axes, _levels(view, moving=moving))
     axes.set_xlim(0, view.end)
-    axes.set_xlabel(f"time $t$ {UNIT}")
-    axes.set_ylabel(f"{noun('velocity' if moving else 'position', labels)}\n{UNIT}")
+    axes.set_xlabel(view.units.text("time $t$"))
+    axes.set_ylabel(view.units.text(noun("velocity" if moving else "position", labels), "\n"))
     finish(axes, view.title)
 
 
@@ -268,7 +274,7 @@ def _draw_strip(view: View, axes: Axes) -> None:
     axes.set_yticks(range(len(view.present)), [names[c] for c in view.present])
     axes.set_ylim(len(view.present) - 0.4, -0.6)
     axes.set_xlim(0, view.end)
-    axes.set_xlabel(f"time $t$ {UNIT}")
+    axes.set_xlabel(view.units.text("time $t$"))
     axes.set_ylabel("configuration")
     finish(axes, view.title)
 
@@ -282,8 +288,8 @@ def _draw_portraits(view: View, places: Sequence[Axes]) -> None:
         shown = replace(view, masses=view.masses[drawn])
         draw_levels(axes, _levels(shown, moving=True))
         draw_levels(axes, _levels(shown, moving=False), upright=True)
-        axes.set_xlabel(f"{noun('position', shown.positions)} {UNIT}")
-        axes.set_ylabel(f"{noun('velocity', shown.velocities)} {UNIT}")
+        axes.set_xlabel(view.units.text(noun("position", shown.positions)))
+        axes.set_ylabel(view.units.text(noun("velocity", shown.velocities)))
         axes.margins(0.07)
         handles, labels = axes.get_legend_handles_labels()
         for handle, label in list(zip(handles, labels, strict=True)):

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.motion import Motion, Samples
 from nonsmooth.runtime.notebook import symbol
 from nonsmooth.runtime.pictures.drawing import (
-    UNIT,
     band_style,
     configuration_color,
     dot_style,
@@ -22,6 +22,7 @@ from nonsmooth.runtime.pictures.drawing import (
     line_style,
     noun,
 )
+from nonsmooth.runtime.units import NO_UNIT, Units, units_of, with_unit
 from nonsmooth.runtime.values import parse
 
 if TYPE_CHECKING:
@@ -48,6 +49,11 @@ class Scene:
     samples: Samples
     masses: tuple[int, ...]
     composed: bool = False
+
+    @property
+    def units(self) -> Units:
+        """Those that the system declares."""
+        return units_of(self.motion.kernels.system)
 
     @property
     def count(self) -> int:
@@ -94,7 +100,7 @@ class Scene:
 def draw(scene: Scene, kind: str, places: Sequence[Axes]) -> None:
     """Draw one kind of picture, or all, into as many Axes as it takes."""
     if kind == "all":
-        places[0].figure.suptitle(scene.orbit.name)
+        places[0].figure.suptitle(shown_name(scene.orbit.name))
         for panel, place in zip(PANELS, places, strict=True):
             draw(replace(scene, composed=True), panel, [place])
     elif kind == "phase":
@@ -102,7 +108,7 @@ def draw(scene: Scene, kind: str, places: Sequence[Axes]) -> None:
     elif kind == "strip":
         _draw_strip(scene, places[0])
     elif kind == "multipliers":
-        title = "" if scene.composed else scene.orbit.name
+        title = "" if scene.composed else shown_name(scene.orbit.name)
         draw_multipliers(scene.orbit.stability.multipliers, places[0], title)
     else:
         _draw_history(scene, places[0], moving=kind == "velocity")
@@ -127,9 +133,9 @@ def _draw_history(scene: Scene, axes: Axes, *, moving: bool) -> None:
         if begin:
             axes.axvline(begin, color="0.5", linewidth=0.6)
     axes.set_xlim(samples.times[0], samples.times[-1])
-    axes.set_xlabel(f"time $t$ {UNIT}")
-    axes.set_ylabel(f"{noun('velocity' if moving else 'position', labels)}\n{UNIT}")
-    finish(axes, "" if scene.composed else scene.orbit.name)
+    axes.set_xlabel(scene.units.text("time $t$"))
+    axes.set_ylabel(scene.units.text(noun("velocity" if moving else "position", labels), "\n"))
+    finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
 
 
 def _draw_phase(scene: Scene, places: Sequence[Axes]) -> None:
@@ -156,10 +162,10 @@ def _draw_phase(scene: Scene, places: Sequence[Axes]) -> None:
         shown = replace(scene, masses=scene.masses[drawn])
         draw_levels(axes, shown.levels(moving=True))
         draw_levels(axes, shown.levels(moving=False), upright=True)
-        axes.set_xlabel(f"{noun('position', positions[drawn])} {UNIT}")
-        axes.set_ylabel(f"{noun('velocity', velocities[drawn])} {UNIT}")
+        axes.set_xlabel(scene.units.text(noun("position", positions[drawn])))
+        axes.set_ylabel(scene.units.text(noun("velocity", velocities[drawn])))
         axes.margins(0.07)
-        finish(axes, "" if scene.composed else scene.orbit.name)
+        finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
 
 
 def _draw_strip(scene: Scene, axes: Axes) -> None:
@@ -179,9 +185,9 @@ def _draw_strip(scene: Scene, axes: Axes) -> None:
     axes.set_yticks(range(len(rows)), rows)
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.set_xlim(scene.samples.times[0], scene.samples.times[-1])
-    axes.set_xlabel(f"time $t$ {UNIT}")
+    axes.set_xlabel(scene.units.text("time $t$"))
     axes.set_ylabel("configuration")
-    finish(axes, "" if scene.composed else scene.orbit.name)
+    finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
 
 
 def draw_multipliers(multipliers: Sequence[Multiplier], axes: Axes, title: str) -> None:
@@ -209,6 +215,6 @@ def draw_multipliers(multipliers: Sequence[Multiplier], axes: Axes, title: str) 
     axes.set_xlim(-1.15 * extent, 1.15 * extent)
     axes.set_ylim(-1.15 * extent, 1.15 * extent)
     axes.set_aspect("equal")
-    axes.set_xlabel(r"$\mathrm{Re}\,\mu$ " + UNIT)
-    axes.set_ylabel(r"$\mathrm{Im}\,\mu$ " + UNIT)
+    axes.set_xlabel(with_unit(r"$\mathrm{Re}\,\mu$", NO_UNIT))
+    axes.set_ylabel(with_unit(r"$\mathrm{Im}\,\mu$", NO_UNIT))
     finish(axes, title)

@@ -220,7 +220,7 @@ class _Motion:
             phase = len(self.sets)
             told = f" ({bits} bits)" if self.trouble.digits else ""
             reason = (
-                f"phase {phase}, {names[self.configuration]}, at t = "
+                f"phase {phase + 1}, {names[self.configuration]}, at t = "
                 f"{self.instant.str(20)}: {self.trouble.reason}{told}"
             )
         return Proof(

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.boxes.record import VERDICTS, BoxCertificate
+from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.notebook import symbol
-from nonsmooth.runtime.pictures.drawing import UNIT, check_picture, finish, given_axes
+from nonsmooth.runtime.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.units import units_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -63,8 +64,8 @@ def draw_box(found: BoxCertificate, axes: Any = None) -> Axes:
                 edgecolor="0.4",
                 label=label or f"undecided ({share:.4g} %)",
             )
-    own.set_xlabel(f"${symbol(names[0])}$ {UNIT}")
-    finish(own, found.orbit)
+    own.set_xlabel(units_of(found.system).label(names[0]))
+    finish(own, shown_name(found.orbit))
     return own
 
 
@@ -86,7 +87,7 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
     )
     axes.set_xlim(*map(float, found.box[across]))
     axes.set_ylim(*map(float, found.box[up]))
-    axes.set_ylabel(f"${symbol(up)}$ {UNIT}")
+    axes.set_ylabel(units_of(found.system).label(up))
 
 
 def _draw_line(axes: Axes, found: BoxCertificate) -> None:

@@ -89,8 +89,8 @@ class Declared:
         declared, self.closing = content["declaration"], content["closing"]
         names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
         self.rational = '"mid"' not in json.dumps(declared)
-        told = sorted(names) == sorted(values) or not (names or self.rational)
-        demand(told, "the declaration is not over the parameters that are named")
+        bound = sorted(names) == sorted(values) or not (names or self.rational)
+        demand(bound, "the declaration is not over the parameters that are named")
         self.variables = [values[name] for name in names]
         self.size, self.forcing = len(declared["states"]), declared["forcing"]
         self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]

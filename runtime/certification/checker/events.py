@@ -120,7 +120,8 @@ def _event(orbit: Orbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any
     if kind in _MULTIPLIERS:
         demand((place, event["configuration"], event["boundary"]) == (None, "", ""), "a phase")
         return [_multiplier(orbit, kind)]
-    demand(type(place) is int and 0 <= place < len(declared.steps), "there is no such phase")
+    demand(type(place) is int and 1 <= place <= len(declared.steps), "there is no such phase")
+    place -= 1
     demand([event["configuration"]] == [declared.steps[place].name], "another configuration")
     phase, end = declared.phases[place], orbit.now.ends[place].entries()
     if kind in ("vanishing-phase", "condition"):

@@ -22,7 +22,7 @@ _SMALL = 5  # halvings behind which the exponential of a field is that of a smal
 
 def admissibility(orbit: Orbit, margins: list[Any]) -> str:
     """The verdict, and that every margin is kept that is stated."""
-    stated = {(m["phase"], m["boundary"], m["quantity"]): exact(m["least"]) for m in margins}
+    stated = {(m["phase"] - 1, m["boundary"], m["quantity"]): exact(m["least"]) for m in margins}
     demand(len(stated) == len(margins), "a margin is stated twice")
     for margin in margins:
         place = margin["phase"]

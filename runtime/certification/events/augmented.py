@@ -207,7 +207,7 @@ def _watched(here: _Here, event: Event) -> tuple[Plan, Watched]:
     for watched in plan.watched:
         if watched.name == event.boundary:
             return plan, watched
-    raise NotCovered(f"{event.boundary} is no boundary of phase {event.phase}")
+    raise NotCovered(f"{event.boundary} is no boundary of phase {(event.phase or 0) + 1}")
 
 
 def _vanishing(event: Event) -> Callable[[_Here], list[Any]]:

@@ -31,6 +31,7 @@ class EventCertificate:
         Of the event, as in `Event`.
     parameter : str
     phase : int or None
+        Counted from 0; in JSON from 1.
     configuration, boundary : str
     instant : {"", "start", "inside", "end"}
         Of that phase, where it happens at one.
@@ -97,7 +98,7 @@ class EventCertificate:
             "kind": self.kind,
             "text": self.text,
             "parameter": self.parameter,
-            "phase": self.phase,
+            "phase": None if self.phase is None else self.phase + 1,
             "configuration": self.configuration,
             "boundary": self.boundary,
             "instant": self.instant,

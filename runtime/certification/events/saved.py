@@ -158,7 +158,7 @@ def _event(event: Mapping[str, Any]) -> EventCertificate:
         event["kind"],
         event["text"],
         event["parameter"],
-        event["phase"],
+        None if event["phase"] is None else event["phase"] - 1,
         event["configuration"],
         event["boundary"],
         event["instant"],

@@ -1,0 +1,81 @@
+"""Consoles and tables: nothing is cut, on a narrow terminal or in a pipe."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+__all__ = ["console_as_wide", "listing", "show_table"]
+
+_PIPE = 1_000_000  # columns: as many as it takes
+_LEAST = 24  # columns of a cell that is folded
+
+
+def console_as_wide() -> Console:
+    """Give a console as wide as the terminal; in a pipe lines are as long as they need to be."""
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = _PIPE
+    return console
+
+
+def listing(*titles: str, right: Sequence[str] = ()) -> Table:
+    """Give an empty table with a line below its titles."""
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+    for title in titles:
+        table.add_column(title, justify="right" if title in right else "left", no_wrap=True)
+    return table
+
+
+def show_table(table: Table, out: Console | None = None, *, keys: int = 1) -> None:
+    """Show a table; of one wider than the terminal the columns come in several blocks.
+
+    Parameters
+    ----------
+    table : Table
+    out : Console, optional
+    keys : int
+        So many first columns are repeated in each block. Cells of a column that alone is too
+        wide are folded.
+    """
+    console = out or console_as_wide()
+    for block in _blocks(table, console, keys):
+        console.print(block)
+
+
+def _blocks(table: Table, console: Console, keys: int) -> list[Table]:
+    """The table, or parts of it that fit."""
+    widths = [_width(table, [column]) for column in range(len(table.columns))]
+    if _width(table, range(len(widths))) <= console.width:
+        return [table]
+    key = list(range(min(keys, len(widths) - 1)))
+    room = max(console.width - sum(widths[k] for k in key), _LEAST)
+    blocks: list[list[int]] = [[]]
+    for column in range(len(key), len(widths)):
+        used = sum(min(widths[c], room) for c in blocks[-1])
+        if blocks[-1] and used + min(widths[column], room) > room:
+            blocks.append([])
+        blocks[-1].append(column)
+    return [_part(table, [*key, *block]) for block in blocks]
+
+
+def _width(table: Table, columns: Sequence[int]) -> int:
+    """Columns that a part of a table takes if nothing is folded."""
+    wide = Console(width=_PIPE, file=io.StringIO())
+    return wide.measure(_part(table, columns, fold=False)).maximum
+
+
+def _part(table: Table, columns: Sequence[int], *, fold: bool = True) -> Table:
+    """Some columns of a table; cells that do not fit are folded, never cut."""
+    part = Table(box=table.box, show_header=table.show_header, pad_edge=False, padding=(0, 2, 0, 0))
+    for place in columns:
+        column = table.columns[place]
+        part.add_column(column.header, justify=column.justify, no_wrap=not fold, overflow="fold")
+    for cells in zip(*(list(table.columns[place].cells) for place in columns), strict=True):
+        part.add_row(*(cell if isinstance(cell, Text) else str(cell) for cell in cells))
+    return part
