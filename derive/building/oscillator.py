@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly
+from nonsmooth.derive.building.coupling import contact_law
 from nonsmooth.derive.building.elements import Element, Harmonic, Slider
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
 from nonsmooth.derive.building.parts import FrictionPart, part_of, slider_state
@@ -90,6 +91,7 @@ def oscillator(
         constraints=_constraints(assembly),
         contacts=assembly.contacts(products),
         forcing=assembly.phases,
+        law=contact_law(assembly, products),
     )
 
 

@@ -28,6 +28,7 @@ class Status(IntEnum):
     UNDECLARED = 3  # the system declares no transition for the boundaries that were reached
     IMMEDIATE = 4  # one transition after the other without any time between them
     OVERFLOW = 5  # a state that is not finite, or not below LARGEST_STATE
+    AMBIGUOUS = 6  # the laws of contact leave open what follows
 
     @property
     def message(self) -> str:
@@ -42,6 +43,7 @@ _MESSAGES = {
     Status.UNDECLARED: "the system declares no transition for what happens here",
     Status.IMMEDIATE: "transitions follow each other without any time between them",
     Status.OVERFLOW: "the state is larger than the engine computes with",
+    Status.AMBIGUOUS: "the laws of contact leave open what follows here",
 }
 
 
@@ -80,6 +82,8 @@ class Run:
     status : Status
     end : float
         Time at which the simulation ended: that of the last transition, or `until`.
+    options : tuple of int
+        Configurations that may follow, where the laws of contact leave it open.
     """
 
     times: np.ndarray
@@ -90,3 +94,4 @@ class Run:
     grazings: tuple[Grazing, ...]
     status: Status
     end: float
+    options: tuple[int, ...] = ()

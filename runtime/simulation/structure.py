@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 
+from nonsmooth.runtime.contacts.law import Law, law_of
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
@@ -97,6 +98,8 @@ class Structure:
         States c and s of a harmonic forcing: c^2 + s^2 = 1.
     coordinates : tuple of (int, int)
         Positions and their velocities.
+    law : Law, optional
+        What decides where no transition is listed.
     """
 
     name: str
@@ -112,6 +115,7 @@ class Structure:
     resets: int
     forcing: tuple[tuple[int, int], ...] = ()
     coordinates: tuple[tuple[int, int], ...] = ()
+    law: Law | None = None
 
     def configuration(self, name: str) -> int:
         """Index of a configuration; InputError if there is none of that name."""
@@ -212,6 +216,7 @@ def _structure(kernels: SystemKernels) -> Structure:
             tuple((states.index(a), states.index(b)) for a, b in table[name])
             for name in ("forcing", "coordinates")
         ),
+        law_of(table, configurations),
     )
 
 

@@ -1,0 +1,130 @@
+"""What follows an event for which no transition is listed: one function for both engines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.contacts.choice import Chooser, Located, Outcome
+from nonsmooth.runtime.simulation.run import Status
+from nonsmooth.runtime.simulation.structure import Structure
+
+__all__ = ["Decider", "Decision", "batch_decider"]
+
+
+class Decision(NamedTuple):
+    """What follows an event: a target and a reset, or options that are left open.
+
+    Attributes
+    ----------
+    target, reset : int
+        -1 where they are open.
+    options : tuple of int
+        Configurations that may follow an ambiguous event.
+    """
+
+    target: int
+    reset: int
+    options: tuple[int, ...] = ()
+
+
+class Decider:
+    """The laws of a system at one parameter point."""
+
+    def __init__(self, structure: Structure, fields: np.ndarray, rows: np.ndarray) -> None:
+        self.structure, self.fields, self.rows = structure, fields, rows
+
+    @cached_property
+    def _chooser(self) -> Chooser | None:
+        law = self.structure.law
+        return None if law is None else Chooser(law, self.fields, self.rows)
+
+    def beginnings(self, configuration: int, state: np.ndarray, resting: np.ndarray) -> Outcome:
+        """Configurations that a start with contacts at rest may belong to.
+
+        Parameters
+        ----------
+        configuration : int
+            One whose boundaries the state has not passed.
+        state : array (N + 1,)
+        resting : array of bool
+            Contacts of the law at rest.
+        """
+        assert self._chooser is not None
+        event = self._chooser.law.beginning(configuration, np.flatnonzero(resting).tolist())
+        known = Located(state, abs(state), np.zeros(len(state)), 0.0)
+        return self._chooser.outcome(event, known)
+
+    def decision(
+        self,
+        source: int,
+        boundaries: frozenset[int],
+        state: np.ndarray,
+        sizes: np.ndarray,
+        error: float,
+    ) -> Decision | None:
+        """What follows a set of boundaries; None where the system declares nothing.
+
+        Parameters
+        ----------
+        source : int
+        boundaries : frozenset of int
+        state, sizes : arrays (N + 1,)
+            Extended by 1; the sizes are sums of absolute values behind the coordinates.
+        error : float
+            Of the time of the event.
+        """
+        shapes = self.structure.boundaries[source]
+        names = [shapes[b].name for b in boundaries]
+        event = self.structure.law and self.structure.law.event(source, names)
+        if self._chooser is None or event is None:
+            return None
+        moved = np.append(error * (self.fields[source] @ state), 0.0)
+        found = self._chooser.outcome(event, Located(state, sizes, moved, error))
+        if len(found.targets) != 1:
+            return Decision(-1, -1, found.targets)
+        (target,) = found.targets
+        return Decision(target, self._chooser.law.reset(event, target))
+
+
+def batch_decider(
+    structure: Structure, numbers: np.ndarray, options: list[tuple[int, ...]]
+) -> Callable[..., tuple[int, int, int]] | None:
+    """What the compiled engine calls where it finds no transition; None without laws.
+
+    Parameters
+    ----------
+    structure : Structure
+    numbers : array (points, size)
+        Fields and rows come first.
+    options : list
+        Gets the options of events that are ambiguous.
+    """
+    if structure.law is None:
+        return None
+    size, count = len(structure.states), len(structure.configurations)
+    cut = count * size * (size + 1)
+    known: dict[int, Decider] = {}
+
+    def decide(
+        point: int, source: int, reached: int, state: bytes, sizes: bytes, error: float
+    ) -> tuple[int, int, int]:
+        if point not in known:
+            flat = numbers[point]
+            fields = flat[:cut].reshape(count, size, size + 1)
+            rows = flat[cut : cut + structure.rows * (size + 1)].reshape(-1, size + 1)
+            known[point] = Decider(structure, fields, rows)
+        boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
+        extended = (np.append(np.frombuffer(part), 1.0) for part in (state, sizes))
+        found = known[point].decision(source, boundaries, *extended, error)
+        if found is None:
+            return Status.UNDECLARED, -1, -1
+        if found.target < 0:
+            options.append(found.options)
+            return Status.AMBIGUOUS, -1, -1
+        return -1, found.target, found.reset
+
+    return decide
