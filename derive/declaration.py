@@ -209,6 +209,7 @@ class Declaration:
                     "conditions": [(self._row(c.function), c.along, c.holds) for c in t.conditions],
                     "reset": self.resets.index(self._reset(t.reset)),
                     "target": t.target,
+                    **({"order": t.order} if t.order else {}),
                 }
                 for t in system.transitions
             ],

@@ -108,7 +108,8 @@ def _check_order(transitions: Sequence[Transition]) -> None:
     for transition in transitions:
         group = before.setdefault((transition.source, transition.boundaries), [])
         for earlier in group:
-            if set(earlier.conditions) <= set(transition.conditions):
+            other = earlier.order and transition.order not in (0, earlier.order)
+            if not other and set(earlier.conditions) <= set(transition.conditions):
                 names = " and ".join(sorted(transition.boundaries))
                 raise DeclarationError(
                     f"transition {transition.source!r} -> {transition.target!r} by {names} never"

@@ -127,6 +127,10 @@ class Transition:
         All must hold. Of several transitions for one set the first that applies is taken.
     reset : mapping of state symbol to expression
         Affine reset of the state; states that are not named stay.
+    order : int
+        Stops that are reached together may act in several orders. Transitions of each have a
+        number of its own; the first that apply have to lead to one state, or what follows is
+        ambiguous. Those of number 0 belong to all.
     """
 
     source: str
@@ -134,6 +138,7 @@ class Transition:
     target: str
     conditions: tuple[Condition, ...] = ()
     reset: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    order: int = 0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "boundaries", frozenset(self.boundaries))

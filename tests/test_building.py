@@ -145,7 +145,7 @@ def decided(system: System, source: str, boundaries: set[str], state: np.ndarray
     """The configuration that follows by the contact law of a system without parameters."""
     point = piecewise(system, {})
     structure = point.structure
-    decider = Decider(structure, point.fields, point.rows)
+    decider = Decider(structure, point.fields, point.rows, point.resets)
     place, known = structure.configuration(source), np.append(state, 1.0)
     reached = frozenset(structure.boundary(place, name) for name in boundaries)
     found = decider.decision(place, reached, known, abs(known), 0.0)

@@ -37,6 +37,8 @@ class Assembly:
         States of the forcing.
     rates : tuple of (state, rate)
         How they move.
+    simultaneous_impacts : "sequence", "moreau" or None
+        How stops act that are reached at one instant and coupled by the mass matrix.
     """
 
     frame: Frame
@@ -44,6 +46,7 @@ class Assembly:
     smooth: sp.Matrix
     phases: tuple[tuple[sp.Symbol, sp.Symbol], ...]
     rates: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    simultaneous_impacts: str | None = None
 
     def name(self, regimes: Regimes) -> str:
         """Name of a configuration; that of a system without elements is `free`."""

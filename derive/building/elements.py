@@ -59,7 +59,7 @@ class RigidStop:
     The impulse acts along w, so that any mass matrix serves. Impacts that accumulate, and
     those of restitution 0, end in lasting contact (`contact`), which is left when the stop
     would have to pull. Friction takes part in no impact; a stop in lasting contact does.
-    Stops reached at one instant act one after another, in the order of declaration.
+    Stops reached at one instant: see `simultaneous_impacts` of `oscillator`.
 
     Boundaries ``NAME-reaches-stop`` (of `free`) and ``NAME-leaves-stop`` (of `contact`).
 
@@ -154,9 +154,9 @@ class Friction:
     * `overshoot`, r > 0: -(kinetic normal - falling r),
     * `stick`, r = 0: what holds it, up to static normal either way.
 
-    At r = 0 a contact sticks if it can. Contacts that the mass matrix couples are decided
-    together. Where `kinetic` normal falls below `falling` |r|, or the normal load below zero,
-    the law has left its field; neither is watched.
+    At r = 0 a contact sticks if it can. Contacts that the mass matrix couples are decided together,
+    by one law: see `nonsmooth.derive.contact_law`. Where `kinetic` normal falls below `falling`
+    |r|, or the normal load below zero, the law has left its field; neither is watched.
 
     Boundaries ``NAME-reaches-belt`` (of `slip` and `overshoot`), ``NAME-breaks-forward`` and
     ``NAME-breaks-backward`` (of `stick`; forward into `slip`).

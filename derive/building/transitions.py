@@ -55,11 +55,11 @@ def _event(assembly: Assembly, source: Regimes, reached: Mapping[int, str]) -> I
     approaches = [assembly.approach(i, known_velocities) for i in stops]
     if -1 in approaches:  # a mass that is carried away does not arrive
         return
-    for conditions, target, after in impacts(assembly, regimes, stops, moved):
+    for order, (conditions, target, after) in impacts(assembly, regimes, stops, moved):
         reset = own | {s: e for s, e in zip(frame.velocities, after, strict=True) if s != e}
         begun = [i for i in moved if target[i] == "stick" != source[i]]
         reset |= pins(assembly, begun, target, impact=True)
-        yield Transition(leads, names, assembly.name(target), conditions, reset)
+        yield Transition(leads, names, assembly.name(target), conditions, reset, order)
     if 1 in approaches or (moved and coupled(assembly)):  # what is at rest is the law's
         return
     doubtful = [i for i in unsettled(assembly, source) if i not in moved]

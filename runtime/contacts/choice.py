@@ -17,7 +17,7 @@ import numpy as np
 from nonsmooth.runtime.contacts.law import HOLDING, Event, Law, Regimes
 from nonsmooth.runtime.contacts.stages import Path, Stage, requirements
 
-__all__ = ["Chooser", "Located", "Outcome"]
+__all__ = ["Chooser", "Located", "Outcome", "signs_along"]
 
 _UNIT = 16 * np.finfo(float).eps
 _SWEEPS = 200  # of the iteration that guesses what holds
@@ -174,20 +174,11 @@ class Chooser:
 
     def _consistent(self, event: Event, path: Path, target: int, at: Located) -> bool:
         """Whether each step's functions have their signs along the flow of the target."""
-        field_ = np.vstack([self.fields[target], np.zeros(len(at.state))])
         for stage in path:
             signs = self._signs(event, stage)
             if signs is None:
                 return False
-            rows, bounds = signs.rows, signs.bounds
-            found = np.zeros(len(rows), dtype=int)
-            for _ in range(len(at.state)):
-                following = rows @ field_
-                values = rows @ at.state
-                drift = np.maximum(at.error * abs(following @ at.state), abs(rows @ at.moved))
-                decided = abs(values) > _UNIT * (bounds @ at.sizes) + drift
-                found = np.where((found == 0) & decided, np.sign(values).astype(int), found)
-                rows, bounds = following, bounds @ abs(field_)
+            found = signs_along(signs.rows, signs.bounds, self.fields[target], at)
             if ((found > 0) != signs.positive).any():
                 return False
         return True
@@ -229,6 +220,27 @@ class Chooser:
             else:
                 regimes[i] = "free" if forces[i] >= high else "contact"
         return tuple(regimes)
+
+
+def signs_along(rows: np.ndarray, bounds: np.ndarray, along: np.ndarray, at: Located) -> np.ndarray:
+    """Signs (k,) of the first derivatives along a field that are not zero within their errors.
+
+    Parameters
+    ----------
+    rows, bounds : arrays (k, N + 1)
+        Affine functions, and the sums of absolute values behind their entries.
+    along : array (N, N + 1)
+    at : Located
+    """
+    matrix = np.vstack([along, np.zeros(len(at.state))])
+    found = np.zeros(len(rows), dtype=int)
+    for _ in range(len(at.state)):
+        following, values = rows @ matrix, rows @ at.state
+        drift = np.maximum(at.error * abs(following @ at.state), abs(rows @ at.moved))
+        decided = abs(values) > _UNIT * (bounds @ at.sizes) + drift
+        found = np.where((found == 0) & decided, np.sign(values).astype(int), found)
+        rows, bounds = following, bounds @ abs(matrix)
+    return found
 
 
 def _box(law: Law, index: int, kinetic: bool, values: Sequence[float]) -> tuple[float, float]:

@@ -118,6 +118,12 @@ class Law:
             concerned, left = concerned | near, left - near
         return Event(tuple(sorted(concerned)), reached, regimes, others, own)
 
+    def leads(self, event: Event, target: int) -> bool:
+        """Whether a configuration may follow: nothing changes but what the event concerns."""
+        pairs = zip(event.regimes, self.regimes[target], strict=True)
+        kept = all(a == b for i, (a, b) in enumerate(pairs) if i not in event.resting)
+        return kept and self.others[target] == event.others
+
     def reset(self, event: Event, target: int) -> int:
         """The reset on the way to a target: what begins to hold is put in its place."""
         pairs = zip(event.regimes, self.regimes[target], strict=True)

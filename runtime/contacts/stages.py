@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from nonsmooth.runtime.contacts.law import HOLDING, Event, Law, Regimes
 
-__all__ = ["Combination", "Path", "Requirement", "Stage", "requirements"]
+__all__ = ["Combination", "Path", "Requirement", "Stage", "requirements", "signs"]
 
 Combination = dict[int, Any]  # coefficients of rows
 
@@ -34,6 +34,15 @@ class Requirement(NamedTuple):
     function: Combination
     positive: bool
     contact: int
+
+
+def signs(law: Law, event: Event, stage: Stage) -> list[bool]:
+    """Which of the functions of a step are to be positive; the others are not."""
+    found: list[bool] = []
+    for i in event.resting:
+        kept = stage.regimes[i] in HOLDING
+        found += [not kept] * (2 if kept and law.contacts[i].friction else 1)
+    return found
 
 
 def requirements(

@@ -8,11 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.contacts.choice import Chooser, Located, Outcome
+from nonsmooth.runtime.contacts.choice import Chooser, Located, Outcome, signs_along
+from nonsmooth.runtime.contacts.law import Event
 from nonsmooth.runtime.simulation.run import Status
-from nonsmooth.runtime.simulation.structure import Structure
+from nonsmooth.runtime.simulation.structure import Structure, TransitionShape
 
 __all__ = ["Decider", "Decision", "batch_decider"]
+
+
+_ROUNDING = 64 * np.finfo(float).eps
 
 
 class Decision(NamedTuple):
@@ -34,8 +38,10 @@ class Decision(NamedTuple):
 class Decider:
     """The laws of a system at one parameter point."""
 
-    def __init__(self, structure: Structure, fields: np.ndarray, rows: np.ndarray) -> None:
-        self.structure, self.fields, self.rows = structure, fields, rows
+    def __init__(
+        self, structure: Structure, fields: np.ndarray, rows: np.ndarray, resets: np.ndarray
+    ) -> None:
+        self.structure, self.fields, self.rows, self.resets = structure, fields, rows, resets
 
     @cached_property
     def _chooser(self) -> Chooser | None:
@@ -58,6 +64,14 @@ class Decider:
         known = Located(state, abs(state), np.zeros(len(state)), 0.0)
         return self._chooser.outcome(event, known)
 
+    def outcome(
+        self, source: int, event: Event, state: np.ndarray, sizes: np.ndarray, error: float
+    ) -> Outcome:
+        """What the law says of an event of coupled contacts; see `decision`."""
+        assert self._chooser is not None
+        moved = np.append(error * (self.fields[source] @ state), 0.0)
+        return self._chooser.outcome(event, Located(state, sizes, moved, error))
+
     def decision(
         self,
         source: int,
@@ -77,13 +91,56 @@ class Decider:
         error : float
             Of the time of the event.
         """
+        moved = np.append(error * (self.fields[source] @ state), 0.0)
+        at = Located(state, sizes, moved, error)
+        orders = self.structure.orders(source, boundaries)
+        if orders:
+            return self._agreed(source, boundaries, orders, at) or self._ruled(
+                source, boundaries, at
+            )
+        return self._ruled(source, boundaries, at)
+
+    def _agreed(
+        self, source: int, boundaries: frozenset[int], orders: tuple[int, ...], at: Located
+    ) -> Decision | None:
+        """What all orders agree on, in which stops act; None where none of them strikes."""
+        taken = [self._first(source, boundaries, order, at) for order in orders]
+        strikes = [t for t in taken if t is not None]
+        if not strikes:
+            return None
+        images = np.array([self.resets[t.reset] @ at.state for t in strikes])
+        sizes = np.array([abs(self.resets[t.reset]) @ at.sizes for t in strikes])
+        alike = (np.ptp(images, axis=0) <= _ROUNDING * sizes.max(axis=0)).all()
+        targets = tuple(dict.fromkeys(t.target for t in strikes))
+        if len(strikes) == len(taken) and len(targets) == 1 and alike:
+            return Decision(targets[0], strikes[0].reset)
+        return Decision(-1, -1, targets)
+
+    def _first(
+        self, source: int, boundaries: frozenset[int], order: int, at: Located
+    ) -> TransitionShape | None:
+        """The first transition of an order whose conditions hold."""
+        for transition in self.structure.transitions[source]:
+            mine = transition.boundaries == boundaries and transition.order in (0, order)
+            if mine and all(
+                (self._sign(row, along, at) > 0) == holds
+                for row, along, holds in transition.conditions
+            ):
+                return transition
+        return None
+
+    def _sign(self, row: int, along: int, at: Located) -> int:
+        rows = self.rows[row : row + 1]
+        return int(signs_along(rows, abs(rows), self.fields[along], at)[0])
+
+    def _ruled(self, source: int, boundaries: frozenset[int], at: Located) -> Decision | None:
+        """What the law of coupled contacts says."""
         shapes = self.structure.boundaries[source]
         names = [shapes[b].name for b in boundaries]
         event = self.structure.law and self.structure.law.event(source, names)
         if self._chooser is None or event is None:
             return None
-        moved = np.append(error * (self.fields[source] @ state), 0.0)
-        found = self._chooser.outcome(event, Located(state, sizes, moved, error))
+        found = self._chooser.outcome(event, at)
         if len(found.targets) != 1:
             return Decision(-1, -1, found.targets)
         (target,) = found.targets
@@ -99,11 +156,11 @@ def batch_decider(
     ----------
     structure : Structure
     numbers : array (points, size)
-        Fields and rows come first.
+        Fields, rows and resets come first.
     options : list
         Gets the options of events that are ambiguous.
     """
-    if structure.law is None:
+    if structure.law is None and not any(t.order for found in structure.transitions for t in found):
         return None
     size, count = len(structure.states), len(structure.configurations)
     cut = count * size * (size + 1)
@@ -115,8 +172,12 @@ def batch_decider(
         if point not in known:
             flat = numbers[point]
             fields = flat[:cut].reshape(count, size, size + 1)
-            rows = flat[cut : cut + structure.rows * (size + 1)].reshape(-1, size + 1)
-            known[point] = Decider(structure, fields, rows)
+            ends = np.cumsum(
+                [cut, structure.rows * (size + 1), structure.resets * size * (size + 1)]
+            )
+            rows = flat[ends[0] : ends[1]].reshape(-1, size + 1)
+            resets = flat[ends[1] : ends[2]].reshape(-1, size, size + 1)
+            known[point] = Decider(structure, fields, rows, resets)
         boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
         extended = (np.append(np.frombuffer(part), 1.0) for part in (state, sizes))
         found = known[point].decision(source, boundaries, *extended, error)

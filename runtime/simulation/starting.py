@@ -162,7 +162,7 @@ def configurations_of(
         for place, resting in _resting(structure.law, fields, rows, extended):
             if found[place] >= 0:
                 at = place if len(rows) > 1 else 0
-                decider = Decider(structure, fields[at], rows[at])
+                decider = Decider(structure, fields[at], rows[at], fields[:0])
                 targets = decider.beginnings(int(found[place]), extended[place], resting).targets
                 found[place] = targets[0] if len(targets) == 1 else -1
     return found
@@ -191,7 +191,7 @@ def _left_open(system: PiecewiseLinear, state: np.ndarray) -> tuple[str, ...]:
         return ()
     order = sorted(inside, key=lambda c: -len(structure.constraints[c]))
     for _, resting in _resting(law, system.fields[None], system.rows[None], extended):
-        decider = Decider(structure, system.fields, system.rows)
+        decider = Decider(structure, system.fields, system.rows, system.resets)
         found = decider.beginnings(order[0], extended[0], resting).targets
         return tuple(structure.configurations[c] for c in found)
     return ()

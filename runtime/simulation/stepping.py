@@ -72,7 +72,7 @@ class _Stepper:
         self.configurations: dict[int, ConfigurationTable] = {}
         self.pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
         self.resets = [rows_of(reset) for reset in system.resets]
-        self.decider = Decider(system.structure, system.fields, system.rows)
+        self.decider = Decider(system.structure, system.fields, system.rows, system.resets)
 
     def configuration(self, index: int) -> ConfigurationTable:
         if index not in self.configurations:
@@ -151,7 +151,10 @@ class _Stepper:
         """
         shapes = self.structure.boundaries[configuration]
         rows = {shapes[b].row for b in event.located}
-        for transition in self.structure.transitions[configuration]:
+        several = len(event.boundaries) > 1 and self.structure.orders(
+            configuration, event.boundaries
+        )
+        for transition in () if several else self.structure.transitions[configuration]:
             if transition.boundaries == event.boundaries and all(
                 self._positive(row, along, state, errors, row in rows) is holds
                 for row, along, holds in transition.conditions

@@ -60,12 +60,15 @@ class TransitionShape:
         The first nonzero derivative of the row along the configuration's flow is positive,
         or not.
     reset, target : int
+    order : int
+        Of the orders in which stops may act that are reached together; 0 belongs to all.
     """
 
     boundaries: frozenset[int]
     conditions: tuple[tuple[int, int, bool], ...]
     reset: int
     target: int
+    order: int = 0
 
 
 @dataclass(frozen=True)
@@ -122,6 +125,11 @@ class Structure:
         if name not in self.configurations:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
+
+    def orders(self, source: int, boundaries: frozenset[int]) -> tuple[int, ...]:
+        """Numbers of the orders in which what is reached together may act; none for one order."""
+        listed = (t for t in self.transitions[source] if t.boundaries == boundaries)
+        return tuple(dict.fromkeys(t.order for t in listed if t.order))
 
     def boundary(self, configuration: int, name: str) -> int:
         """Index of a boundary of a configuration; InputError if it has none of that name."""
@@ -190,6 +198,7 @@ def _structure(kernels: SystemKernels) -> Structure:
                 ),
                 entry["reset"],
                 configurations.index(entry["target"]),
+                entry.get("order", 0),
             )
         )
     return Structure(
@@ -210,7 +219,7 @@ def _structure(kernels: SystemKernels) -> Structure:
             )
             for name, found in table["contacts"].items()
         ),
-        kernels.module.KERNELS["rows"][1][0][0],
+        kernels.rows,
         kernels.module.KERNELS["resets"][1][0][0] // len(states),
         *(
             tuple((states.index(a), states.index(b)) for a, b in table[name])
