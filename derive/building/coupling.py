@@ -81,7 +81,8 @@ def _contact(part: Part, assembly: Assembly) -> LawContact:
 
 def _events(assembly: Assembly) -> tuple[dict[str, int], dict[str, int]]:
     """Boundaries at which each contact comes to rest, and those of its force."""
-    arrivals, limits = {}, {}
+    arrivals: dict[str, int] = {}
+    limits: dict[str, int] = {}
     for place, index in enumerate(assembly.holders):
         part = assembly.holder(index)
         for regime in part.regimes:

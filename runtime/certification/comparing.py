@@ -8,6 +8,7 @@ from typing import Any
 
 from nonsmooth.runtime.certification.certificate import GUARD
 from nonsmooth.runtime.certification.checker import Failure
+from nonsmooth.runtime.certification.contacts import kernels_with
 from nonsmooth.runtime.certification.statement import declaration_json, value_json
 from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.passage import cycle_of
@@ -50,6 +51,7 @@ def compare_certificate(content: Mapping[str, Any], folder: Path) -> str | None:
     kernels = named_system(content, folder)
     if kernels is None:
         return NOT_HERE.format(content["system"])
+    kernels = kernels_with(kernels, content["declaration"])
     given = {name: given_value(name, text) for name, text in content["parameters"].items()}
     values = system_parameters(kernels, given)
     cycle = cycle_of(structure_of(kernels), [(c, b) for c, b in content["itinerary"]])

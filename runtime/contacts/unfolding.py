@@ -61,7 +61,7 @@ class UnfoldedKernels(SystemKernels):
         return self._declared.rows + sum(len(signs(self._law, *step)) for step in self._steps)
 
     @cached_property
-    def table(self) -> dict[str, Any]:  # type: ignore[override]
+    def table(self) -> dict[str, Any]:
         """The table of the system, with the routes among its transitions."""
         base: dict[str, Any] = self.module.SYSTEM
         law, listed, row = self._law, [], self._declared.rows
@@ -75,6 +75,7 @@ class UnfoldedKernels(SystemKernels):
                     "conditions": [(row + k, route.target, sign) for k, sign in enumerate(wanted)],
                     "reset": law.reset(event, law.configurations.index(route.target)),
                     "target": route.target,
+                    "path": route.path,
                 }
             )
             row += len(wanted)

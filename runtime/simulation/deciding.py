@@ -137,7 +137,7 @@ class Decider:
         """What the law of coupled contacts says."""
         shapes = self.structure.boundaries[source]
         names = [shapes[b].name for b in boundaries]
-        event = self.structure.law and self.structure.law.event(source, names)
+        event = None if self._chooser is None else self._chooser.law.event(source, names)
         if self._chooser is None or event is None:
             return None
         found = self._chooser.outcome(event, at)
@@ -179,8 +179,8 @@ def batch_decider(
             resets = flat[ends[1] : ends[2]].reshape(-1, size, size + 1)
             known[point] = Decider(structure, fields, rows, resets)
         boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
-        extended = (np.append(np.frombuffer(part), 1.0) for part in (state, sizes))
-        found = known[point].decision(source, boundaries, *extended, error)
+        extended, above = (np.append(np.frombuffer(part), 1.0) for part in (state, sizes))
+        found = known[point].decision(source, boundaries, extended, above, error)
         if found is None:
             return Status.UNDECLARED, -1, -1
         if found.target < 0:

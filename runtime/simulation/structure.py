@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 
 from nonsmooth.runtime.contacts.law import Law, law_of
+from nonsmooth.runtime.contacts.stages import Path
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
@@ -62,6 +63,8 @@ class TransitionShape:
     reset, target : int
     order : int
         Of the orders in which stops may act that are reached together; 0 belongs to all.
+    path : Path, optional
+        The steps by which the contact law comes to it; None where the system lists it.
     """
 
     boundaries: frozenset[int]
@@ -69,6 +72,7 @@ class TransitionShape:
     reset: int
     target: int
     order: int = 0
+    path: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -199,6 +203,7 @@ def _structure(kernels: SystemKernels) -> Structure:
                 entry["reset"],
                 configurations.index(entry["target"]),
                 entry.get("order", 0),
+                entry.get("path"),
             )
         )
     return Structure(
@@ -221,12 +226,16 @@ def _structure(kernels: SystemKernels) -> Structure:
         ),
         kernels.rows,
         kernels.module.KERNELS["resets"][1][0][0] // len(states),
-        *(
-            tuple((states.index(a), states.index(b)) for a, b in table[name])
-            for name in ("forcing", "coordinates")
-        ),
+        _pairs(states, table["forcing"]),
+        _pairs(states, table["coordinates"]),
         law_of(table, configurations),
     )
+
+
+def _pairs(
+    states: tuple[str, ...], named: Iterable[tuple[str, str]]
+) -> tuple[tuple[int, int], ...]:
+    return tuple((states.index(a), states.index(b)) for a, b in named)
 
 
 def mode_shapes(modes: Iterable[tuple[int, bool]]) -> tuple[ModeShape, ...]:

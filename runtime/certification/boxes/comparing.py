@@ -10,6 +10,7 @@ from typing import Any
 from nonsmooth.runtime.certification.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.certification.checker import Failure
 from nonsmooth.runtime.certification.comparing import NOT_HERE, named_system
+from nonsmooth.runtime.certification.contacts import kernels_with
 from nonsmooth.runtime.certification.statement import declaration_json, entry
 from nonsmooth.runtime.certification.subject import NotCovered, period_name, physical_values
 from nonsmooth.runtime.certification.tables import tables_over
@@ -49,6 +50,7 @@ def compare_box(content: Mapping[str, Any], folder: Path) -> str | None:
     if [value.text for value in constants] != content["constants"]:
         raise Failure("the constants are not the irrational parameters")
     period = numbers.pop(PERIOD, None)
+    kernels = kernels_with(kernels, content["declaration"])
     cycle = cycle_of(structure_of(kernels), [(c, b) for c, b in content["itinerary"]])
     if declaration_json(tables_over(kernels, [*numbers.values()]), cycle) != content["declaration"]:
         raise Failure(f"the declaration is not that of {content['system']} over the box")

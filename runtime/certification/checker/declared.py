@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from flint import fmpq
 
+from nonsmooth.runtime.certification.checker.contacts import ContactLaw
 from nonsmooth.runtime.certification.checker.exact import (
     Elimination,
     demand,
@@ -32,6 +33,7 @@ class Transition(NamedTuple):
     conditions: list[tuple[Any, str, bool]]
     reset: Any
     target: str
+    early: int | None = None  # conditions of a law's steps before the last; None: it is listed
 
 
 class Step(NamedTuple):
@@ -65,12 +67,15 @@ class Phase(NamedTuple):
     """What has to hold in a phase.
 
     Rows that vanish where it begins; boundaries; transitions up to the itinerary's, which is the
-    last: whether a row's sign, None where that is zero, is positive.
+    last: whether a row's sign, None where that is zero, is positive. Of a law's transition, and
+    whether its steps are decided by their own functions and its reset moves nothing.
     """
 
     held: list[Any]
     watched: list[Watched]
     ways: list[list[tuple[Any, bool]]]
+    lawful: bool
+    decided: bool
 
 
 class Declared:
@@ -95,6 +100,14 @@ class Declared:
             )
             for entry in declared["transitions"]
         ]
+        self.rational = '"mid"' not in json.dumps(declared)
+        if "law" in declared and self.rational:
+            law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
+            for place, entry in enumerate(declared["transitions"]):
+                if "steps" in entry:
+                    own = self.transitions[place]
+                    early = law.check(entry, own.conditions)
+                    self.transitions[place] = own._replace(early=early)
         self.itinerary = declared["phases"]
         told = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
         demand(content["itinerary"] == told, "the itinerary is not that of the declaration")
@@ -113,7 +126,6 @@ class Declared:
         self.omega: list[Any] = []
         period = self.closing["kind"] == "period"
         self.period = self.number(self.closing["period"]) if period else None
-        self.rational = '"mid"' not in json.dumps(declared)
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
@@ -234,18 +246,24 @@ class Declared:
             ends = reduced(row, end), reduced(rate, end)
             watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
         own = [boundaries[name] for name in ending]
-        ways = []
+        ways, decided = [], True
         for other in self.transitions:
             if other.begins == step.taken.begins:
-                ways.append(
-                    [
-                        (leading(row, self.fields[along], end, int(row in own))[1], holds)
-                        for row, along, holds in other.conditions
-                    ]
-                )
+                found = [
+                    (*leading(row, self.fields[along], end, int(row in own)), holds)
+                    for row, along, holds in other.conditions
+                ]
+                early = other.early or 0
+                decided &= all(not order and row is not None for order, row, _ in found[:early])
+                ways.append([(row, holds) for _, row, holds in found])
                 if other is step.taken:
                     break
-        return Phase([reduced(row, begin) for row in held], watched, ways)
+        if step.taken.early is not None:  # what begins to hold is in its place already
+            for k, row in enumerate(step.taken.reset):
+                moved = tuple(x - int(j == k) for j, x in enumerate(row))
+                decided &= not any(reduced(moved, end))
+        lawful = any(t.early is not None for t in self.transitions if t.begins == step.taken.begins)
+        return Phase([reduced(row, begin) for row in held], watched, ways, lawful, decided)
 
 
 def _seen(form: Any, rows: Any) -> list[Any]:
