@@ -184,6 +184,11 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
         followers.append(Follower(target, transition is wanted, conditions, lawful))
         if transition is wanted:
             break
+    if structure.orders(configuration, wanted.boundaries):  # they would all have to agree
+        last = followers[-1]
+        followers[-1] = last._replace(
+            conditions=(*last.conditions, Condition(_OPEN, True)), lawful=True
+        )
     held = (starts.reduce(tables.rows[row]) for row in structure.constraints[configuration])
     return Plan(
         place,

@@ -116,6 +116,8 @@ def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.n
     wanted = cycle.transitions[place]
     if wanted.path is not None:
         return _lawful(cycle, numbers, now, place)
+    if cycle.structure.orders(cycle.configurations[place], wanted.boundaries):
+        return _lawful(cycle, numbers, now, place)
     for transition in cycle.structure.transitions[cycle.configurations[place]]:
         if transition.boundaries != wanted.boundaries:
             continue
@@ -129,7 +131,7 @@ def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.n
 
 
 def _lawful(cycle: Cycle, numbers: Numbers, now: Passage, place: int) -> bool:
-    """Whether the law of coupled contacts leads to the itinerary's next configuration."""
+    """Whether the laws of contact lead to the itinerary's next configuration."""
     structure, source = cycle.structure, cycle.configurations[place]
     wanted, known = cycle.transitions[place], np.append(now.ends[place].astype(float), 1.0)
     decider = Decider(structure, numbers.fields, numbers.rows, numbers.resets)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 
@@ -129,6 +129,27 @@ class Structure:
         if name not in self.configurations:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
+
+    def leading(
+        self, source: int, boundaries: frozenset[int], target: int
+    ) -> tuple[TransitionShape, ...]:
+        """Transitions to a target, listed or of the law, which tells no conditions here."""
+        listed = tuple(
+            t for t in self.transitions[source] if t.boundaries == boundaries and t.target == target
+        )
+        if self.law is None:
+            return listed
+        event = self.law.event(source, [self.boundaries[source][b].name for b in boundaries])
+        if event is None or not self.law.leads(event, target):
+            return listed
+        return (*listed, TransitionShape(boundaries, (), self.law.reset(event, target), target))
+
+    def exits(self, source: int) -> Iterator[tuple[int, int]]:
+        """Each boundary with each target that it may lead to when it is reached alone."""
+        for boundary in range(len(self.boundaries[source])):
+            for target in range(len(self.configurations)):
+                if self.leading(source, frozenset({boundary}), target):
+                    yield boundary, target
 
     def orders(self, source: int, boundaries: frozenset[int]) -> tuple[int, ...]:
         """Numbers of the orders in which what is reached together may act; none for one order."""
