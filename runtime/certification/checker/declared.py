@@ -14,6 +14,7 @@ from flint import fmpq
 from nonsmooth.runtime.certification.checker.contacts import ContactLaw
 from nonsmooth.runtime.certification.checker.exact import (
     Elimination,
+    Failure,
     demand,
     is_integer,
     leading,
@@ -102,12 +103,7 @@ class Declared:
         ]
         self.rational = '"mid"' not in json.dumps(declared)
         if "law" in declared and self.rational:
-            law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
-            for place, entry in enumerate(declared["transitions"]):
-                if "steps" in entry:
-                    own = self.transitions[place]
-                    early = law.check(entry, own.conditions)
-                    self.transitions[place] = own._replace(early=early)
+            self._lawful(declared)
         self.itinerary = declared["phases"]
         told = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
         demand(content["itinerary"] == told, "the itinerary is not that of the declaration")
@@ -126,6 +122,17 @@ class Declared:
         self.omega: list[Any] = []
         period = self.closing["kind"] == "period"
         self.period = self.number(self.closing["period"]) if period else None
+
+    def _lawful(self, declared: dict[str, Any]) -> None:
+        """Transitions with steps are those of the contact law."""
+        try:
+            law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
+            for place, entry in enumerate(declared["transitions"]):
+                if "steps" in entry:
+                    own = self.transitions[place]
+                    self.transitions[place] = own._replace(early=law.check(entry, own.conditions))
+        except (KeyError, IndexError, TypeError, ValueError) as problem:
+            raise Failure(f"the contact law is malformed: {problem!r}") from None
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
