@@ -18,14 +18,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.contact_law import ContactLaw
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.program import Argument, Kernel, Output
-from nonsmooth.derive.system import Configuration, System, Transition
+from nonsmooth.derive.system import Configuration, System
 
 __all__ = ["Declaration", "Mode", "modes_of"]
 
@@ -100,6 +102,9 @@ class Declaration:
             named += self._constraints(configuration)
         for contact in system.contacts:
             named += [*contact.forces.values(), contact.velocity, contact.surface]
+        if system.law is not None:
+            named += [f for contact in system.law.contacts for f in contact.functions]
+            named += [*system.law.coupling, *chain.from_iterable(system.law.free.values())]
         return tuple(dict.fromkeys(map(sp.expand, named)))
 
     @cached_property
@@ -107,7 +112,11 @@ class Declaration:
         """Every reset as a column of expressions of the state, once each, the identity first."""
         system, states = self.system, sp.Matrix(self.system.states)
         columns = [sp.ImmutableMatrix(states)]
-        columns += [self._reset(t) for t in system.transitions]
+        columns += [self._reset(t.reset) for t in system.transitions]
+        if system.law is not None:
+            columns += [
+                self._reset(r) for found in system.law.resets.values() for r in found.values()
+            ]
         return tuple(dict.fromkeys(columns))
 
     @cached_property
@@ -198,8 +207,9 @@ class Declaration:
                     "source": t.source,
                     "boundaries": sorted(t.boundaries),
                     "conditions": [(self._row(c.function), c.along, c.holds) for c in t.conditions],
-                    "reset": self.resets.index(self._reset(t)),
+                    "reset": self.resets.index(self._reset(t.reset)),
                     "target": t.target,
+                    **({"order": t.order} if t.order else {}),
                 }
                 for t in system.transitions
             ],
@@ -215,6 +225,7 @@ class Declaration:
                 }
                 for contact in system.contacts
             },
+            **({} if system.law is None else {"law": self._law(system.law)}),
         }
 
     def _coordinates(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
@@ -230,12 +241,39 @@ class Declaration:
                 found.append((state, *moving))
         return found
 
-    def _reset(self, transition: Transition) -> sp.Matrix:
-        states = self.system.states
-        return sp.ImmutableMatrix(transition.reset_of(sp.Matrix(states), states).expand())
+    def _law(self, law: ContactLaw) -> dict[str, Any]:
+        """A contact law, its functions and resets by their indices."""
+        columns = ("relative", "gap", "static", "kinetic", "slipping", "overshooting")
+        return {
+            "contacts": [
+                {"name": contact.name, "friction": contact.friction}
+                | dict(zip(columns, map(self._row, contact.functions), strict=True))
+                for contact in law.contacts
+            ],
+            "coupling": [[self._row(entry) for entry in row] for row in law.coupling.tolist()],
+            "couples": [[bool(entry != 0) for entry in row] for row in law.coupling.tolist()],
+            "regimes": dict(law.regimes),
+            "others": dict(law.others),
+            "free": {others: list(map(self._row, found)) for others, found in law.free.items()},
+            "arrivals": law.arrivals,
+            "limits": law.limits,
+            "switches": {others: dict(found) for others, found in law.switches.items()},
+            "idle": dict(law.idle),
+            "resets": {
+                target: {own: self.resets.index(self._reset(r)) for own, r in found.items()}
+                for target, found in law.resets.items()
+            },
+        }
+
+    def _reset(self, reset: Mapping[sp.Symbol, sp.Expr]) -> sp.Matrix:
+        return sp.ImmutableMatrix([sp.expand(reset.get(s, s)) for s in self.system.states])
 
     def _row(self, function: sp.Expr) -> int:
-        return self.rows.index(sp.expand(function))
+        return self._places[sp.expand(function)]
+
+    @cached_property
+    def _places(self) -> dict[sp.Expr, int]:
+        return {function: place for place, function in enumerate(self.rows)}
 
     def _held(self, dynamics: Any) -> list[str]:
         if not isinstance(dynamics, SecondOrder):

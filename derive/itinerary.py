@@ -120,6 +120,7 @@ class Presentation:
                             (item, origin[system.states.index(item[0])]) for item in t.reset.items()
                         )
                     },
+                    t.order,
                 )
                 for t in system.transitions
             ),

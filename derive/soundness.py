@@ -61,7 +61,7 @@ def check_soundness(system: System) -> None:
             raise DeclarationError(f"state {str(state)!r} is not an identifier")
     for configuration in system.configurations:
         _check_mass(configuration, system.parameters)
-    if system.transitions:
+    if system.transitions or system.law is not None:
         _check_exits(system)
         _check_order(system.transitions)
         for transition in system.transitions:
@@ -94,7 +94,8 @@ def _check_exits(system: System) -> None:
     left = {(t.source, name) for t in system.transitions for name in t.boundaries}
     for configuration in system.configurations:
         for boundary in configuration.boundaries:
-            if (configuration.name, boundary.name) not in left:
+            decided = system.law is not None and system.law.decides(frozenset({boundary.name}))
+            if not decided and (configuration.name, boundary.name) not in left:
                 raise DeclarationError(
                     f"configuration {configuration.name!r}: no transition leads on from"
                     f" boundary {boundary.name!r}"
@@ -107,7 +108,8 @@ def _check_order(transitions: Sequence[Transition]) -> None:
     for transition in transitions:
         group = before.setdefault((transition.source, transition.boundaries), [])
         for earlier in group:
-            if set(earlier.conditions) <= set(transition.conditions):
+            other = earlier.order and transition.order not in (0, earlier.order)
+            if not other and set(earlier.conditions) <= set(transition.conditions):
                 names = " and ".join(sorted(transition.boundaries))
                 raise DeclarationError(
                     f"transition {transition.source!r} -> {transition.target!r} by {names} never"

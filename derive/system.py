@@ -15,6 +15,7 @@ from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.contact_law import ContactLaw
 from nonsmooth.derive.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.parameter import Parameter, check_finite, exact, is_rational
@@ -126,6 +127,10 @@ class Transition:
         All must hold. Of several transitions for one set the first that applies is taken.
     reset : mapping of state symbol to expression
         Affine reset of the state; states that are not named stay.
+    order : int
+        Stops that are reached together may act in several orders. Transitions of each have a
+        number of its own; the first that apply have to lead to one state, or what follows is
+        ambiguous. Those of number 0 belong to all.
     """
 
     source: str
@@ -133,6 +138,7 @@ class Transition:
     target: str
     conditions: tuple[Condition, ...] = ()
     reset: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    order: int = 0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "boundaries", frozenset(self.boundaries))
@@ -198,6 +204,8 @@ class System:
     forcing : tuple of (symbol, symbol)
         States c and s of each harmonic forcing: c' = -w s and s' = w c in every configuration,
         c^2 + s^2 = 1, so that c = cos(w t) from c = 1, s = 0.
+    law : ContactLaw, optional
+        What decides where no transition is listed: contacts that the mass matrix couples.
 
     Raises
     ------
@@ -216,6 +224,7 @@ class System:
     constraints: tuple[sp.Expr, ...] = ()
     contacts: tuple[Contact, ...] = ()
     forcing: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
+    law: ContactLaw | None = None
 
     def __post_init__(self) -> None:
         for attribute in (
@@ -282,12 +291,16 @@ class System:
         )
 
     def transition(self, source: str, boundary: str, target: str) -> Transition:
-        """The transition from `source` through `boundary` to `target`."""
+        """The transition from `source` through `boundary` to `target`, listed or of the law."""
         for transition in self.transitions:
             if (transition.source, transition.target) == (source, target) and (
                 transition.boundaries == {boundary}
             ):
                 return transition
+        if self.law is not None and self.law.decides(frozenset({boundary})):
+            reset = self.law.reset(source, frozenset({boundary}), target)
+            if reset is not None:
+                return Transition(source, frozenset({boundary}), target, (), reset)
         raise DeclarationError(f"no transition leads from {source!r} by {boundary!r} to {target!r}")
 
     def gradient(self, function: sp.Expr) -> tuple[sp.Matrix, sp.Expr]:

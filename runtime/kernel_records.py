@@ -95,6 +95,11 @@ class SystemKernels:
         """Names of the configurations."""
         return tuple(self.table["configurations"])
 
+    @property
+    def rows(self) -> int:
+        """Number of affine functions that the system declares."""
+        return int(self.module.KERNELS["rows"][1][0][0])
+
     def source(self, kernel: str) -> Callable[..., Any]:
         """A kernel over any arithmetic: takes its arrays as sequences, and ``lib``."""
         function: Callable[..., Any] = getattr(self.module, kernel)

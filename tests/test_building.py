@@ -28,6 +28,8 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from nonsmooth.runtime.simulation.deciding import Decider
+from nonsmooth.runtime.simulation.piecewise import piecewise
 
 chi, eta, V, us1, ur1, us2, ur2, r = sp.symbols("chi eta V us1 ur1 us2 ur2 r")
 m1, m2, k1, k2, k3 = sp.symbols("m1 m2 k1 k2 k3")
@@ -139,43 +141,23 @@ def test_two_stops_at_one_instant_act_one_after_another() -> None:
     assert np.allclose(after(system, impact, velocities), expected, atol=1e-14)
 
 
-class Numbers:
-    """Rules of a system without parameters in numbers: which transition a state takes."""
-
-    def __init__(self, system: System) -> None:
-        self.system, self.states = system, sp.Matrix(system.states)
-        self.fields = {}
-        for configuration in system.configurations:
-            matrix, offset = configuration.dynamics.field(system.states)
-            field = np.zeros((len(self.states) + 1, len(self.states) + 1))
-            field[:-1, :-1], field[:-1, -1:] = matrix, offset
-            self.fields[configuration.name] = field
-
-    def positive(self, function: sp.Expr, along: str, state: np.ndarray) -> bool:
-        row, constant = self.system.gradient(function)
-        values = np.array([*row, constant], dtype=float)
-        for _ in range(len(values)):
-            value = values @ np.append(state, 1)
-            if abs(value) > 1e-11:
-                return bool(value > 0)
-            values = values @ self.fields[along]
-        return False
-
-    def target(self, source: str, boundaries: set[str], state: np.ndarray) -> str:
-        return next(
-            t.target
-            for t in self.system.transitions
-            if t.source == source
-            and t.boundaries == boundaries
-            and all(self.positive(c.function, c.along, state) is c.holds for c in t.conditions)
-        )
+def decided(system: System, source: str, boundaries: set[str], state: np.ndarray) -> str:
+    """The configuration that follows by the contact law of a system without parameters."""
+    point = piecewise(system, {})
+    structure = point.structure
+    decider = Decider(structure, point.fields, point.rows, point.resets)
+    place, known = structure.configuration(source), np.append(state, 1.0)
+    reached = frozenset(structure.boundary(place, name) for name in boundaries)
+    found = decider.decision(place, reached, known, abs(known), 0.0)
+    assert found is not None
+    return structure.configurations[found.target]
 
 
 def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> None:
     limits = np.array([0.3, 0.5])
     elements = [Friction(x, u, velocity=0.75) for x, u in zip(("x1", "x2"), limits, strict=True)]
     mass, stiffness = FULL[:2, :2], SPRINGS[:2, :2]
-    rules_ = Numbers(oscillator("pair", ["x1", "x2"], mass, stiffness, elements=elements))
+    system = oscillator("pair", ["x1", "x2"], mass, stiffness, elements=elements)
     root = np.linalg.inv(np.linalg.cholesky(mass))
     rng, seen = np.random.default_rng(11), set()
     for _ in range(150):
@@ -189,7 +171,7 @@ def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> 
         state = np.array([*positions, 0.75, 0.75])
         belts = {"x1-reaches-belt", "x2-reaches-belt"}
         for source in ("slip-slip", "overshoot-slip"):
-            assert rules_.target(source, belts, state) == expected
+            assert decided(system, source, belts, state) == expected
         seen.add(expected)
     assert len(seen) == 9
 
@@ -197,7 +179,7 @@ def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> 
 def test_a_contact_and_a_stop_that_are_coupled_are_decided_together() -> None:
     elements = [Friction("x1", 0.4), RigidStop("x2", at=0.25, restitution=0.5)]
     names = ["x1", "x2", "x3"]
-    rules_ = Numbers(oscillator("three", names, FULL, SPRINGS, elements=elements))
+    system = oscillator("three", names, FULL, SPRINGS, elements=elements)
     root = np.linalg.inv(np.linalg.cholesky(FULL))
     rng, seen = np.random.default_rng(12), set()
     for _ in range(150):
@@ -209,7 +191,8 @@ def test_a_contact_and_a_stop_that_are_coupled_are_decided_together() -> None:
         friction = "stick" if abs(held[0]) < 0.4 - 1e-6 else friction
         expected = f"{friction}-{'contact' if held[1] < -1e-6 else 'free'}"
         reached = {"x1-reaches-belt", "x2-upper-reaches-stop"}
-        assert rules_.target("slip-free", reached, np.array([*positions, 0, 0, 0])) == expected
+        state = np.array([*positions, 0, 0, 0])
+        assert decided(system, "slip-free", reached, state) == expected
         seen.add(expected)
     assert len(seen) == 6
 

@@ -37,6 +37,8 @@ class Assembly:
         States of the forcing.
     rates : tuple of (state, rate)
         How they move.
+    simultaneous_impacts : "sequence", "moreau" or None
+        How stops act that are reached at one instant and coupled by the mass matrix.
     """
 
     frame: Frame
@@ -44,6 +46,7 @@ class Assembly:
     smooth: sp.Matrix
     phases: tuple[tuple[sp.Symbol, sp.Symbol], ...]
     rates: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    simultaneous_impacts: str | None = None
 
     def name(self, regimes: Regimes) -> str:
         """Name of a configuration; that of a system without elements is `free`."""
@@ -169,14 +172,24 @@ class Assembly:
         """All products of regimes that go together."""
         return tuple(r for r in product(*(p.regimes for p in self.parts)) if self.exists(r))
 
-    def _forces(self, regimes: Regimes) -> sp.Matrix:
-        """Generalized forces but the reactions."""
+    def _switched(self, regimes: Regimes) -> sp.Matrix:
+        """Generalized forces but those of contacts and stops."""
         total = sp.Matrix(self.smooth)
         for part, regime in zip(self.parts, regimes, strict=True):
-            if isinstance(part, SwitchPart):
-                if regime in part.forces:
-                    total += part.forces[regime]
-            elif isinstance(part, FrictionPart) and (force := part.force(regime)) is not None:
+            if isinstance(part, SwitchPart) and regime in part.forces:
+                total += part.forces[regime]
+        return total
+
+    def unheld(self, regimes: Regimes) -> tuple[sp.Expr, ...]:
+        """Accelerations along the holders' directions, less those of the holders' forces."""
+        accelerations = self.rows(self.holders) * self.frame.inverse * self._switched(regimes)
+        return tuple(self.frame.tidy(sp.expand(each)) for each in accelerations)
+
+    def _forces(self, regimes: Regimes) -> sp.Matrix:
+        """Generalized forces but the reactions."""
+        total = self._switched(regimes)
+        for part, regime in zip(self.parts, regimes, strict=True):
+            if isinstance(part, FrictionPart) and (force := part.force(regime)) is not None:
                 total += force * part.direction.T
         return total.expand()
 

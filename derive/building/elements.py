@@ -59,7 +59,7 @@ class RigidStop:
     The impulse acts along w, so that any mass matrix serves. Impacts that accumulate, and
     those of restitution 0, end in lasting contact (`contact`), which is left when the stop
     would have to pull. Friction takes part in no impact; a stop in lasting contact does.
-    Stops reached at one instant act one after another, in the order of declaration.
+    Stops reached at one instant: see `simultaneous_impacts` of `oscillator`.
 
     Boundaries ``NAME-reaches-stop`` (of `free`) and ``NAME-leaves-stop`` (of `contact`).
 
@@ -160,9 +160,9 @@ class Friction:
     A normal load that changes with the state may vanish: the contact lifts, and when the load
     returns it slips, overshoots, or, at r = 0, sticks if it can. A positive constant load adds
     no configuration, nor does a `falling` that is not positive. At r = 0 a contact sticks if it
-    can. Contacts that the mass matrix couples are decided together. An impact acts on no
-    friction; behind it the velocities that have jumped, and a load that depends on them, tell
-    the regime.
+    can. Contacts that the mass matrix couples are decided together, by one law: see
+    `nonsmooth.derive.contact_law`. An impact acts on no friction; behind it the velocities that
+    have jumped, and a load that depends on them, tell the regime.
 
     Boundaries ``NAME-reaches-belt`` (of `slip` and `overshoot`), ``NAME-breaks-forward`` and
     ``NAME-breaks-backward`` (of `stick`; forward into `slip`); ``NAME-exhausts`` (of `slip` and

@@ -1,15 +1,17 @@
 """Impacts on rigid stops by Newton's law, with any mass matrix.
 
-Several stops reached together act one after another. Stops in lasting contact that the mass
-matrix couples to the impact hold, unless their impulse would pull. Contacts with friction take
-no impulse; those whose velocity jumps slip or overshoot behind it. What an impact leaves
-undecided is a boundary at which the next configuration starts, and follows at once.
+Stops reached together act one after another, in every order where the mass matrix couples them and
+no law is named: the orders have to agree. Or they act at once, by Moreau's law: impulses push, and
+a stop that takes none is left faster than by its own restitution (Moreau 1988). Stops in lasting
+contact that the mass matrix couples to the impact hold, unless their impulse would pull. Contacts
+with friction take no impulse; those whose velocity jumps slip or overshoot behind it. What an
+impact leaves undecided is a boundary at which the next configuration starts, and follows at once.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import chain, combinations, product
+from itertools import chain, combinations, permutations, product
 
 import sympy as sp
 
@@ -30,8 +32,10 @@ def impacts(
     reached: Sequence[int],
     moved: Sequence[int],
     landing: Sequence[int],
-) -> Iterator[_Impact]:
+) -> Iterator[tuple[int, _Impact]]:
     """Conditions, next regimes and velocities (n x 1) of all impacts, in their order.
+
+    Each with the number of the order in which the stops act, 0 where there is but one.
 
     Parameters
     ----------
@@ -43,14 +47,81 @@ def impacts(
     moved : indices of all parts that have reached a boundary
     landing : indices of contacts that regain their normal load
     """
-    velocities = sp.Matrix(assembly.frame.velocities)
-    for strikes in product((True, False), repeat=len(reached)):
-        struck = [i for i, strike in zip(reached, strikes, strict=True) if strike]
-        if struck:
-            for conditions, following, after in _struck(assembly, regimes, struck, velocities):
-                yield from _settled(
+    velocities, law = sp.Matrix(assembly.frame.velocities), assembly.simultaneous_impacts
+    orders = [tuple(reached)]
+    if _interact(assembly, regimes, reached):
+        if law == "moreau":
+            for struck, (conditions, following, after) in _at_once(assembly, regimes, reached):
+                for impact in _settled(
                     assembly, conditions, regimes, following, after, struck, moved, landing
-                )
+                ):
+                    yield 0, impact
+            return
+        if law is None:
+            orders = list(permutations(reached))
+    for number, order in enumerate(orders, start=len(orders) > 1):
+        for strikes in product((True, False), repeat=len(order)):
+            struck = [i for i, strike in zip(order, strikes, strict=True) if strike]
+            if struck:
+                for conditions, following, after in _struck(assembly, regimes, struck, velocities):
+                    for impact in _settled(
+                        assembly, conditions, regimes, following, after, struck, moved, landing
+                    ):
+                        yield number, impact
+
+
+def _closed(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> list[int]:
+    """Stops in contact that the mass matrix couples to some of these."""
+    return [
+        i
+        for i in assembly.holders
+        if regimes[i] == "contact" and any(assembly.coupling(stop, i) != 0 for stop in stops)
+    ]
+
+
+def _interact(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> bool:
+    """Whether the impact on one stop changes the velocity at another one, or may do so."""
+    return any(
+        assembly.coupling(i, j) != 0
+        or {*_closed(assembly, regimes, [i])} & {*_closed(assembly, regimes, [j])}
+        for i, j in combinations(stops, 2)
+    )
+
+
+def _at_once(
+    assembly: Assembly, regimes: Regimes, reached: Sequence[int]
+) -> Iterator[tuple[list[int], _Impact]]:
+    """Impacts by Moreau's law: every set of stops that take an impulse."""
+    velocities, inverse = sp.Matrix(assembly.frame.velocities), assembly.frame.inverse
+    closed = _closed(assembly, regimes, reached)
+    stops = [*reached, *closed]
+    # what is in contact has no velocity
+    wanted = {
+        i: sp.S.Zero
+        if i in closed
+        else (1 + assembly.stop(i).restitution) * (assembly.stop(i).direction * velocities)[0]
+        for i in stops
+    }
+    for count in range(len(stops), 0, -1):
+        for struck in map(list, combinations(stops, count)):
+            rows = assembly.rows(struck)
+            inner = (rows * inverse * rows.T).applyfunc(sp.cancel)
+            if inner.det() == 0 or not set(struck) & set(reached):
+                continue
+            right = sp.Matrix([wanted[i] for i in struck])
+            impulses = (inner.inv() * right).applyfunc(sp.expand)
+            along = _touching(assembly, regimes, next(i for i in struck if i in reached))
+            conditions = [Condition(impulse, along) for impulse in impulses]
+            for i in stops:
+                if i not in struck:
+                    left = (assembly.stop(i).direction * inverse * rows.T * impulses)[0]
+                    conditions.append(Condition(sp.expand(wanted[i] - left), along, holds=False))
+            following = regimes
+            for i in closed:
+                if i not in struck:
+                    following = changed(following, i, "free")
+            after = (velocities - inverse * rows.T * impulses).expand()
+            yield struck, (tuple(conditions), following, after)
 
 
 def _struck(
@@ -64,9 +135,7 @@ def _struck(
     part = assembly.stop(stop)
     approach = (part.direction * velocities)[0]
     arrives = Condition(approach, _touching(assembly, regimes, stop))
-    closed = [
-        i for i in assembly.holders if regimes[i] == "contact" and assembly.coupling(stop, i) != 0
-    ]
+    closed = _closed(assembly, regimes, [stop])
     for kept in chain.from_iterable(combinations(closed, k) for k in range(len(closed), -1, -1)):
         found = assembly.impulse(stop, kept)
         if found is None:

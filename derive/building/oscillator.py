@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly
+from nonsmooth.derive.building.coupling import contact_law
 from nonsmooth.derive.building.elements import Element, Harmonic, Slider
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
 from nonsmooth.derive.building.parts import FrictionPart, part_of, slider_state
@@ -31,6 +32,7 @@ def oscillator(
     elements: Sequence[Element] = (),
     parameters: Sequence[Parameter] = (),
     description: str = "",
+    simultaneous_impacts: str | None = None,
 ) -> System:
     """Declare ``mass x'' + damping x' + stiffness x = load + forcing + elements``.
 
@@ -55,6 +57,12 @@ def oscillator(
         nonnegative, negative, real); one without assumptions is positive, and a coefficient
         of restitution lies in [0, 1]. Symbols are told apart by their names alone.
     description : str
+    simultaneous_impacts : {"sequence", "moreau"}, optional
+        How rigid stops act that are reached at one instant where an impact on one changes the
+        velocity at another: one after another as they are listed in `elements`, or at once by
+        Moreau's law, whose impulses push and leave no stop slower than by its restitution.
+        When omitted all orders are compared: if they lead to one state, that follows; if not,
+        what follows is ambiguous.
 
     Returns
     -------
@@ -77,8 +85,9 @@ def oscillator(
     ['free', 'contact']
     """
     assembly = _assembled(
-        coordinates, mass, stiffness, damping, load, forcing, elements, parameters
-    )
+        coordinates, mass, stiffness, damping, load, forcing, elements, parameters,
+        simultaneous_impacts,
+    )  # fmt: skip
     products = assembly.products
     return System(
         name=name,
@@ -90,6 +99,7 @@ def oscillator(
         constraints=_constraints(assembly),
         contacts=assembly.contacts(products),
         forcing=assembly.phases,
+        law=contact_law(assembly, products),
     )
 
 
@@ -102,7 +112,12 @@ def _assembled(
     forcing: Sequence[Harmonic],
     elements: Sequence[Element],
     parameters: Sequence[Parameter],
+    simultaneous_impacts: str | None,
 ) -> Assembly:
+    if simultaneous_impacts not in (None, "sequence", "moreau"):
+        raise DeclarationError(
+            f"simultaneous_impacts is {simultaneous_impacts!r}, not 'sequence' or 'moreau'"
+        )
     coordinates, size = list(coordinates), len(coordinates)
     if size == 0:
         raise DeclarationError("an oscillator needs a coordinate")
@@ -135,7 +150,9 @@ def _assembled(
         forces += frame.column(harmonic.sine, "sine amplitudes") * sine
         rates += [(cosine, -frequency * sine), (sine, frequency * cosine)]
     parts = tuple(part_of(element, frame, elements) for element in elements)
-    assembly = Assembly(frame, parts, sp.ImmutableMatrix(forces), phases, tuple(rates))
+    assembly = Assembly(
+        frame, parts, sp.ImmutableMatrix(forces), phases, tuple(rates), simultaneous_impacts
+    )
     _check_independence(assembly)
     return assembly
 

@@ -20,7 +20,16 @@ from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.system import Boundary
 
-__all__ = ["Exit", "FrictionPart", "Part", "StopPart", "SwitchPart", "part_of", "slider_state"]
+__all__ = [
+    "Exit",
+    "FrictionPart",
+    "Part",
+    "StopPart",
+    "SwitchPart",
+    "exit_of",
+    "part_of",
+    "slider_state",
+]
 
 
 @dataclass(frozen=True)
@@ -390,3 +399,8 @@ def _regions(element: Regions, frame: Frame) -> SwitchPart:
             "above": (Exit(Boundary(f"{element.name}-falls", -function), "below"),),
         },
     )
+
+
+def exit_of(part: SwitchPart, regime: str, boundary: str) -> Exit:
+    """The exit of a regime through a boundary."""
+    return next(e for e in part.exits[regime] if e.boundary.name == boundary)

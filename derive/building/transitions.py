@@ -8,9 +8,11 @@ from itertools import product
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes
+from nonsmooth.derive.building.coupling import coupled
 from nonsmooth.derive.building.impacts import impacts
 from nonsmooth.derive.building.loads import landed, loaded
-from nonsmooth.derive.building.parts import Exit, FrictionPart, StopPart, SwitchPart
+from nonsmooth.derive.building.parts import FrictionPart, StopPart, SwitchPart, exit_of
+from nonsmooth.derive.building.pins import pins
 from nonsmooth.derive.building.resting import at_rest, changed, unsettled
 from nonsmooth.derive.system import Condition, Transition
 
@@ -58,7 +60,7 @@ def _event(
     for i, boundaries in reached.items():
         part = assembly.parts[i]
         if isinstance(part, SwitchPart):
-            exit_ = _exit(part, source[i], *boundaries)
+            exit_ = exit_of(part, source[i], *boundaries)
             regimes, own = changed(regimes, i, exit_.target), own | dict(exit_.reset)
     regimes, landing = loaded(assembly, source, regimes, reached)
     moved = [i for i in reached if i in assembly.holders and regimes[i] == source[i]]
@@ -73,15 +75,17 @@ def _event(
     approaches = [assembly.approach(i, known_velocities) for i in stops]
     if -1 in approaches:  # a mass that is carried away does not arrive
         return
-    for conditions, target, after in impacts(assembly, regimes, stops, moved, landing):
+    for order, (conditions, target, after) in impacts(assembly, regimes, stops, moved, landing):
         reset = own | {s: e for s, e in zip(frame.velocities, after, strict=True) if s != e}
         begun = [i for i in moved if target[i] == "stick" != source[i]]
-        reset |= _pins(assembly, begun, target, impact=True)
-        yield Transition(leads, names, assembly.name(target), conditions, reset)
+        reset |= pins(assembly, begun, target, impact=True)
+        yield Transition(leads, names, assembly.name(target), conditions, reset, order)
     if 1 in approaches:
         return
     for sides, settled, rest in landed(assembly, regimes, landing):
         resting = [*moved, *rest]
+        if resting and coupled(assembly):  # the law decides
+            continue
         doubtful = [
             i
             for i in unsettled(assembly, source)
@@ -115,51 +119,5 @@ def _resting(
 ) -> Transition:
     """A transition without impact; what begins to hold is put exactly in its place."""
     begun = [i for i in assembly.active(target) if i in moved or source[i] != target[i]]
-    reset = dict(own) | _pins(assembly, begun, target, impact=False)
+    reset = dict(own) | pins(assembly, begun, target, impact=False)
     return Transition(leads, names, assembly.name(target), conditions, reset)
-
-
-def _pins(
-    assembly: Assembly, begun: Sequence[int], target: Regimes, *, impact: bool
-) -> dict[sp.Symbol, sp.Expr]:
-    """Velocities, and the places of stops, of parts that begin to hold.
-
-    A held coordinate is set; otherwise all active directions are projected upon together.
-    """
-    frame = assembly.frame
-    rows = assembly.rows(begun)
-    if all(sum(weight != 0 for weight in rows.row(k)) == 1 for k in range(rows.rows)):
-        found: dict[sp.Symbol, sp.Expr] = {}
-        for i in begun:
-            part = assembly.holder(i)
-            place = next(k for k, weight in enumerate(part.direction) if weight != 0)
-            weight, position = part.direction[place], frame.positions[place]
-            if isinstance(part, StopPart):
-                found[position] = sp.cancel((weight * position - part.gap) / weight)
-            found[frame.velocities[place]] = part.speed / weight
-        return found
-    if impact:
-        return {}
-    active = assembly.active(target)
-    stops = [i for i in active if isinstance(assembly.parts[i], StopPart)]
-    gaps = sp.Matrix([assembly.stop(i).gap for i in stops])
-    drifts = sp.Matrix(
-        [frame.velocity(assembly.holder(i).direction) - assembly.holder(i).speed for i in active]
-    )
-    return _projected(frame.velocities, assembly.rows(active), drifts) | _projected(
-        frame.positions, assembly.rows(stops), gaps
-    )
-
-
-def _projected(
-    symbols: Sequence[sp.Symbol], rows: sp.Matrix, excess: sp.Matrix
-) -> dict[sp.Symbol, sp.Expr]:
-    """The nearest values for which the excess vanishes."""
-    if rows.rows == 0:
-        return {}
-    shift = rows.T * (rows * rows.T).inv() * excess
-    return {s: sp.expand(s - e) for s, e in zip(symbols, shift, strict=True) if e != 0}
-
-
-def _exit(part: SwitchPart, regime: str, boundary: str) -> Exit:
-    return next(e for e in part.exits[regime] if e.boundary.name == boundary)

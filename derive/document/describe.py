@@ -26,6 +26,7 @@ from nonsmooth.derive.document.describe_cycle import elimination_section, phase_
 from nonsmooth.derive.document.describe_cycle import equation_section as cycle_equations
 from nonsmooth.derive.document.describe_energy import energy_section
 from nonsmooth.derive.document.describe_itinerary import itinerary_section
+from nonsmooth.derive.document.describe_law import law_section
 from nonsmooth.derive.document.describe_orbit import chain_section, equation_section
 from nonsmooth.derive.document.describe_passings import passing_section, stability_section
 from nonsmooth.derive.document.describe_poincare import derivative_section
@@ -88,6 +89,8 @@ def describe_system(system: System) -> Document:
     ]
     if system.transitions:
         blocks += [Heading("Transitions"), *transition_section(naming)]
+    if system.law is not None:
+        blocks += [Heading("Contact law"), *law_section(naming, system.law)]
     if system.contacts and not complete:
         blocks += [Heading("Contacts"), *contact_section(naming)]
     return Document(f"The system {system.name}", tuple(blocks))

@@ -176,6 +176,8 @@ class _Phase:
             holds = self._holds(follower)
             if holds is None:
                 raise Undecided(f"whether {follower.target} follows")
+            if follower.lawful and holds != follower.wanted:
+                raise Undecided(f"by which steps of the contact law {follower.target} follows")
             if holds and not follower.wanted:
                 raise _Refuted(f"{follower.target} follows, or another transition to it")
             if follower.wanted and not holds:

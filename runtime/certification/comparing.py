@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from nonsmooth.runtime.certification.certificate import GUARD
 from nonsmooth.runtime.certification.checker import Failure
+from nonsmooth.runtime.certification.contacts import kernels_with
 from nonsmooth.runtime.certification.parametric import PERIOD, system_declaration
 from nonsmooth.runtime.certification.subject import period_name
 from nonsmooth.runtime.certification.tables import exact_tables
@@ -78,6 +79,7 @@ def named_in(content: Mapping[str, Any], folder: Path) -> Named | None:
         kernels = load_system(system, folder)
     except InputError:
         return None
+    kernels = kernels_with(kernels, content["declaration"])
     itinerary = [(c, b) for c, b in content["itinerary"]]
     cycle = cycle_of(structure_of(kernels), itinerary)
     states, own = kernels.table["states"], {table.name for table in kernels.parameters}

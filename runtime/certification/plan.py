@@ -5,12 +5,14 @@ Exact arithmetic tells which functions are zero; the signs of the others are lef
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.certification.known import Known
 from nonsmooth.runtime.certification.tables import Matrix, Tables
 from nonsmooth.runtime.composition.passage import Cycle
+from nonsmooth.runtime.contacts.stages import signs
+from nonsmooth.runtime.simulation.structure import Structure, TransitionShape
 from nonsmooth.runtime.validation.facts import Facts, Row, product
 
 __all__ = ["Condition", "Derivative", "Follower", "Plan", "Watched", "plan_of"]
@@ -65,11 +67,15 @@ class Condition(NamedTuple):
 
 
 class Follower(NamedTuple):
-    """A transition that is declared for what is reached where a phase ends."""
+    """A transition that is declared for what is reached where a phase ends.
+
+    By a contact law others may lead to the same target: that one does not follow refutes nothing.
+    """
 
     target: str
     wanted: bool
     conditions: tuple[Condition, ...]
+    lawful: bool = False
 
 
 class Plan(NamedTuple):
@@ -128,6 +134,10 @@ class Plan(NamedTuple):
         )
 
 
+_ZERO: Any = (0,)
+_OPEN = Derivative(0, _ZERO)  # of no sign that could be told
+
+
 def plan_of(tables: Tables, cycle: Cycle, known: Known) -> tuple[Plan, ...]:
     """What has to be shown, for each phase of a cycle of a system whose numbers are exact."""
     return tuple(_plan(tables, cycle, known, place) for place in range(len(cycle)))
@@ -165,9 +175,20 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
             for row, along, holds in transition.conditions
         )
         target = structure.configurations[transition.target]
-        followers.append(Follower(target, transition is wanted, conditions))
+        lawful = transition.path is not None
+        if lawful:
+            names = [boundaries[b].name for b in transition.boundaries]
+            conditions = _decided(structure, configuration, names, transition, conditions)
+            if not _puts_nothing(tables.resets[transition.reset], ends):
+                conditions += (Condition(_OPEN, True),)
+        followers.append(Follower(target, transition is wanted, conditions, lawful))
         if transition is wanted:
             break
+    if structure.orders(configuration, wanted.boundaries):  # they would all have to agree
+        last = followers[-1]
+        followers[-1] = last._replace(
+            conditions=(*last.conditions, Condition(_OPEN, True)), lawful=True
+        )
     held = (starts.reduce(tables.rows[row]) for row in structure.constraints[configuration])
     return Plan(
         place,
@@ -177,6 +198,36 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
         tuple(row for row in held if any(row)),
         tuple(watched),
         tuple(followers),
+    )
+
+
+def _decided(
+    structure: Structure,
+    source: int,
+    boundaries: Sequence[str],
+    transition: TransitionShape,
+    conditions: tuple[Condition, ...],
+) -> tuple[Condition, ...]:
+    """Steps of the law before the last are decided by their own functions, or not at all."""
+    law, path = structure.law, transition.path
+    assert law is not None
+    assert path is not None
+    event = law.event(source, boundaries)
+    assert event is not None
+    early = sum(len(signs(law, event, stage)) for stage in path[:-1])
+    return tuple(
+        Condition(_OPEN, expected)
+        if k < early and (behind is None or behind.order)
+        else Condition(behind, expected)
+        for k, (behind, expected) in enumerate(conditions)
+    )
+
+
+def _puts_nothing(reset: Matrix, facts: Facts) -> bool:
+    """Whether a reset leaves the state alone for which the facts hold."""
+    return not any(
+        any(facts.reduce(tuple(x - int(j == k) for j, x in enumerate(row))))
+        for k, row in enumerate(reset)
     )
 
 

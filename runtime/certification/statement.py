@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.certification.closing import Closing
+from nonsmooth.runtime.certification.contacts import law_json, steps_json
 from nonsmooth.runtime.certification.quotients import Quotient
 from nonsmooth.runtime.certification.tables import Tables, rational_of
 from nonsmooth.runtime.composition.passage import Cycle
@@ -73,7 +74,7 @@ def declaration_json(
         for other in structure.transitions[configuration]:
             if other.boundaries != taken.boundaries:
                 continue
-            entry = {
+            entry: dict[str, Any] = {
                 "source": names[configuration],
                 "boundaries": sorted(shapes[b].name for b in other.boundaries),
                 "conditions": [
@@ -83,12 +84,17 @@ def declaration_json(
                 "reset": [_row(row) for row in tables.resets[other.reset][:-1]],
                 "target": names[other.target],
             }
+            if other.path is not None and structure.law is not None:
+                entry["steps"] = steps_json(structure.law, other.path)
             needed |= {along for _, along, _ in other.conditions}
             if entry not in transitions:
                 transitions.append(entry)
             if other is taken:
                 own = transitions.index(entry)
         phases.append((configuration, own))
+    law: dict[str, Any] = {}
+    if structure.law is not None and any("steps" in entry for entry in transitions):
+        law["law"] = law_json(structure.law, cycle, lambda row: _row(tables.rows[row]))
     return {
         "parameters": list(parameters),
         "states": list(structure.states),
@@ -112,6 +118,7 @@ def declaration_json(
             }
             for place, (c, own) in enumerate(phases)
         ],
+        **law,
     }
 
 

@@ -34,6 +34,7 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
         "end": repr(motion.end),
         "status": motion.status.name.lower(),
         "message": motion.message,
+        "options": list(motion.options),
         "grazings": [
             {
                 "time": repr(g.time),

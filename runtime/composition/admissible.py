@@ -15,6 +15,7 @@ from nonsmooth.runtime.admissible import MOST_MISSED, Admissibility, Violation
 from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, flow_at, numbers_in
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.simulation.crossing import first_crossing
+from nonsmooth.runtime.simulation.deciding import Decider
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.quasi import QuasiPolynomial
 from nonsmooth.runtime.simulation.run import LONGEST_WAIT
@@ -113,6 +114,10 @@ def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int, duration: f
 def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.ndarray) -> bool:
     """Whether the first declared transition whose conditions hold is the itinerary's."""
     wanted = cycle.transitions[place]
+    if wanted.path is not None:
+        return _lawful(cycle, numbers, now, place)
+    if cycle.structure.orders(cycle.configurations[place], wanted.boundaries):
+        return _lawful(cycle, numbers, now, place)
     for transition in cycle.structure.transitions[cycle.configurations[place]]:
         if transition.boundaries != wanted.boundaries:
             continue
@@ -123,6 +128,16 @@ def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.n
         if holds:
             return transition is wanted
     return False
+
+
+def _lawful(cycle: Cycle, numbers: Numbers, now: Passage, place: int) -> bool:
+    """Whether the laws of contact lead to the itinerary's next configuration."""
+    structure, source = cycle.structure, cycle.configurations[place]
+    wanted, known = cycle.transitions[place], np.append(now.ends[place].astype(float), 1.0)
+    decider = Decider(structure, numbers.fields, numbers.rows, numbers.resets)
+    error = 2 * abs(float(now.gaps[place]) / float(now.speeds[place]))
+    found = decider.decision(source, wanted.boundaries, known, abs(known), error)
+    return found is not None and found.target == wanted.target
 
 
 def _positive(

@@ -18,6 +18,7 @@ from nonsmooth.runtime.composition.passage import (
     numbers_in,
     pass_through,
 )
+from nonsmooth.runtime.composition.routes import with_routes
 from nonsmooth.runtime.composition.stability import (
     local_maps,
     mechanical_states,
@@ -129,7 +130,7 @@ def compose_many(
     """
     if threads is not None and (isinstance(threads, bool) or threads < 1):
         raise InputError(f"threads = {threads} is not a positive integer")
-    kernels = kernels_of(system)
+    kernels = with_routes(kernels_of(system), itinerary)
     structure = structure_of(kernels)
     cycle = cycle_of(structure, itinerary)
     size = len(structure.states)

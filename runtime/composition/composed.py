@@ -30,6 +30,7 @@ from nonsmooth.runtime.composition.passage import (
     pass_through,
 )
 from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.composition.routes import with_routes, with_routes_at
 from nonsmooth.runtime.composition.symmetry import (
     closing,
     part_of,
@@ -116,7 +117,7 @@ def compose(
     """
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
-    kernels = kernels_of(system)
+    kernels = with_routes(kernels_of(system), itinerary)
     point = piecewise(kernels, parameters)
     structure = point.structure
     mirror = None if symmetry is None else symmetry_of(point, symmetry)
@@ -139,6 +140,7 @@ def compose(
         part, numbers_of(closed)[None], dwell.reshape(1, -1), start, np.array([length])
     )
     times, states = whole_orbit(mirror, found.dwell[0], found.starts[0])
+    kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
     orbit = ComposedOrbit(
         kernels.name,
         cycle.itinerary,

@@ -15,6 +15,7 @@ import numpy as np
 
 from nonsmooth.runtime.composition.passage import numbers_in
 from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.composition.routes import with_routes_at
 from nonsmooth.runtime.composition.symmetry import symmetry_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import Form
@@ -135,9 +136,12 @@ def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
     symmetry = None
     if content["symmetry"]:
         symmetry = symmetry_of(piecewise(kernels, parameters), content["symmetry"])
+    itinerary = tuple((str(phase["configuration"]), str(phase["boundary"])) for phase in phases)
+    point = piecewise(kernels, parameters)
+    kernels = with_routes_at(kernels, point, itinerary, np.array(dwell), np.array(states))
     orbit = ComposedOrbit(
         kernels.name,
-        tuple((str(phase["configuration"]), str(phase["boundary"])) for phase in phases),
+        itinerary,
         parameters,
         np.array(dwell, dtype=kind),
         np.array(states, dtype=kind),

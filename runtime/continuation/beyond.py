@@ -247,12 +247,9 @@ def _paths(structure: Structure, source: str, target: str, most: int) -> Iterato
             continue
         index = structure.configuration(configuration)
         names = [shape.name for shape in structure.boundaries[index]]
-        for transition in structure.transitions[index]:
-            if len(transition.boundaries) > 1:
-                continue  # a collision of its own
-            boundary = names[min(transition.boundaries)]
-            following = structure.configurations[transition.target]
-            waiting.append((following, (*way, (configuration, boundary))))
+        for boundary, target in structure.exits(index):  # several at once: a collision
+            following = structure.configurations[target]
+            waiting.append((following, (*way, (configuration, names[boundary]))))
 
 
 def _splits(total: float, count: int, time: float | None) -> list[list[float]]:

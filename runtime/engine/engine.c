@@ -238,7 +238,7 @@ static int is_finite(int n, const double *state)
 
 static inline __attribute__((always_inline)) outcome
 run(const tables *t, const int n, double *state, int32_t *configuration_index, double until,
-    int64_t limit, const record *r)
+    int64_t limit, const record *r, const decider *d)
 {
     const layout *l = t->layout;
     phase p;
@@ -333,14 +333,22 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
         }
         const int chosen = choose(t, n, here, event.set, located, state, magnitude,
                                   event.time_error);
-        if (chosen < 0) {
-            result.status = STATUS_UNDECLARED;
-            break;
+        int32_t target, taken;
+        if (chosen >= 0) {
+            target = l->transition_target[chosen];
+            taken = l->transition_reset[chosen];
+        } else {
+            const int status = d ? d->decide(d->context, here, event.set, state, magnitude,
+                                             event.time_error, &target, &taken)
+                                 : STATUS_UNDECLARED;
+            if (status >= 0) {
+                result.status = status;
+                break;
+            }
         }
-        if (l->transition_reset[chosen] != 0)
-            reset(t->resets + (size_t)l->transition_reset[chosen] * n * (n + 1), n, state,
-                  magnitude);
-        here = l->transition_target[chosen];
+        if (taken != 0)
+            reset(t->resets + (size_t)taken * n * (n + 1), n, state, magnitude);
+        here = target;
         p.start = event.time_error;
         waited = 0.0;
         keep(r, ++result.transitions, n, now.high, here, before, state, event.set);
@@ -351,15 +359,15 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
 }
 
 outcome engine_run(const tables *t, double *state, int32_t *configuration, double until,
-                   int64_t limit, const record *record)
+                   int64_t limit, const record *record, const decider *decider)
 {
     /* the sizes of the built-in systems are constants to the compiler */
     switch (t->layout->states) {
     case 2:
-        return run(t, 2, state, configuration, until, limit, record);
+        return run(t, 2, state, configuration, until, limit, record, decider);
     case 4:
-        return run(t, 4, state, configuration, until, limit, record);
+        return run(t, 4, state, configuration, until, limit, record, decider);
     default:
-        return run(t, t->layout->states, state, configuration, until, limit, record);
+        return run(t, t->layout->states, state, configuration, until, limit, record, decider);
     }
 }

@@ -12,7 +12,16 @@ enum {
     STATUS_UNDECLARED,
     STATUS_IMMEDIATE,
     STATUS_OVERFLOW,
+    STATUS_AMBIGUOUS,
 };
+
+/* What follows an event for which no transition is listed: the target and the index of the reset,
+ * and a negative number; or the status with which the motion ends. */
+typedef struct {
+    int (*decide)(void *context, int source, uint32_t set, const double *state,
+                  const double *magnitude, double time_error, int32_t *target, int32_t *reset);
+    void *context;
+} decider;
 
 /* Where the entries go: entry k at k % capacity, so that the last ones stay; any may be NULL. */
 typedef struct {
@@ -32,8 +41,9 @@ typedef struct {
 } outcome;
 
 /* Follow a motion. `state` and `configuration` are those of the end afterwards. At most `limit`
- * transitions, and no further than `until`, which may be infinite. */
+ * transitions, and no further than `until`, which may be infinite. Without a decider (NULL) a motion
+ * ends where no transition is listed. */
 outcome engine_run(const tables *tables, double *state, int32_t *configuration, double until,
-                   int64_t limit, const record *record);
+                   int64_t limit, const record *record, const decider *decider);
 
 #endif

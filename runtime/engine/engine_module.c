@@ -7,19 +7,57 @@ PyObject *py_simulate(PyObject *self, PyObject *arguments);
 
 enum { BUFFERS = 14 };
 
+/* The function in Python that decides, and the point and the state's size that it is asked at. */
+typedef struct {
+    PyObject *function;
+    const layout *shape;
+    int32_t point;
+    int failed;
+} asking;
+
+static int ask(void *context, int source, uint32_t set, const double *state,
+               const double *magnitude, double time_error, int32_t *target, int32_t *reset)
+{
+    asking *asked = context;
+    const Py_ssize_t size = (Py_ssize_t)asked->shape->states * (Py_ssize_t)sizeof(double);
+    const PyGILState_STATE gil = PyGILState_Ensure();
+    int status = STATUS_UNDECLARED;
+    PyObject *answer =
+        PyObject_CallFunction(asked->function, "iiIy#y#d", (int)asked->point, source,
+                              (unsigned int)set, (const char *)state, size,
+                              (const char *)magnitude, size, time_error);
+    int found[3] = {0};
+    if (answer && PyArg_ParseTuple(answer, "iii", &found[0], &found[1], &found[2])) {
+        status = found[0];
+        *target = found[1];
+        *reset = found[2];
+        if (status < 0 && (found[1] < 0 || found[1] >= asked->shape->configurations ||
+                           found[2] < 0 || found[2] >= asked->shape->resets))
+            PyErr_SetString(PyExc_ValueError, "decide: no such target or reset");
+    }
+    if (PyErr_Occurred()) {
+        asked->failed = 1;
+        status = STATUS_UNDECLARED;
+    }
+    Py_XDECREF(answer);
+    PyGILState_Release(gil);
+    return status;
+}
+
 /* simulate(layout, numbers, points, states, configurations, until, limit, times, kept, before,
- *          after, sets, grazings, counts)
+ *          after, sets, grazings, counts, decide)
  * `points` says which row of numbers each motion takes. Each of the arrays of entries has the same
  * number of them for each motion; before, after and sets may have none. `counts` gets status,
- * transitions and grazings of each motion; `until` becomes its end. */
+ * transitions and grazings of each motion; `until` becomes its end. `decide` is None, or a function
+ * of point, source, set, state, magnitudes and time error that answers status, target, reset. */
 PyObject *py_simulate(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *objects[BUFFERS - 1];
+    PyObject *objects[BUFFERS - 1], *function;
     long long limit;
-    if (!PyArg_ParseTuple(arguments, "OOOOOOLOOOOOOO", &objects[0], &objects[1], &objects[2],
+    if (!PyArg_ParseTuple(arguments, "OOOOOOLOOOOOOOO", &objects[0], &objects[1], &objects[2],
                           &objects[3], &objects[4], &objects[5], &limit, &objects[6], &objects[7],
-                          &objects[8], &objects[9], &objects[10], &objects[11], &objects[12]))
+                          &objects[8], &objects[9], &objects[10], &objects[11], &objects[12], &function))
         return NULL;
     static const char *names[] = {"layout", "numbers", "points", "states", "configurations",
                                   "until",  "times",   "kept",   "before", "after",
@@ -61,11 +99,14 @@ PyObject *py_simulate(PyObject *self, PyObject *arguments)
         PyErr_NoMemory();
         goto done;
     }
+    asking asked = {function, &shape, 0, 0};
+    const decider decider = {ask, &asked};
     Py_BEGIN_ALLOW_THREADS
     double *states = views[3].buf, *until = views[5].buf;
     int64_t *counts = views[12].buf;
     int32_t filled = -1;
-    for (Py_ssize_t i = 0; i < count; ++i) {
+    for (Py_ssize_t i = 0; i < count && !asked.failed; ++i) {
+        asked.point = points[i];
         if (points[i] != filled) {
             filled = points[i];
             tables_fill(&tables, (const double *)views[1].buf + (size_t)filled * size);
@@ -81,14 +122,15 @@ PyObject *py_simulate(PyObject *self, PyObject *arguments)
             .grazings = (double *)views[11].buf + i * grazings * 4,
         };
         const outcome end =
-            engine_run(&tables, states + i * n, &configurations[i], until[i], limit, &record);
+            engine_run(&tables, states + i * n, &configurations[i], until[i], limit, &record,
+                       function == Py_None ? NULL : &decider);
         until[i] = end.end;
         counts[3 * i] = end.status;
         counts[3 * i + 1] = end.transitions;
         counts[3 * i + 2] = end.grazings;
     }
     Py_END_ALLOW_THREADS
-    answer = Py_NewRef(Py_None);
+    answer = asked.failed ? NULL : Py_NewRef(Py_None);
 done:
     tables_free(&tables);
     while (held > 0)

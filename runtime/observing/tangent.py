@@ -171,14 +171,8 @@ def _resets(
     behind: np.ndarray,
 ) -> np.ndarray:
     """Linear parts (n, N, N) of the resets that the transitions took: those that fit best."""
-    shapes = system.structure.transitions[source]
-    known = sorted(
-        {
-            shape.reset
-            for shape in shapes
-            if shape.target == target and sum(1 << b for b in shape.boundaries) == reached
-        }
-    )
+    boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
+    known = sorted({t.reset for t in system.structure.leading(source, boundaries, target)})
     matrices = system.resets[known]
     images = np.einsum("rij,nj->rni", matrices, _extended(before))
     best = np.argmin(np.abs(images - behind).max(axis=2), axis=0)

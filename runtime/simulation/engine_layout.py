@@ -39,7 +39,13 @@ def layout_of(structure: Structure) -> np.ndarray:
             raise InputError(f"{structure.name} has {largest} {what}; the engine takes {most}")
     modes = list(chain(*structure.shapes))
     boundaries = list(chain(*structure.boundaries))
-    transitions = list(chain(*structure.transitions))
+    # what may act in several orders is left to the decider
+    ordered = [{t.boundaries for t in found if t.order} for found in structure.transitions]
+    listed = tuple(
+        tuple(t for t in found if t.boundaries not in several)
+        for found, several in zip(structure.transitions, ordered, strict=True)
+    )
+    transitions = list(chain(*listed))
     conditions = [condition for t in transitions for condition in t.conditions]
     pairs = list(dict.fromkeys((row, along) for row, along, _ in conditions))
     header = [
@@ -63,7 +69,7 @@ def layout_of(structure: Structure) -> np.ndarray:
         _starts(structure.boundaries),
         [b.row for b in boundaries],
         [int(b.reached) for b in boundaries],
-        _starts(structure.transitions),
+        _starts(listed),
         [sum(1 << b for b in t.boundaries) for t in transitions],
         [t.target for t in transitions],
         [t.reset for t in transitions],

@@ -14,6 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import backend
+from nonsmooth.runtime.simulation.deciding import batch_decider
 from nonsmooth.runtime.simulation.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.simulation.flows import flow_states
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
@@ -91,6 +92,8 @@ def run_compiled(
     if not (np.isfinite(numbers).all() and np.isfinite(state).all()):
         raise InputError("the system or the state is not finite")
     most = np.iinfo(np.int64).max if transitions is None else transitions
+    options: list[tuple[int, ...]] = []
+    decide = batch_decider(structure, numbers[None], options)
     # unknown counts: once more with room for twice as many
     entries, touches = min(most + 1, _FIRST_ENTRIES), _GRAZINGS
     while True:
@@ -113,6 +116,7 @@ def run_compiled(
             sets,
             grazings,
             counts,
+            decide,
         )
         status, done, touched = counts.tolist()
         if done < entries and touched <= touches:
@@ -132,6 +136,7 @@ def run_compiled(
         ),
         Status(status),
         float(ends[0]),
+        options[-1] if status == Status.AMBIGUOUS else (),
     )
 
 
@@ -212,5 +217,6 @@ def run_motions(
         ends.kept_sets,
         np.empty((count, 0, 4)),
         counts,
+        batch_decider(structure, numbers, []),
     )
     return ends._replace(status=counts[:, 0], transitions=counts[:, 1], grazings=counts[:, 2])

@@ -39,6 +39,7 @@ class Status(IntEnum):
     UNDECLARED = 3  # the system declares no transition for the boundaries that were reached
     IMMEDIATE = 4  # one transition after the other without any time between them
     OVERFLOW = 5  # a state that is not below LARGEST_STATE, or numbers in which no step gets on
+    AMBIGUOUS = 6  # the laws of contact leave open what follows
 
     @property
     def message(self) -> str:
@@ -53,6 +54,7 @@ _MESSAGES = {
     Status.UNDECLARED: "the system declares no transition for what happens here",
     Status.IMMEDIATE: "transitions follow each other without any time between them",
     Status.OVERFLOW: "numbers are larger, or times shorter, than the engine computes with",
+    Status.AMBIGUOUS: "the laws of contact leave open what follows here",
 }
 
 
@@ -91,6 +93,8 @@ class Run:
     status : Status
     end : float
         Time at which the simulation ended: that of the last transition, or `until`.
+    options : tuple of int
+        Configurations that may follow, where the laws of contact leave it open.
     """
 
     times: np.ndarray
@@ -101,3 +105,4 @@ class Run:
     grazings: tuple[Grazing, ...]
     status: Status
     end: float
+    options: tuple[int, ...] = ()

@@ -349,11 +349,9 @@ def _moves(system: PiecewiseLinear, run: Run) -> bool:
             return False
     for entry in range(1, count + 1):
         source, target = run.configurations[entry - 1 : entry + 1].tolist()
-        resets = {
-            shape.reset
-            for shape in system.structure.transitions[source]
-            if shape.target == target and sum(1 << b for b in shape.boundaries) == run.sets[entry]
-        }
+        reached = int(run.sets[entry])
+        boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
+        resets = {t.reset for t in system.structure.leading(source, boundaries, target)}
         extended = np.append(run.before[entry], 1.0)
         misses = [np.abs(system.resets[r] @ extended - run.states[entry]).max() for r in resets]
         if not min(misses, default=math.inf) <= _TOLERANCE * (1 + np.abs(extended).max()):

@@ -6,7 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from nonsmooth.runtime.contacts.law import Law
 from nonsmooth.runtime.errors import InputError, unknown_name
+from nonsmooth.runtime.simulation.deciding import Decider
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.values import as_value
@@ -72,7 +74,8 @@ def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | N
     A configuration with constraints (a stuck mass, a mass resting on a stop) is tried before
     those with fewer: it takes the state if its constraints hold and it is not left at once.
     Where every configuration is left at once, the first whose boundaries are not exceeded
-    takes it, and its transition follows.
+    takes it, and its transition follows. Where several contacts that the mass matrix couples
+    are at rest, their law decides.
 
     Parameters
     ----------
@@ -96,6 +99,12 @@ def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | N
     found = configurations_of(structure, system.fields[None], system.rows[None], state[None])
     if found[0] >= 0:
         return int(found[0])
+    open_ = _left_open(system, state)
+    if open_:
+        raise InputError(
+            f"the laws of contact leave open to which of {', '.join(open_)} the start belongs:"
+            " name the configuration"
+        )
     problems = {
         structure.configurations[c]: _violated(system, c, state)
         for c in range(len(structure.configurations))
@@ -148,7 +157,44 @@ def configurations_of(
                         break
             staying[(staying < 0) & inside & stays] = c
             possible[(possible < 0) & inside] = c
-    return np.where(staying >= 0, staying, possible)
+    found = np.where(staying >= 0, staying, possible)
+    if structure.law is not None and wanted is None:
+        for place, resting in _resting(structure.law, fields, rows, extended):
+            if found[place] >= 0:
+                at = place if len(rows) > 1 else 0
+                decider = Decider(structure, fields[at], rows[at], fields[:0])
+                targets = decider.beginnings(int(found[place]), extended[place], resting).targets
+                found[place] = targets[0] if len(targets) == 1 else -1
+    return found
+
+
+def _resting(
+    law: Law, fields: np.ndarray, rows: np.ndarray, extended: np.ndarray
+) -> Iterator[tuple[int, np.ndarray]]:
+    """States in which several of a law's contacts are at rest, and which these are."""
+    rests = np.ones((len(law.contacts), len(extended)), dtype=bool)
+    for place, contact in enumerate(law.contacts):
+        for row in (contact.relative, contact.gap):
+            # constraints err alike in all configurations: by the fields of the first
+            value, error = next(_orders(fields[:, 0], rows[:, row], extended))
+            rests[place] &= np.abs(value) <= error
+    for place in np.flatnonzero(rests.sum(axis=0) > 1).tolist():
+        yield place, rests[:, place]
+
+
+def _left_open(system: PiecewiseLinear, state: np.ndarray) -> tuple[str, ...]:
+    """Configurations that the law leaves open for a start."""
+    structure, law = system.structure, system.structure.law
+    extended = np.append(state, 1.0)[None]
+    inside = [c for c in range(len(structure.configurations)) if not _violated(system, c, state)]
+    if law is None or not inside:
+        return ()
+    order = sorted(inside, key=lambda c: -len(structure.constraints[c]))
+    for _, resting in _resting(law, system.fields[None], system.rows[None], extended):
+        decider = Decider(structure, system.fields, system.rows, system.resets)
+        found = decider.beginnings(order[0], extended[0], resting).targets
+        return tuple(structure.configurations[c] for c in found)
+    return ()
 
 
 def _number(name: str, given: object) -> float:

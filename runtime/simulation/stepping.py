@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.simulation.crossing import ORDERS, Series, Start, first_crossing
+from nonsmooth.runtime.simulation.deciding import Decider, Decision
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.quasi import UNIT, QuasiPolynomial
 from nonsmooth.runtime.simulation.run import (
@@ -73,6 +74,7 @@ class _Stepper:
         self.configurations: dict[int, ConfigurationTable] = {}
         self.pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
         self.resets = [rows_of(reset) for reset in system.resets]
+        self.decider = Decider(system.structure, system.fields, system.rows, system.resets)
 
     def configuration(self, index: int) -> ConfigurationTable:
         if index not in self.configurations:
@@ -144,17 +146,29 @@ class _Stepper:
         event: _Event,
         state: list[float],
         errors: _Errors,
-    ) -> TransitionShape | None:
-        """The first transition declared for a set of boundaries whose conditions hold."""
+    ) -> TransitionShape | Decision | None:
+        """The first transition listed for a set of boundaries whose conditions hold.
+
+        Where there is none the laws of contact decide; a decision is returned where they do not.
+        """
         shapes = self.structure.boundaries[configuration]
         rows = {shapes[b].row for b in event.located}
-        for transition in self.structure.transitions[configuration]:
+        several = len(event.boundaries) > 1 and self.structure.orders(
+            configuration, event.boundaries
+        )
+        for transition in () if several else self.structure.transitions[configuration]:
             if transition.boundaries == event.boundaries and all(
                 self._positive(row, along, state, errors, row in rows) is holds
                 for row, along, holds in transition.conditions
             ):
                 return transition
-        return None
+        sizes, _, error = errors
+        found = self.decider.decision(
+            configuration, event.boundaries, np.array(state), np.array(sizes), error
+        )
+        if found is None or found.target < 0:
+            return found
+        return TransitionShape(event.boundaries, (), found.reset, found.target)
 
     def _positive(
         self, row: int, along: int, state: list[float], errors: _Errors, is_zero: bool
@@ -270,7 +284,7 @@ def run(
     error, immediate, left_out = 0.0, 0, frozenset[int]()
     waited = 0.0  # since the last transition
 
-    def ended(status: Status, end: float) -> Run:
+    def ended(status: Status, end: float, options: tuple[int, ...] = ()) -> Run:
         times, configurations, before, states, sets = zip(*entries, strict=True)
         return Run(
             np.array(times),
@@ -281,6 +295,7 @@ def run(
             tuple(grazings),
             status,
             end,
+            options,
         )
 
     while True:
@@ -335,6 +350,8 @@ def run(
         transition = stepper.transition(configuration, event, before, (sizes, moved, error))
         if transition is None:
             return ended(Status.UNDECLARED, clock.time)
+        if isinstance(transition, Decision):
+            return ended(Status.AMBIGUOUS, clock.time, transition.options)
         shapes = system.structure.boundaries[configuration]
         located = {shapes[b].row for b in event.located} | (zero if dwell == 0 else frozenset())
         zero = stepper.kept(transition, located)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 
+from nonsmooth.runtime.contacts.law import Law, law_of
+from nonsmooth.runtime.contacts.stages import Path
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
@@ -59,12 +61,18 @@ class TransitionShape:
         The first nonzero derivative of the row along the configuration's flow is positive,
         or not.
     reset, target : int
+    order : int
+        Of the orders in which stops may act that are reached together; 0 belongs to all.
+    path : Path, optional
+        The steps by which the contact law comes to it; None where the system lists it.
     """
 
     boundaries: frozenset[int]
     conditions: tuple[tuple[int, int, bool], ...]
     reset: int
     target: int
+    order: int = 0
+    path: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -97,6 +105,8 @@ class Structure:
         States c and s of a harmonic forcing: c^2 + s^2 = 1.
     coordinates : tuple of (int, int)
         Positions and their velocities.
+    law : Law, optional
+        What decides where no transition is listed.
     """
 
     name: str
@@ -112,12 +122,39 @@ class Structure:
     resets: int
     forcing: tuple[tuple[int, int], ...] = ()
     coordinates: tuple[tuple[int, int], ...] = ()
+    law: Law | None = None
 
     def configuration(self, name: str) -> int:
         """Index of a configuration; InputError if there is none of that name."""
         if name not in self.configurations:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
+
+    def leading(
+        self, source: int, boundaries: frozenset[int], target: int
+    ) -> tuple[TransitionShape, ...]:
+        """Transitions to a target, listed or of the law, which tells no conditions here."""
+        listed = tuple(
+            t for t in self.transitions[source] if t.boundaries == boundaries and t.target == target
+        )
+        if self.law is None:
+            return listed
+        event = self.law.event(source, [self.boundaries[source][b].name for b in boundaries])
+        if event is None or not self.law.leads(event, target):
+            return listed
+        return (*listed, TransitionShape(boundaries, (), self.law.reset(event, target), target))
+
+    def exits(self, source: int) -> Iterator[tuple[int, int]]:
+        """Each boundary with each target that it may lead to when it is reached alone."""
+        for boundary in range(len(self.boundaries[source])):
+            for target in range(len(self.configurations)):
+                if self.leading(source, frozenset({boundary}), target):
+                    yield boundary, target
+
+    def orders(self, source: int, boundaries: frozenset[int]) -> tuple[int, ...]:
+        """Numbers of the orders in which what is reached together may act; none for one order."""
+        listed = (t for t in self.transitions[source] if t.boundaries == boundaries)
+        return tuple(dict.fromkeys(t.order for t in listed if t.order))
 
     def boundary(self, configuration: int, name: str) -> int:
         """Index of a boundary of a configuration; InputError if it has none of that name."""
@@ -186,6 +223,8 @@ def _structure(kernels: SystemKernels) -> Structure:
                 ),
                 entry["reset"],
                 configurations.index(entry["target"]),
+                entry.get("order", 0),
+                entry.get("path"),
             )
         )
     return Structure(
@@ -206,13 +245,18 @@ def _structure(kernels: SystemKernels) -> Structure:
             )
             for name, found in table["contacts"].items()
         ),
-        kernels.module.KERNELS["rows"][1][0][0],
+        kernels.rows,
         kernels.module.KERNELS["resets"][1][0][0] // len(states),
-        *(
-            tuple((states.index(a), states.index(b)) for a, b in table[name])
-            for name in ("forcing", "coordinates")
-        ),
+        _pairs(states, table["forcing"]),
+        _pairs(states, table["coordinates"]),
+        law_of(table, configurations),
     )
+
+
+def _pairs(
+    states: tuple[str, ...], named: Iterable[tuple[str, str]]
+) -> tuple[tuple[int, int], ...]:
+    return tuple((states.index(a), states.index(b)) for a, b in named)
 
 
 def mode_shapes(modes: Iterable[tuple[int, bool]]) -> tuple[ModeShape, ...]:

@@ -117,9 +117,15 @@ class Trajectory:
         return self.run.status
 
     @property
+    def options(self) -> tuple[str, ...]:
+        """Configurations that may follow, where the laws of contact leave it open."""
+        return tuple(self.structure.configurations[c] for c in self.run.options)
+
+    @property
     def message(self) -> str:
         """Why it ended, in words."""
-        return self.run.status.message
+        found = self.run.status.message
+        return f"{found}: {' or '.join(self.options)}" if self.options else found
 
     @property
     def grazings(self) -> tuple[Grazing, ...]:

@@ -178,6 +178,8 @@ class _Motion:
     ) -> tuple[int, int]:
         """Target and reset of the first transition declared for a set whose conditions hold."""
         structure = self.system.structure
+        if structure.orders(self.configuration, frozenset(reached)):
+            raise Undecided(f"in which order the stops act at {self._names(reached)}", digits=False)
         for transition in structure.transitions[self.configuration]:
             if transition.boundaries != frozenset(reached):
                 continue
@@ -199,6 +201,9 @@ class _Motion:
                 raise Undecided(
                     f"at {self._names(reached)}, whether {target} follows: {unknown.reason}"
                 )
+        if structure.law is not None:
+            told = f"what the contact law says at {self._names(reached)}: motions do not ask it yet"
+            raise Undecided(told, digits=False)
         raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
 
     def _names(self, reached: tuple[int, ...]) -> str:

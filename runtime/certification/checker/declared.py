@@ -12,8 +12,10 @@ from typing import Any, NamedTuple
 
 from flint import fmpq
 
+from nonsmooth.runtime.certification.checker.contacts import ContactLaw
 from nonsmooth.runtime.certification.checker.exact import (
     Elimination,
+    Failure,
     demand,
     is_integer,
     leading,
@@ -33,6 +35,7 @@ class Transition(NamedTuple):
     conditions: list[tuple[Any, str, bool]]
     reset: Any
     target: str
+    early: int | None = None  # conditions of a law's steps before the last; None: it is listed
 
 
 class Step(NamedTuple):
@@ -66,12 +69,15 @@ class Phase(NamedTuple):
     """What has to hold in a phase.
 
     Rows that vanish where it begins; boundaries; transitions up to the itinerary's, which is the
-    last: whether a row's sign, None where that is zero, is positive.
+    last: whether a row's sign, None where that is zero, is positive. Of a law's transition, and
+    whether its steps are decided by their own functions and its reset moves nothing.
     """
 
     held: list[Any]
     watched: list[Watched]
     ways: list[list[tuple[Any, bool]]]
+    lawful: bool
+    decided: bool
 
 
 class Declared:
@@ -110,6 +116,8 @@ class Declared:
             )
             for entry in declared["transitions"]
         ]
+        if "law" in declared and self.rational:
+            self._lawful(declared)
         self.itinerary = declared["phases"]
         told = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
         demand(content["itinerary"] == told, "the itinerary is not that of the declaration")
@@ -156,6 +164,17 @@ class Declared:
             others = [other for k, other in enumerate(states) if k != place]
             free = all(name not in (other, f"{other}0") for other in others)
             demand(free or name == f"{states[place]}0", f"{name} is that of another state")
+
+    def _lawful(self, declared: dict[str, Any]) -> None:
+        """Transitions with steps are those of the contact law."""
+        try:
+            law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
+            for place, entry in enumerate(declared["transitions"]):
+                if "steps" in entry:
+                    own = self.transitions[place]
+                    self.transitions[place] = own._replace(early=law.check(entry, own.conditions))
+        except (KeyError, IndexError, TypeError, ValueError) as problem:
+            raise Failure(f"the contact law is malformed: {problem!r}") from None
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
@@ -284,18 +303,24 @@ class Declared:
             ends = reduced(row, end), reduced(rate, end)
             watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
         own = [boundaries[name] for name in ending]
-        ways = []
+        ways, decided = [], True
         for other in self.transitions:
             if other.begins == step.taken.begins:
-                ways.append(
-                    [
-                        (leading(row, self.fields[along], end, int(row in own))[1], holds)
-                        for row, along, holds in other.conditions
-                    ]
-                )
+                found = [
+                    (*leading(row, self.fields[along], end, int(row in own)), holds)
+                    for row, along, holds in other.conditions
+                ]
+                early = other.early or 0
+                decided &= all(not order and row is not None for order, row, _ in found[:early])
+                ways.append([(row, holds) for _, row, holds in found])
                 if other is step.taken:
                     break
-        return Phase([reduced(row, begin) for row in held], watched, ways)
+        if step.taken.early is not None:  # what begins to hold is in its place already
+            for k, row in enumerate(step.taken.reset):
+                moved = tuple(x - int(j == k) for j, x in enumerate(row))
+                decided &= not any(reduced(moved, end))
+        lawful = any(t.early is not None for t in self.transitions if t.begins == step.taken.begins)
+        return Phase([reduced(row, begin) for row in held], watched, ways, lawful, decided)
 
 
 def _seen(form: Any, rows: Any) -> list[Any]:

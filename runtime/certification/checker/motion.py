@@ -82,8 +82,10 @@ def _follows(orbit: Orbit, phase: Phase, last: Any) -> int | None:
         [_holds(orbit, row, last, expected) for row, expected in conditions]
         for conditions in phase.ways
     )
+    if not phase.decided:
+        return None
     if False in taken or any(all(conditions) for conditions in earlier):
-        return 1
+        return None if phase.lawful else 1
     sure = all(taken) and all(False in conditions for conditions in earlier)
     return -1 if sure else None
 

@@ -37,21 +37,38 @@ _BOX = [{"name": str, "mid": NUMBER, "rad": NUMBER}]
 _TERMS = [(NUMBER, [int])]
 _NUMBER = Either((NUMBER, _BALL, {"above": _TERMS, "below": _TERMS}))
 _ROW = [_NUMBER]
+_TRANSITION = {
+    "source": str,
+    "boundaries": [str],
+    "conditions": [(_ROW, str, bool)],
+    "reset": [_ROW],
+    "target": str,
+}
+_STEPS = {"steps": [{"kinetic": [str], "regimes": [str]}]}
+_LAW = {
+    "contacts": [
+        {
+            "name": str,
+            "friction": bool,
+            "static": _ROW,
+            "kinetic": _ROW,
+            "slipping": _ROW,
+            "overshooting": _ROW,
+        }
+    ],
+    "coupling": [_ROW],
+    "arrivals": Named(int),
+    "limits": Named(int),
+    "configurations": Named({"regimes": [str], "others": str, "idle": [int]}),
+    "free": Named([_ROW]),
+}
 _DECLARATION = {
     "parameters": [str],
     "states": [str],
     "start": [str],
     "forcing": [(int, int)],
     "configurations": Named({"field": [_ROW], "boundaries": Named(_ROW), "held": [_ROW]}),
-    "transitions": [
-        {
-            "source": str,
-            "boundaries": [str],
-            "conditions": [(_ROW, str, bool)],
-            "reset": [_ROW],
-            "target": str,
-        }
-    ],
+    "transitions": [Either((_TRANSITION, {**_TRANSITION, **_STEPS}))],
     "phases": [
         {"configuration": str, "boundaries": [str], "transition": int, "dwell_time": str},
     ],
@@ -80,7 +97,7 @@ _ORBIT = {
 _STATEMENT = {
     **_ORBIT,
     "chosen": [str],
-    "declaration": Either(({}, _DECLARATION)),
+    "declaration": Either(({}, _DECLARATION, {**_DECLARATION, "law": _LAW})),
     "closing": Either(({}, _CLOSING)),
 }
 _JUDGED = {

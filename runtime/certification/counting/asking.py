@@ -22,6 +22,7 @@ from nonsmooth.runtime.certification.subject import (
 )
 from nonsmooth.runtime.composition.naming import cycle_label, dwell_names
 from nonsmooth.runtime.composition.passage import Cycle, cycle_of
+from nonsmooth.runtime.composition.routes import with_routes
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.parameters import resolve
@@ -70,6 +71,7 @@ def asked_of(
     """
     if itinerary is not None:
         kernels = kernels_of(orbit)
+        kernels = with_routes(kernels, itinerary)
         cycle = cycle_of(structure_of(kernels), itinerary)
         taken = {*cycle.structure.states, *(p.name for p in kernels.parameters)}
         values = system_parameters(kernels, parameters)

@@ -1,0 +1,54 @@
+"""Resets by which parts that begin to hold are put exactly in their place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from nonsmooth.derive.building.assembly import Assembly, Regimes
+from nonsmooth.derive.building.parts import StopPart
+
+__all__ = ["pins"]
+
+
+def pins(
+    assembly: Assembly, begun: Sequence[int], target: Regimes, *, impact: bool
+) -> dict[sp.Symbol, sp.Expr]:
+    """Velocities, and the places of stops, of parts that begin to hold.
+
+    A held coordinate is set; otherwise all active directions are projected upon together.
+    """
+    frame = assembly.frame
+    rows = assembly.rows(begun)
+    if all(sum(weight != 0 for weight in rows.row(k)) == 1 for k in range(rows.rows)):
+        found: dict[sp.Symbol, sp.Expr] = {}
+        for i in begun:
+            part = assembly.holder(i)
+            place = next(k for k, weight in enumerate(part.direction) if weight != 0)
+            weight, position = part.direction[place], frame.positions[place]
+            if isinstance(part, StopPart):
+                found[position] = sp.cancel((weight * position - part.gap) / weight)
+            found[frame.velocities[place]] = part.speed / weight
+        return found
+    if impact:
+        return {}
+    active = assembly.active(target)
+    stops = [i for i in active if isinstance(assembly.parts[i], StopPart)]
+    gaps = sp.Matrix([assembly.stop(i).gap for i in stops])
+    drifts = sp.Matrix(
+        [frame.velocity(assembly.holder(i).direction) - assembly.holder(i).speed for i in active]
+    )
+    return _projected(frame.velocities, assembly.rows(active), drifts) | _projected(
+        frame.positions, assembly.rows(stops), gaps
+    )
+
+
+def _projected(
+    symbols: Sequence[sp.Symbol], rows: sp.Matrix, excess: sp.Matrix
+) -> dict[sp.Symbol, sp.Expr]:
+    """The nearest values for which the excess vanishes."""
+    if rows.rows == 0:
+        return {}
+    shift = rows.T * (rows * rows.T).inv() * excess
+    return {s: sp.expand(s - e) for s, e in zip(symbols, shift, strict=True) if e != 0}
