@@ -247,8 +247,8 @@ def _paths(structure: Structure, source: str, target: str, most: int) -> Iterato
             continue
         index = structure.configuration(configuration)
         names = [shape.name for shape in structure.boundaries[index]]
-        for boundary, target in structure.exits(index):  # several at once: a collision
-            following = structure.configurations[target]
+        for boundary, behind in structure.exits(index):  # several at once: a collision
+            following = structure.configurations[behind]
             waiting.append((following, (*way, (configuration, names[boundary]))))
 
 
