@@ -18,7 +18,7 @@ from nonsmooth.runtime.certification.checker import Failure, check
 from nonsmooth.runtime.certification.comparing import compare_certificate
 from nonsmooth.runtime.composition.recurring import itinerary_of
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.saved import checksum_of
+from nonsmooth.runtime.form import checksum_of
 from nonsmooth.runtime.simulation.deciding import Decider
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import Run, Status

@@ -25,7 +25,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.runtime.commands.display_checks import show_check
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.saved import checksum_of
+from nonsmooth.runtime.form import checksum_of
 from tests.certified import LOOP, forced, kicked, loop
 
 SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for all of them
