@@ -122,18 +122,25 @@ class Written:
             if line.left == r"\kappa":
                 names[line.left] = value_of(line, numbers)
             if line.left == "D(T)":
-                names["D"] = _AtOneTime(value_of(line, numbers))
+                names["D"] = _Both(names.get("D", 0.0), value_of(line, numbers))
             match = re.match(r"S_\{(\d+)\} = ", "".join(line.pieces))
             if match:
                 names[rf"S_{{{match[1]}}}"] = value_of(line, numbers)
         return Reader(names)
 
 
-class _AtOneTime(float):
-    """A function of time that is known at one time, there also written without it."""
+class _Both(float):
+    """A number, and what a function of the same letter is worth at one time."""
+
+    at_time: float
+
+    def __new__(cls, number: float, at_time: float) -> _Both:
+        found = super().__new__(cls, number)
+        found.at_time = at_time
+        return found
 
     def __call__(self, time: float) -> float:
-        return float(self)
+        return self.at_time
 
 
 def value_of(line: Line, numbers: Numbers) -> Any:

@@ -11,6 +11,7 @@ import pytest
 import sympy as sp
 from documents import declarations as all_declarations
 from documents import document_of, names
+from formulas.cycle_law import CycleLaw
 from formulas.law import Broken, Facts, SystemLaw, drawn
 from formulas.layout import Unreadable
 
@@ -27,11 +28,15 @@ from nonsmooth.derive.building import (
 )
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
 from nonsmooth.derive.document.centres import name_centres
-from nonsmooth.derive.document.closed_forms import closed_flows
-from nonsmooth.derive.document.describe import describe_system
+from nonsmooth.derive.document.closed_forms import closed_flows, without_numeric
+from nonsmooth.derive.document.cycle import Cycle
+from nonsmooth.derive.document.describe import describe_itinerary, describe_system, naming_of
+from nonsmooth.derive.document.letters import letters_of
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.document.wording import Naming
+from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.system import System
+from nonsmooth.derive.unfolding import unfolded
 
 SECTIONS = ("The system", "Configurations", "Modal analysis", "Transitions", "Contacts")
 SYSTEMS = list(names(System))
@@ -99,6 +104,37 @@ def test_what_the_document_of_a_system_says_is_true(name: str) -> None:
 def test_what_the_document_of_a_random_system_says_is_true(seed: int) -> None:
     system = random_system(seed)
     assert check(describe_system(system), system, seed) >= 8
+
+
+def law_of(itinerary: Itinerary) -> CycleLaw:
+    """The document of an itinerary, and an orbit at its reference."""
+    document, itinerary = describe_itinerary(itinerary), unfolded(itinerary)
+    system, reference = itinerary.presented_system, itinerary.reference
+    assert reference is not None
+    spectrum, found = closed_flows(system, dict.fromkeys(p.configuration for p in itinerary.phases))
+    flows = without_numeric(spectrum, found)
+    naming, centres = naming_of(itinerary, spectrum, flows)
+    notation = naming.notation
+    taken = (*notation.constants, *notation.states, *notation.unknowns)
+    cycle = Cycle(itinerary, naming, letters_of(naming, taken), {})
+    known = {p.name: p.symbol for p in system.parameters}
+    given = drawn(system, 1)
+    given |= {known[n]: float(sp.sympify(v)) for n, v in reference.parameters.items()}
+    return CycleLaw(document, Facts(system, naming, spectrum, centres, given), cycle)
+
+
+# every phase has a transition of its own
+ITINERARIES = (
+    "den_hartog/without-rest", "impact_oscillator/two-periods", "jenkins/yielding-both-ways",
+    "mass_on_belt/stick-slip", "piecewise_stiffness/one-contact", "switched_damping/limit-cycle",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ITINERARIES)
+def test_what_the_document_of_an_itinerary_says_is_true_on_an_orbit(name: str) -> None:
+    itinerary = all_declarations()[name]
+    assert isinstance(itinerary, Itinerary)
+    assert law_of(itinerary).whole() > 40
 
 
 def mistakes(latex: str) -> list[str]:

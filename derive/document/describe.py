@@ -7,6 +7,8 @@ expression that the kernels compute, and keeps that expression beside its LaTeX.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from nonsmooth.derive.chain import section_of, start_of
 from nonsmooth.derive.document.blocks import (
     Block,
@@ -17,7 +19,7 @@ from nonsmooth.derive.document.blocks import (
     Paragraph,
     Table,
 )
-from nonsmooth.derive.document.centres import name_centres
+from nonsmooth.derive.document.centres import Centres, name_centres
 from nonsmooth.derive.document.closed_forms import closed_flows, without_numeric
 from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.describe_admissible import admissibility_section
@@ -47,6 +49,7 @@ from nonsmooth.derive.document.view import View, view_of
 from nonsmooth.derive.document.wording import Naming, enumeration
 from nonsmooth.derive.equations import EquationSystem
 from nonsmooth.derive.itinerary import Itinerary, dwell_symbol
+from nonsmooth.derive.modal import Flow, Spectrum
 from nonsmooth.derive.system import System
 from nonsmooth.derive.unfolding import unfolded
 
@@ -158,25 +161,12 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
         If no state satisfies what the end of the last phase enforces.
     """
     itinerary = unfolded(itinerary)
-    system = itinerary.presented_system
     names = list(dict.fromkeys(p.configuration for p in itinerary.phases))
-    spectrum, found = closed_flows(system, names)
+    spectrum, found = closed_flows(itinerary.presented_system, names)
     flows = without_numeric(spectrum, found)
-    parameters = [p.symbol for p in (*system.parameters, *itinerary.system.parameters)]
-    constants = (*dict.fromkeys(parameters), *spectrum.symbols)
-    states = tuple(dict.fromkeys((*system.states, *itinerary.system.states)))
-    section = start_of(itinerary, system, section_of(itinerary, system))
-    dwell_times = tuple(dwell_symbol(p.dwell_time) for p in itinerary.phases)
-    notation = Notation(
-        states,
-        constants,
-        unknowns=(*section.coordinates, *dwell_times),
-        start=dict(zip(section.coordinates, section.places, strict=True)),
-    )
-    taken = (*constants, *states, *notation.unknowns)
-    centres = name_centres(flows.values(), map(notation.symbol, taken))
-    naming = Naming(notation.with_names(centres.names), system)
+    naming, centres = naming_of(itinerary, spectrum, flows)
     modal, numbers = flow_section(naming, spectrum, flows, names, centres)
+    taken = (*naming.notation.constants, *naming.notation.states, *naming.notation.unknowns)
     cycle = Cycle(itinerary, naming, letters_of(naming, taken), numbers)
     sections: list[tuple[str, list[Block]]] = [
         ("The system", system_section(naming, itinerary)),
@@ -198,3 +188,24 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
     blocks = [b for title, found in sections for b in (Heading(title), *found)]
     title = f"The itinerary {itinerary.name} of the system {itinerary.system.name}"
     return Document(title, tuple(blocks))
+
+
+def naming_of(
+    itinerary: Itinerary, spectrum: Spectrum, flows: Mapping[str, Flow]
+) -> tuple[Naming, Centres]:
+    """Notation of an itinerary's document, and the centres that have a letter there."""
+    system = itinerary.presented_system
+    parameters = [p.symbol for p in (*system.parameters, *itinerary.system.parameters)]
+    constants = (*dict.fromkeys(parameters), *spectrum.symbols)
+    states = tuple(dict.fromkeys((*system.states, *itinerary.system.states)))
+    section = start_of(itinerary, system, section_of(itinerary, system))
+    dwell_times = tuple(dwell_symbol(p.dwell_time) for p in itinerary.phases)
+    notation = Notation(
+        states,
+        constants,
+        unknowns=(*section.coordinates, *dwell_times),
+        start=dict(zip(section.coordinates, section.places, strict=True)),
+    )
+    taken = (*constants, *states, *notation.unknowns)
+    centres = name_centres(flows.values(), map(notation.symbol, taken))
+    return Naming(notation.with_names(centres.names), system), centres

@@ -209,6 +209,7 @@ class SystemLaw:
         self.used: set[str] = set()
         self.inside = facts.system.configurations[0].name
         self.where = ""
+        self.indices: dict[str, Any] = {}
 
     def check(self, sections: Iterable[str]) -> int:
         """Check these sections, and say how many formulas were held against something."""
@@ -356,7 +357,7 @@ class SystemLaw:
         names = self.with_functions(self.names, row, condition)
         if "∑" in plain(row):
             names |= self.facts.one_cluster(self.inside)
-        reading = Reading(names, ranges={"j": (1,)})
+        reading = Reading(names, self.indices, {"j": (1,)})
         if not signs:
             reading(row)
             return
@@ -364,7 +365,8 @@ class SystemLaw:
         values: list[Any] = []
         unknown: list[Row] = []
         for side in sides:
-            if is_name(side) and plain(side) not in names:
+            short = len(side) == 1 and reading.name(side[0], above=False) in names
+            if is_name(side) and not short and called(reading, side) not in names:
                 unknown.append(side)
             else:
                 values.append(reading(side))
@@ -373,7 +375,7 @@ class SystemLaw:
                 if not _close(value, values[0]):
                     raise Broken(f"{values[0]} is not {value}")
             for side in unknown:
-                self.defined[plain(side)] = values[0]
+                self.defined[called(reading, side)] = values[0]
                 place = re.fullmatch(r"d_\{(.*)\}", plain(side))
                 if place and place[1] in {c.name for c in self.facts.system.configurations}:
                     before, self.inside = self.inside, place[1]
@@ -381,10 +383,13 @@ class SystemLaw:
                     self.inside = before
         elif unknown:
             raise Broken(f"unknown: {list(map(plain, unknown))}")
-        elif "∈" not in signs:
-            if not all(map(_holds, signs, values, values[1:])):
-                raise Broken(f"false at {values}")
+        elif not self.is_open(row) and not all(map(_holds, signs, values, values[1:])):
+            raise Broken(f"false at {values}")
         self.count += 1
+
+    def is_open(self, row: Row) -> bool:
+        """Whether a relation holds for some values and not for others."""
+        return "∈" in plain(row)
 
     def with_functions(self, names: dict[str, Any], row: Row, condition: Row) -> dict[str, Any]:
         """Functions of one damped coordinate, for the sign of the discriminant that is meant."""
@@ -404,9 +409,9 @@ class SystemLaw:
                 self.facts.naming, (*system.states, *self.facts.naming.notation.constants)
             ).discriminant
         )
-        if condition:
-            _, (sign,) = relations_of(condition)
-            discriminant = {"<": -0.77, "=": 0.0, ">": 0.77}[sign]
+        signs = relations_of(condition)[1]
+        if len(signs) == 1:
+            discriminant = {"<": -0.77, "=": 0.0, ">": 0.77}[signs[0]]
 
         def function(place: int) -> Any:
             return lambda t: expm(np.array([[0, 1], [discriminant, 0]]) * t)[0, place]
@@ -593,6 +598,11 @@ def relations_of(row: Row) -> tuple[list[Row], list[str]]:
         if depth == 0 and text and text in _RELATIONS:
             signs.append(text)
     return sides, signs
+
+
+def called(reading: Reading, row: Row) -> str:
+    """A name, at the indices that are chosen."""
+    return "".join(map(reading.name, row))
 
 
 def is_name(row: Row) -> bool:

@@ -1,0 +1,308 @@
+"""What a document says of an itinerary, held against an orbit that is found by itself."""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from formulas.latex import read_latex
+from formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
+from formulas.layout import plain
+from formulas.pages import inline
+from formulas.values import Reading, name_of
+from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
+from nonsmooth.derive.document.cycle import Cycle
+from nonsmooth.derive.itinerary import dwell_symbol
+
+__all__ = ["CycleLaw", "Orbit"]
+
+SECTIONS = (
+    "The system", "Configurations", "Modal analysis", "The itinerary", "The equations",
+    "The reduction", "The transitions", "Stability", "Admissibility",
+)  # fmt: skip
+
+
+class Orbit:
+    """A periodic orbit by Newton's method on exponentials: of dwell times and a whole state."""
+
+    def __init__(self, cycle: Cycle, facts: Facts) -> None:
+        self.cycle, self.facts = cycle, facts
+        self.phases = cycle.itinerary.phases
+        self.passings = [cycle.passings[cycle.number(k) - 1] for k in range(1, cycle.count + 1)]
+        reference = cycle.itinerary.reference
+        assert reference is not None
+        guess = {n: float(v) for n, v in reference.guess.items()}
+        size = len(facts.system.states)
+        times = [guess[p.dwell_time] for p in self.phases]
+        matrix, end = np.eye(size), np.zeros((size, 1))
+        for k, time in enumerate(times):
+            phi, forcing = facts.flow(self.phases[k].configuration, time)
+            reset, jump = self.reset(k)
+            matrix, end = reset @ phi @ matrix, reset @ (phi @ end + forcing) + jump
+        states = list(facts.system.states)
+        known = {i: guess[f"{s}0"] for i, s in enumerate(states) if f"{s}0" in guess}
+        tried = []
+        # of a forcing the phase at the start is not known
+        for angle in np.linspace(0, 2 * np.pi, 36, endpoint=False):
+            given = dict(known)
+            for h in cycle.harmonics:
+                given.setdefault(states.index(h.first), np.cos(angle))
+                given.setdefault(states.index(h.second), np.sin(angle))
+            rows = np.vstack([np.eye(size) - matrix, np.eye(size)[list(given)]])
+            values = np.vstack([end, np.array([list(given.values())]).reshape(-1, 1)])
+            start = np.linalg.lstsq(rows, values, rcond=None)[0][:, 0]
+            unknown = np.array([*times, *start])
+            tried.append((np.abs(self.missed(unknown)).max(), tuple(unknown)))
+        unknown = np.array(min(tried)[1])
+        for _ in range(12):
+            missed = self.missed(unknown)
+            steps = 1e-7 * np.eye(len(unknown))
+            slope = np.array(
+                [(self.missed(unknown + h) - self.missed(unknown - h)) / 2e-7 for h in steps]
+            ).T
+            unknown = unknown - np.linalg.lstsq(slope, missed, rcond=1e-7)[0]
+        if np.abs(self.missed(unknown)).max() > 1e-10:
+            raise Broken(f"{cycle.itinerary.name}: no orbit")
+        self.times, self.start = unknown[: len(times)], unknown[len(times) :, None]
+        self.ends, self.behind = self.run(unknown)
+
+    def number(self, matrix: Any) -> np.ndarray:
+        return np.array(matrix.xreplace(self.facts.given).tolist(), dtype=float)
+
+    def reset(self, k: int) -> tuple[np.ndarray, np.ndarray]:
+        passing = self.passings[k]
+        return self.number(passing.reset), self.number(passing.jump)
+
+    def run(self, unknown: np.ndarray) -> tuple[list[np.ndarray], list[np.ndarray]]:
+        """States at the ends of the phases, in front of the transitions and behind them."""
+        ends, behind = [], [unknown[len(self.phases) :, None]]
+        for k, phase in enumerate(self.phases):
+            phi, forcing = self.facts.flow(phase.configuration, unknown[k])
+            ends.append(phi @ behind[-1] + forcing)
+            reset, jump = self.reset(k)
+            behind.append(reset @ ends[-1] + jump)
+        return ends, behind
+
+    def missed(self, unknown: np.ndarray) -> np.ndarray:
+        ends, behind = self.run(unknown)
+        switching = [self.gap(k, state) for k, state in enumerate(ends)]
+        start = dict(zip(self.facts.system.states, behind[0][:, 0], strict=True))
+        kept = [
+            float(h.invariant.subs(start).subs(self.facts.given)) - 1 for h in self.cycle.harmonics
+        ]
+        return np.array([*switching, *(behind[-1] - behind[0])[:, 0], *kept])
+
+    def gap(self, k: int, state: np.ndarray) -> float:
+        passing = self.passings[k]
+        constant = float(passing.constant.xreplace(self.facts.given))
+        return float((self.number(passing.normal) @ state)[0, 0]) + constant
+
+
+class CycleLaw(SystemLaw):
+    """Every formula is a name, or true on an orbit."""
+
+    def __init__(self, document: Document, facts: Facts, cycle: Cycle) -> None:
+        super().__init__(document, facts)
+        self.cycle, self.orbit = cycle, Orbit(cycle, facts)
+        self.transition: int | None = None
+
+    def whole(self) -> int:
+        """Check all sections."""
+        return self.check(SECTIONS)
+
+    @property
+    def parameters(self) -> tuple[Any, ...]:
+        itinerary = self.cycle.itinerary
+        return (*super().parameters, *filter(None, (itinerary.period,)))
+
+    def enter(self, block: Any) -> None:
+        super().enter(block)
+        if not isinstance(block, Formula):
+            text = block.text if isinstance(block, Paragraph) else ""
+            found = re.match(r"Transition (\d+), from", text)
+            self.transition = int(found[1]) if found else None
+
+    @property
+    def names(self) -> dict[str, Any]:
+        if self.where in ("The system", "Configurations", "Modal analysis"):
+            return super().names
+        if self.transition is None:
+            return {**super().names, **self.along}
+        # all is written in the state in front of the transition
+        notation = self.facts.naming.notation
+        (first, *_) = self.cycle.passings[self.transition - 1].phases
+        state = self.orbit.ends[first - 1][:, 0]
+        symbols = map(notation.symbol, self.facts.system.states)
+        return {**super().names, **self.along} | {
+            name_of(s): v for s, v in zip(symbols, state, strict=True)
+        }
+
+    @cached_property
+    def along(self) -> dict[str, Any]:
+        """What the letters of the document stand for on the orbit."""
+        cycle, orbit, facts, letters = self.cycle, self.orbit, self.facts, self.cycle.letters
+        naming, count = facts.naming, self.cycle.count
+        state = naming.state
+        found: dict[str, Any] = {}
+
+        def say(name: str, value: Any) -> None:
+            found[name_of(name)] = value
+
+        for k in range(count + 1):
+            say(f"{state}^{{({k})}}", orbit.ends[k - 1] if k else orbit.start)
+            say(f"{state}^{{({k})+}}", orbit.behind[k])
+        section = cycle.start
+        embedding, base = orbit.number(section.embedding), orbit.number(section.constant)
+        inverse = np.eye(len(orbit.start))[list(section.places)]
+        say(letters.embedding, embedding)
+        say(f"{letters.embedding}^{{+}}", inverse)
+        say(letters.base, base)
+        say(letters.coordinates, inverse @ orbit.start)
+        for symbol, place in zip(section.coordinates, section.places, strict=True):
+            say(naming.notation.symbol(symbol), float(orbit.start[place, 0]))
+        size = len(orbit.start)
+        passage, remainder = np.eye(size), np.zeros((size, 1))
+        local = monodromy = np.eye(size)
+        for k, phase in enumerate(orbit.phases):
+            time, passing = orbit.times[k], orbit.passings[k]
+            j, (reset, jump) = cycle.number(k + 1), orbit.reset(k)
+            phi, forcing = facts.flow(phase.configuration, time)
+            say(rf"\Phi^{{({k + 1})}}", phi)
+            say(f"{letters.forcing}^{{({k + 1})}}", forcing)
+            say(rf"\tau^{{({k + 1})}}", time)
+            say(naming.notation.symbol(dwell_symbol(phase.dwell_time)), time)
+            passage, remainder = reset @ phi @ passage, reset @ (phi @ remainder + forcing) + jump
+            normal = orbit.number(passing.normal)
+            a, b = facts.field(phase.configuration)
+            before = a @ orbit.ends[k] + b
+            a, b = facts.field(passing.transition.target)
+            after = a @ orbit.behind[k + 1] + b
+            rate = (normal @ before)[0, 0]
+            saltation = reset + (after - reset @ before) @ normal / rate
+            local = reset @ (np.eye(size) - before @ normal / rate) @ phi @ local
+            monodromy = saltation @ phi @ monodromy
+            if k + 1 != passing.phases[0]:
+                continue
+            for letter, value in (
+                (letters.reset, reset), (letters.jump, jump), (letters.normal, normal),
+                (letters.constant, float(passing.constant.xreplace(facts.given))),
+                (letters.field, before), (letters.saltation, saltation),
+            ):  # fmt: skip
+                say(f"{letter}_{{{j}}}", value)
+            say(f"{letters.field}_{{{j}}}^{{+}}", after)
+        say(letters.passage, passage)
+        say(letters.remainder, remainder)
+        say(letters.jacobian, inverse @ local @ embedding)
+        say(r"\mathcal{M}", monodromy)
+        a, b = facts.field(orbit.phases[0].configuration)
+        say(letters.matrix, a)
+        say(letters.offset, b)
+        if cycle.itinerary.period is not None:
+            say(naming.notation.symbol(cycle.itinerary.period.symbol), float(sum(orbit.times)))
+        return found
+
+    def statement(self, row: Any, condition: Any) -> None:
+        """For every phase, or transition, if its number is open."""
+        text = plain(row)
+        cycle = self.cycle
+        if text == "…" or re.match(r"k=1,|j\(k\)$", text):
+            return
+        outside = self.where not in ("The system", "Configurations", "Modal analysis")
+        if not outside or not re.search(r"[({]k|\{j\}|\{j\(k\)|\bg\(|Y\(t\)|X\(t\)", text):
+            super().statement(row, condition)
+            return
+        known, count = self.indices, self.count
+        behind = {k: cycle.number(k) for k in range(1, cycle.count + 1)}
+        if re.search(r"_\{j\}", text):
+            for j in range(1, len(cycle.passings) + 1):
+                self.indices = {"j": j}
+                super().statement(row, condition)
+        else:
+            for k in range(1, cycle.count + 1):
+                self.indices, self.phase = {"k": k, "j": behind}, k
+                super().statement(row, condition)
+        self.indices, self.count, self.phase = known, count + 1, 0
+
+    def is_open(self, row: Any) -> bool:
+        # an orbit need not be admissible
+        return super().is_open(row) or "g(" in plain(row)
+
+    phase = 0
+
+    def with_functions(self, names: dict[str, Any], row: Any, condition: Any) -> dict[str, Any]:
+        names = super().with_functions(names, row, () if self.phase else condition)
+        if not self.phase or "g(" not in plain(row):
+            return names
+        # boundary functions on the way through a phase
+        phase, before = self.orbit.phases[self.phase - 1], self.orbit.behind[self.phase - 1]
+        system, facts = self.facts.system, self.facts
+
+        def highest(state: np.ndarray) -> float:
+            found = []
+            for boundary in system.configuration(phase.configuration).boundaries:
+                normal, constant = system.gradient(boundary.function)
+                value = (self.orbit.number(normal) @ state)[0, 0]
+                found.append(value + float(constant.xreplace(facts.given)))
+            return float(max(found))
+
+        def moved(time: float) -> Any:
+            phi, forcing = facts.flow(phase.configuration, time)
+            return phi @ before + forcing
+
+        time = 0.5 * self.orbit.times[self.phase - 1]
+        return names | {
+            "g": highest, "t": time, name_of(facts.naming.state): Motion.of(before, moved)
+        }  # fmt: skip
+
+    # -- tables
+
+    def table(self, table: Table) -> None:
+        if table.header[:5] == ("Phase", "Configuration", "Dwell time", "Flow", "Left by"):
+            self.phases(table)
+        elif table.header == ("Transition", "Required", "Along"):
+            self.required(table)
+        else:
+            super().table(table)
+
+    def phases(self, table: Table) -> None:
+        names = super().names | self.along
+        for k, (row, phase) in enumerate(zip(table.rows, self.orbit.phases, strict=True), start=1):
+            number, configuration, dwell, flow, boundary, last = row
+            if (number, configuration, boundary) != (
+                str(k), f"*{phase.configuration}*", f"*{phase.boundary}*"
+            ):  # fmt: skip
+                raise Broken(f"phase {k}")
+            reading = Reading(names)
+            time = self.orbit.times[k - 1]
+            if not np.isclose(reading.latex(dwell[1:-1]), time):
+                raise Broken(dwell)
+            phi = self.facts.flow(phase.configuration, time)[0]
+            if not np.allclose(reading.latex(flow[1:-1]), phi, atol=1e-9):
+                raise Broken(flow)
+            if table.header[-1] == "Where":
+                declared = self.facts.system.configuration(phase.configuration)
+                self.same(
+                    [self.left(last[1:-1], "=")], [declared.boundary(phase.boundary).function]
+                )
+            elif last != f"${self.cycle.number(k)}$":
+                raise Broken(last)
+            self.count += 1
+
+    def required(self, table: Table) -> None:
+        number = 0
+        for place, text, _ in table.rows:
+            number = int(place.strip("$")) if place else number
+            self.transition = number
+            values = []
+            for negated, formula in re.findall(r"(not )?\$([^$]+)\$", text):
+                ((left, right), _) = relations_of(read_latex(formula))
+                value = Reading(self.names)(left) - Reading(self.names)(right)
+                values.append(-value if negated else value)
+            # where a function vanishes, its derivatives decide
+            if max(values) < -1e-9:
+                raise Broken(f"transition {number}: {text}")
+            self.count += len(inline(text))
+        self.transition = None
