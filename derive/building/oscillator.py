@@ -37,7 +37,9 @@ def oscillator(
 
     Each element multiplies the configurations by its regimes: a configuration bears their
     names in the order of the elements, ``slip-free``; without elements it is ``free``. All
-    boundaries that different elements can reach at one instant have transitions.
+    boundaries that different elements can reach at one instant have transitions. What the laws
+    of the elements need of the parameters (static friction not below kinetic, a load that is
+    not negative), and their domains leave open, becomes a constraint of the system.
 
     Parameters
     ----------
