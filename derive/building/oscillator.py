@@ -9,13 +9,14 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly
+from nonsmooth.derive.building.constraints import constraints_of
 from nonsmooth.derive.building.coupling import contact_law
 from nonsmooth.derive.building.elements import Element, Harmonic, Slider
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
 from nonsmooth.derive.building.parts import FrictionPart, part_of, slider_state
 from nonsmooth.derive.building.transitions import transitions_from
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter, is_rational
+from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.system import System
 
 __all__ = ["oscillator"]
@@ -38,7 +39,9 @@ def oscillator(
 
     Each element multiplies the configurations by its regimes: a configuration bears their
     names in the order of the elements, ``slip-free``; without elements it is ``free``. All
-    boundaries that different elements can reach at one instant have transitions.
+    boundaries that different elements can reach at one instant have transitions. What the laws
+    of the elements need of the parameters (static friction not below kinetic, a load that is
+    not negative), and their domains leave open, becomes a constraint of the system.
 
     Parameters
     ----------
@@ -96,7 +99,7 @@ def oscillator(
         parameters=assembly.frame.parameters,
         configurations=tuple(assembly.configuration(regimes) for regimes in products),
         transitions=tuple(t for regimes in products for t in transitions_from(assembly, regimes)),
-        constraints=_constraints(assembly),
+        constraints=constraints_of(assembly.frame, elements, assembly.parts),
         contacts=assembly.contacts(products),
         forcing=assembly.phases,
         law=contact_law(assembly, products),
@@ -185,37 +188,6 @@ def _check_independence(assembly: Assembly) -> None:
                         f"elements {first.name!r} and {second.name!r} rub in one direction at one"
                         " velocity: join them into one"
                     )
-
-
-def _constraints(assembly: Assembly) -> tuple[sp.Expr, ...]:
-    """What the laws of friction need of the parameters, where their domains leave it open.
-
-    Neither the kinetic friction nor a constant load is negative, static friction is not below
-    kinetic, and friction that may fall does not rise instead.
-    """
-    found = dict[sp.Expr, None]()
-    for part in assembly.parts:
-        if not isinstance(part, FrictionPart):
-            continue
-        needed = {
-            "kinetic friction": part.kinetic,
-            "static friction less the kinetic": part.static - part.kinetic,
-            "the slope of falling friction": part.falling if part.exhausts else sp.S.Zero,
-            "the normal load": sp.S.Zero if part.loses_load else part.load,
-        }
-        for what, value in needed.items():
-            value = sp.expand(value)
-            sign = assembly.frame.sign(value)
-            if sign == -1:
-                raise DeclarationError(f"element {part.name!r}: {what} is negative: {value}")
-            if sign is None and not value.is_nonnegative:
-                if not is_rational(value):
-                    raise DeclarationError(
-                        f"element {part.name!r}: {what} is {value}, of unknown sign: make it a"
-                        " parameter of its own"
-                    )
-                found[value] = None
-    return tuple(found)
 
 
 def _unique(names: Sequence[str], what: str) -> None:

@@ -1,0 +1,67 @@
+"""What the laws of the elements need of the parameters, where their domains leave it open."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from nonsmooth.derive.building.elements import Element, Friction, RigidStop, Slider, SoftStop
+from nonsmooth.derive.building.frame import Frame
+from nonsmooth.derive.building.parts import FrictionPart, Part
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.parameter import is_rational
+
+__all__ = ["constraints_of"]
+
+
+def constraints_of(
+    frame: Frame, elements: Sequence[Element], parts: Sequence[Part]
+) -> tuple[sp.Expr, ...]:
+    """Expressions of the parameters that must not be negative, and may be on their domains.
+
+    Raises
+    ------
+    DeclarationError
+        For one that is negative on the whole domain, no rational function, or depends on the
+        state.
+    """
+    found = dict[sp.Expr, None]()
+    for element, part in zip(elements, parts, strict=True):
+        for what, value in _needed(frame, element, part):
+            value = sp.expand(value)
+            if value.free_symbols & set(frame.states):
+                raise DeclarationError(f"element {element.name!r}: {what} depends on the state")
+            sign = frame.sign(value)
+            if sign == -1:
+                raise DeclarationError(f"element {element.name!r}: {what} is negative: {value}")
+            if sign is None and not value.is_nonnegative:
+                if not is_rational(value):
+                    raise DeclarationError(
+                        f"element {element.name!r}: {what} is {value}, of unknown sign: make it a"
+                        " parameter of its own"
+                    )
+                found[value] = None
+    return tuple(found)
+
+
+def _needed(frame: Frame, element: Element, part: Part) -> Iterator[tuple[str, sp.Expr]]:
+    """What an element needs not to be negative, in words and as an expression."""
+    if isinstance(element, Friction) and isinstance(part, FrictionPart):
+        yield "kinetic friction", part.kinetic
+        yield "static friction less the kinetic", part.static - part.kinetic
+        if part.exhausts:
+            yield "the slope of falling friction", part.falling
+        if not part.loses_load:
+            yield "the normal load", part.load
+    elif isinstance(element, SoftStop):
+        yield "stiffness", frame.expression(element.stiffness)
+        yield "damping", frame.expression(element.damping)
+    elif isinstance(element, Slider):
+        yield "stiffness", frame.expression(element.stiffness)
+        yield "limit", frame.expression(element.limit)
+    elif isinstance(element, RigidStop):
+        restitution = frame.expression(element.restitution)
+        if all(p.symbol != restitution or p.upper > 1 for p in frame.parameters):
+            yield "restitution", restitution
+            yield "what restitution leaves of 1", 1 - restitution
