@@ -354,7 +354,11 @@ class _Images:
         image = chosen[source]
         places = self.boundaries[source, image]
         own, others = (
-            [t for t in self.structure.transitions[c] if len(t.boundaries) == 1]
+            [
+                t
+                for t in self.structure.transitions[c]
+                if len(t.boundaries) == 1 and t.path is None  # fields and boundaries tell a law
+            ]
             for c in (source, image)
         )
         if len(others) != len(own):
