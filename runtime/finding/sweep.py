@@ -125,6 +125,7 @@ def sweep(
     skipped = checked_count("transient", transient, 0)
     taken = checked_count("samples", samples, 1)
     first = start_state(structure, start)
+    forced = [each for pair in structure.forcing for each in pair]
     place = structure.states.index(state)
     found = np.full((grid.size, taken), np.nan)
     begin, followed = first, 0
@@ -145,6 +146,9 @@ def sweep(
         found[here] = np.where(entered, motions.last_states[..., place], np.nan)
         last = motions.states[-1]
         begin = last if follow and np.isfinite(last).all() else first
+        if len(forced) > 2:  # at other frequencies they are together at other times
+            begin = begin.copy()
+            begin[forced] = first[forced]
         progress(min(low + _CHUNK, grid.size))
     if not followed:
         raise InputError(f"for no value of {name} are the parameters and the start possible")
