@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -9,9 +10,11 @@ import typer
 
 from nonsmooth.runtime.commands.application import (
     ANSWERED,
+    WRONG_INPUT,
     answering,
     app,
     assignments,
+    drawn,
     print_json,
     ranges,
 )
@@ -168,7 +171,7 @@ def follow(
         event = chosen_event(branch, follow_event)
         return _in_the_plane(branch, event, second, (lower, upper), step, plot, save, as_json)
     beyond_events = _beyond(branch, fixed) if beyond else {}
-    written = []
+    written, failed = [], None
     if save is not None:
         branch.save(save)
         written.append(str(save))
@@ -176,13 +179,17 @@ def follow(
         from nonsmooth.runtime.continuation.drawing import branch_figure
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        save_figure(branch_figure(branch, quantity, over), plot)
-        written.append(str(plot))
+        target = plot
+        failed = drawn(lambda: save_figure(branch_figure(branch, quantity, over), target))
+        written += [] if failed else [str(plot)]
     if as_json:
         print_json({**branch_json(branch, beyond_events), "files": written})
     else:
         show_branch(branch, beyond_events)
         _show_written(written)
+    if failed is not None:
+        print(f"no picture: {failed}", file=sys.stderr)
+        return WRONG_INPUT
     return ANSWERED
 
 
