@@ -209,15 +209,13 @@ class Balls(_Entire):
         """A ball around a parameter, at the working precision."""
         return value.ball(self.flint.ctx.prec)
 
-    @staticmethod
-    def sin(x: Any) -> Any:
+    def sin(self, x: Any) -> Any:
         """Sine."""
-        return x.sin()
+        return self.flint.arb(x).sin() if isinstance(x, int) else x.sin()
 
-    @staticmethod
-    def cos(x: Any) -> Any:
+    def cos(self, x: Any) -> Any:
         """Cosine."""
-        return x.cos()
+        return self.flint.arb(x).cos() if isinstance(x, int) else x.cos()
 
     @staticmethod
     def sqrt(x: Any) -> Any:

@@ -144,3 +144,13 @@ def test_wrong_commands(arguments: list[str], message: str) -> None:
     code, _, err = run("continue", STICK, *arguments)
     assert code == 2
     assert message in err
+
+
+def test_a_picture_that_fails_does_not_lose_the_branch(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    command = ["continue", "dry-friction/global-stick", "V=0.9:1.1", "--points", "5", "--json",
+               "--plot", str(tmp_path / "branch.png"), "--quantity", "amplitude_q"]  # fmt: skip
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 2
+    assert len(json.loads(found.stdout)["values"]) > 3
+    assert "no picture: unknown state 'q'" in found.stderr

@@ -9,6 +9,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Parameter, SoftStop, oscillator
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.observing.observables import observe
 
 PAGE = Path(__file__).parents[1] / "docs" / "gallery" / "den_hartog.py"
 
@@ -109,3 +110,19 @@ def test_picture_of_frequency_over_energy() -> None:
     assert {tuple(row) for row in wanted} <= {tuple(row) for row in drawn}
     with pytest.raises(InputError, match="unknown quantity 'speed'"):
         branch.plot("frequency", over="speed")
+
+
+def test_an_amplitude_where_a_phase_vanishes() -> None:
+    """The last orbit of the branch has a phase that takes no time; its neighbours tell the rest."""
+    data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
+    orbit = ns.compose("dry-friction", data, *ns.itinerary_of(motion))
+    branch = ns.continue_orbit(orbit, "ur1", (2.5, 4.1), points=40)
+    assert abs(branch.unknowns[:, :4]).min() < 1e-12
+    found = branch.quantity("amplitude_x1")
+    assert np.isfinite(found).all()
+    place = len(branch) // 2
+    wanted = observe(branch.orbit_at(place).trajectory())
+    swing = wanted.maxima["x1"].value - wanted.minima["x1"].value
+    assert found[place] == pytest.approx(swing / 2, rel=1e-9)
+    assert np.abs(np.diff(found)).max() < 0.1

@@ -33,8 +33,9 @@ Direction = str | Mapping[str, Any]
 class Harmonic:
     """Force ``cosine cos(frequency t + phase) + sine sin(frequency t + phase)``.
 
-    It adds two states, c = cos and s = sin of the argument, with c' = -frequency s and
-    s' = frequency c; where they start gives the phase.
+    It adds two states, c = cos(frequency t) and s = sin(frequency t), with c' = -frequency s
+    and s' = frequency c. All harmonics count one time t, so that their phases are relative to
+    each other; of a single one the phase moves the time alone.
 
     Parameters
     ----------
@@ -42,11 +43,13 @@ class Harmonic:
         Angular frequency.
     cosine, sine : n values, or mapping of coordinate to value
         Amplitudes of the forces on the coordinates; zero where not given.
+    phase : number or expression
     """
 
     frequency: Any
     cosine: Sequence[Any] | Mapping[str, Any] = ()
     sine: Sequence[Any] | Mapping[str, Any] = ()
+    phase: Any = 0
 
     def __post_init__(self) -> None:
         _check(self.frequency, "a harmonic's frequency", lower=0, strict=True)

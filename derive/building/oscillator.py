@@ -149,8 +149,11 @@ def _assembled(
     rates: list[tuple[sp.Symbol, sp.Expr]] = []
     for harmonic, (cosine, sine) in zip(forcing, phases, strict=True):
         frequency = frame.expression(harmonic.frequency)
-        forces += frame.column(harmonic.cosine, "cosine amplitudes") * cosine
-        forces += frame.column(harmonic.sine, "sine amplitudes") * sine
+        phase = frame.expression(harmonic.phase)
+        turned = sp.cos(phase) * cosine - sp.sin(phase) * sine
+        forces += frame.column(harmonic.cosine, "cosine amplitudes") * turned
+        turned = sp.cos(phase) * sine + sp.sin(phase) * cosine
+        forces += frame.column(harmonic.sine, "sine amplitudes") * turned
         rates += [(cosine, -frequency * sine), (sine, frequency * cosine)]
     parts = tuple(part_of(element, frame, elements) for element in elements)
     assembly = Assembly(

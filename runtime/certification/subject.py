@@ -290,7 +290,10 @@ def closing_of(
     cycle, near = subject.cycle, near or tables.near
     if cycle.structure.forcing:
         if not tables.exact:
-            raise NotCovered("the parameters of a forced system have to be rational")
+            raise NotCovered(
+                "the parameters of a forced system have to be rational, and the cosines and sines"
+                " of its phases"
+            )
         speeds = forcing_speeds(tables, cycle)
         if isinstance(speeds, str):
             raise NotCovered(speeds)

@@ -133,6 +133,15 @@ def ranges(
     return found
 
 
+def drawn(draw: Callable[[], None]) -> InputError | None:
+    """Draw what was computed; a picture that fails is told of when that has been shown."""
+    try:
+        draw()
+    except InputError as problem:
+        return problem
+    return None
+
+
 def print_json(found: Mapping[str, Any]) -> None:
     """Print one JSON document on stdout."""
     print(json.dumps(found, indent=2, allow_nan=False))

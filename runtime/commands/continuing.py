@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -10,9 +11,11 @@ import typer
 
 from nonsmooth.runtime.commands.application import (
     ANSWERED,
+    WRONG_INPUT,
     answering,
     app,
     assignments,
+    drawn,
     print_json,
     ranges,
     split,
@@ -199,7 +202,7 @@ def follow(
         ((second, (lower, upper, _)),) = others
         event = chosen_event(branch, follow_event)
         return _in_the_plane(branch, event, second, (lower, upper), step, plot, save, as_json)
-    written = []
+    written, failed = [], None
     if save is not None:
         branch.save(save)
         written.append(str(save))
@@ -210,15 +213,20 @@ def follow(
         from nonsmooth.runtime.continuation.drawing import branch_figure
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        save_figure(branch_figure(branch, split(quantity), over, frequency.value), plot)
-        written.append(str(plot))
+        target, quantities = plot, split(quantity)
+        failed = drawn(
+            lambda: save_figure(branch_figure(branch, quantities, over, frequency.value), target)
+        )
+        written += [] if failed else [str(plot)]
     if as_json:
         print_json({**branch_json(branch, beyond_events), "files": written})
     else:
         show_branch(branch, beyond_events)
         _show_written(written)
+    if failed is not None:
+        print(f"no picture: {failed}", file=sys.stderr)
     if not stopped:
-        return ANSWERED
+        return ANSWERED if failed is None else WRONG_INPUT
     done = f"{len(branch)} points"
     if save is None or switch:
         where = f"are kept in {save}" if save is not None else "are shown, not saved"

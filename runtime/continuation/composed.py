@@ -18,6 +18,7 @@ import numpy as np
 from nonsmooth.runtime.arithmetic import FLOATS
 from nonsmooth.runtime.composition.admissible import assess_cycle
 from nonsmooth.runtime.composition.composed import compose
+from nonsmooth.runtime.composition.motion import motion_along
 from nonsmooth.runtime.composition.newton import sizes as sizes_along
 from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, numbers_in, pass_through
 from nonsmooth.runtime.composition.record import ComposedOrbit
@@ -32,6 +33,7 @@ from nonsmooth.runtime.continuation.phases import conditions_of, phase_waves
 from nonsmooth.runtime.continuation.waves import PhaseWaves
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.simulation.piecewise import numbers_at, piecewise_at
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.values import as_value
 
 __all__ = ["PERIOD", "ComposedCurve"]
@@ -226,6 +228,15 @@ class ComposedCurve:
             symmetry=None if symmetry is None else symmetry.matrix,
         )
         return replace(found, label=orbit.label, names=orbit.names)
+
+    def motion(self, z: np.ndarray) -> Trajectory:
+        """The motion at a point: a phase that vanishes there takes no time."""
+        system = piecewise_at(self.orbit.kernels, self._point(z[-1]))
+        cycle = self.orbit.cycle.at(system.structure)
+        dwell, start = self._unknowns(z)
+        times, _ = whole_orbit(self.orbit.symmetry, np.maximum(dwell, 0.0), start[None])
+        now = pass_through(cycle, numbers_in(system), times, start, np)
+        return motion_along(system, cycle, times, now.starts[:-1], now.ends, 1)
 
     def moved(self, name: str, value: float) -> ComposedCurve:
         """See `Curve`."""

@@ -11,12 +11,14 @@ import numpy as np
 
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.continuation.amplitudes import amplitude_of
+from nonsmooth.runtime.continuation.composed import ComposedCurve
 from nonsmooth.runtime.continuation.energy import energy_of
 from nonsmooth.runtime.continuation.event import Event
 from nonsmooth.runtime.continuation.family import curve_of
 from nonsmooth.runtime.continuation.physical import composed_family
 from nonsmooth.runtime.errors import InputError, missing_extra, unknown_name
 from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Branch"]
 
@@ -88,6 +90,15 @@ class Branch:
         orbit: Orbit | ComposedOrbit = curve_of(self.orbit, self.parameter, 1.0).at(z)
         return orbit
 
+    def _motion_at(self, place: int) -> Orbit | Trajectory:
+        """The orbit at a point, or its motion, which needs no phase to last."""
+        curve = curve_of(self.orbit, self.parameter, 1.0)
+        if isinstance(curve, ComposedCurve):
+            return curve.motion(np.append(self.unknowns[place], self.parameter_values[place]))
+        orbit = self.orbit_at(place)
+        assert isinstance(orbit, Orbit)
+        return orbit
+
     def next_itineraries(
         self, event: Event, parameters: Mapping[str, Any] | None = None
     ) -> tuple[ComposedOrbit, ...]:
@@ -145,7 +156,7 @@ class Branch:
             return np.asarray(2 * np.pi / self.period)
         if name.startswith("amplitude_"):
             state = name.removeprefix("amplitude_")
-            return np.array([amplitude_of(self.orbit_at(k), state) for k in range(len(self))])
+            return np.array([amplitude_of(self._motion_at(k), state) for k in range(len(self))])
         if name == "energy":
             places = range(len(self))
             return np.array([energy_of(composed_family(self, place)[0]) for place in places])

@@ -199,18 +199,19 @@ def sweep(
     diagram = question if resume is None else _resumed(question, resume)
     look = _at_entries if phase is None else _at_phase
     followed = diagram.done > 0
+    forced = [each for pair in structure.forcing for each in pair]
     try:
         while diagram.done < grid.size:
             end = min(diagram.done + (_CHUNK if phase is None else 1), grid.size)
             here = slice(diagram.done, end)
             found, last, possible = look(kernels, diagram, here, threads)
             followed |= possible
-            onward = follow and np.isfinite(last).all()
+            begin = last.copy() if follow and np.isfinite(last).all() else first
+            if len(forced) > 2:  # at other frequencies they are together at other times
+                begin[forced] = first[forced]
             taken = diagram.samples.copy()
             taken[here] = found
-            diagram = replace(
-                diagram, samples=taken, done=end, next_start=last if onward else first
-            )
+            diagram = replace(diagram, samples=taken, done=end, next_start=begin)
             progress(end)
     except KeyboardInterrupt:
         raise Interrupted(diagram) from None

@@ -29,6 +29,7 @@ from nonsmooth.runtime.saved import given_value
 from nonsmooth.runtime.simulation.flows import flow_states
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import Grazing, Run, Status
+from nonsmooth.runtime.simulation.starting import check_forcing
 from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -270,6 +271,7 @@ def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Traje
     structure = system.structure
     if tuple(header["states"]) != structure.states:
         raise InputError(f"its states are {header['states']}, not {list(structure.states)}")
+    check_forcing(structure, table.states)
     known = {status.name.lower(): status for status in Status}
     if header["status"] not in known:
         raise unknown_name("status", header["status"], known)

@@ -32,7 +32,13 @@ from nonsmooth.runtime.simulation.piecewise import (
     piecewise_at,
 )
 from nonsmooth.runtime.simulation.run import Run
-from nonsmooth.runtime.simulation.starting import configuration_of, configurations_of, start_state
+from nonsmooth.runtime.simulation.starting import (
+    check_forcing,
+    check_phases,
+    configuration_of,
+    configurations_of,
+    start_state,
+)
 from nonsmooth.runtime.simulation.structure import Structure, structure_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -75,7 +81,7 @@ def simulate(
     ------
     InputError
         For wrong names or numbers, a start that belongs to no configuration or not to the one
-        that is named, or an end that is none.
+        that is named, or at which the forcings are at no time, or an end that is none.
 
     Examples
     --------
@@ -86,6 +92,7 @@ def simulate(
     """
     pieces = piecewise(system, parameters)
     start = start_state(pieces.structure, state)
+    check_phases(pieces, start)
     end = _real("until", until)
     if end.ndim:
         raise InputError("until is no number")
@@ -192,6 +199,7 @@ def simulate_many(
     size = len(structure.states)
     if starts.ndim == 0 or starts.shape[-1] != size:
         raise InputError(f"the last axis of the states is not {size} long")
+    check_forcing(structure, starts.reshape(-1, size))
     limits = _real("until", until)
     most = _most_transitions(limits, transitions)
     kept = checked_count("keep", keep, 0)

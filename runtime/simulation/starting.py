@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
@@ -13,9 +14,20 @@ from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.values import as_value
 
-__all__ = ["configuration_of", "configurations_of", "on_circles", "start_state"]
+__all__ = [
+    "check_forcing",
+    "check_phases",
+    "configuration_of",
+    "configurations_of",
+    "on_circles",
+    "start_state",
+]
 
 _ERROR = 16 * np.finfo(float).eps
+
+_CIRCLE = 1e-8  # error of c^2 + s^2 that roundings of a long motion may make
+_PHASE = 1e-7  # radians
+_MOST_TURNS = 100_000  # of the first forcing, behind the time zero or in front of it
 
 
 def start_state(structure: Structure, given: Mapping[str, object] | Sequence[object]) -> np.ndarray:
@@ -26,7 +38,8 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
     Raises
     ------
     InputError
-        For an unknown or missing name, a wrong number of values, or one that is not finite.
+        For an unknown or missing name, a wrong number of values, one that is not finite, or a
+        forcing with c^2 + s^2 other than 1.
     """
     names = structure.states
     if isinstance(given, Mapping):
@@ -47,7 +60,48 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
             raise InputError(
                 f"the start has {len(values)} values; {structure.name} has {', '.join(names)}"
             )
-    return np.array([_number(n, v) for n, v in zip(names, values, strict=True)])
+    start = np.array([_number(n, v) for n, v in zip(names, values, strict=True)])
+    check_forcing(structure, start[None])
+    return start
+
+
+def check_forcing(structure: Structure, states: np.ndarray) -> None:
+    """Raise InputError unless c^2 + s^2 = 1 for each forcing in each of the states (n, N)."""
+    for cosine, sine in structure.forcing:
+        square = states[:, cosine] ** 2 + states[:, sine] ** 2
+        wrong = np.flatnonzero(np.abs(square - 1) > _CIRCLE)
+        if wrong.size:
+            c, s = structure.states[cosine], structure.states[sine]
+            raise InputError(
+                f"the forcing starts at {c} = {states[wrong[0], cosine]:.6g},"
+                f" {s} = {states[wrong[0], sine]:.6g}: {c}^2 + {s}^2 is"
+                f" {square[wrong[0]]:.6g}, not 1"
+            )
+
+
+def check_phases(system: PiecewiseLinear, start: np.ndarray) -> None:
+    """Raise InputError unless there is a time at which all forcings are as in a start.
+
+    They count one time, at which c = cos(w t) and s = sin(w t) of each; phases of their own are
+    part of the declaration.
+    """
+    pairs = system.structure.forcing
+    speeds = [float(system.fields[0, sine, cosine]) for cosine, sine in pairs]
+    if len(pairs) < 2 or not all(speeds):
+        return
+    angles = [math.atan2(start[sine], start[cosine]) for cosine, sine in pairs]
+    turns = np.arange(_MOST_TURNS)
+    missed = np.zeros(2 * _MOST_TURNS)
+    times = (angles[0] + 2 * np.pi * np.concatenate([turns, -turns])) / speeds[0]
+    for speed, angle in zip(speeds[1:], angles[1:], strict=True):
+        rest = speed * times - angle
+        missed = np.maximum(missed, np.abs(rest - 2 * np.pi * np.round(rest / (2 * np.pi))))
+    if missed.min() > _PHASE:
+        names = [system.structure.states[state] for pair in pairs for state in pair]
+        raise InputError(
+            f"the forcings ({', '.join(names)}) are at no time as in the start: their phases to"
+            " each other belong to the declaration, as Harmonic(..., phase=...)"
+        )
 
 
 def _forcing_start(structure: Structure) -> dict[str, object]:
