@@ -24,7 +24,7 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 
-__all__ = ["FORCED", "forced", "kicked", "loop"]
+__all__ = ["FORCED", "forced", "kicked", "loop", "rooted"]
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -69,6 +69,28 @@ def loop(**given: str) -> ComposedOrbit:
     stiffness = float(sp.sympify(values["k"]))
     guess = [math.pi / math.sqrt(stiffness), math.pi / 2]
     return ns.compose(kicked(), values, LOOP, guess, [0.0, size])
+
+
+@cache
+def rooted() -> SystemKernels:
+    """As `kicked`, at k = 1, with the wall at the root of a: no rational function of it."""
+    system = System(
+        "rooted",
+        "a mass between two springs, kicked, and a wall at a root",
+        (x, v),
+        PARAMETERS[1:],
+        (
+            Configuration("right", SecondOrder([[1]], [[1]]), (Boundary("falls", -x),
+                                                               Boundary("wall", x - sp.sqrt(a)))),
+            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
+        ),
+        (
+            Transition("right", {"falls"}, "left"),
+            Transition("right", {"wall"}, "right", (), {v: -v}),
+            Transition("left", {"rises"}, "right", (), {v: r * v + 1}),
+        ),
+    )  # fmt: skip
+    return load_system(system)
 
 
 _SPRING = [[1]], [[1]]

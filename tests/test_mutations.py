@@ -26,7 +26,7 @@ import nonsmooth as ns
 from nonsmooth.runtime.commands.display_checks import show_check
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import checksum_of
-from tests.certified import LOOP, forced, kicked, loop
+from tests.certified import LOOP, forced, kicked, loop, rooted
 
 SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for all of them
 STICK = "dry-friction/global-stick"
@@ -60,6 +60,12 @@ FILES: dict[str, Callable[[], Any]] = {
     "not-admissible": lambda: ns.certify(loop(a="1")),
     "forced": lambda: ns.certify(forced("soft")),
     "twice-forced": lambda: ns.certify(forced("twice")),
+    "rooted": lambda: ns.certify(
+        ns.compose(rooted(), {"a": "9", "r": "1/2"}, LOOP, [3.1, 1.5], [0.0, 2.0])
+    ),
+    "rooted-by-a-root": lambda: ns.certify(
+        ns.compose(rooted(), {"a": "8", "r": "1/2"}, LOOP, [3.1, 1.5], [0.0, 2.0])
+    ),
     "uncertain": lambda: ns.certify(ns.solve("dry-friction/solution-ii")),
     "map": lambda: ns.certify_box(ns.solve(STICK), {"V": ("0.99", "1.01"), "e1": ("3", "3.04")}),
     "map-of-tiles": lambda: ns.certify_box(
@@ -75,6 +81,9 @@ FILES: dict[str, Callable[[], Any]] = {
         ns.continue_orbit(loop(k="sqrt(2)"), "a", (1.2, 3.5)),
     ),
     "census": lambda: _census(tau1="2.5", tau2="2"),
+    "census-conservative": lambda: ns.certify_all(
+        "elastic-stop/one-contact", box={"tau": 10, "tau1": 10}
+    ),
     "census-derived": lambda: ns.certify_all(STICK, box={"tau": 3, "tau1": 3}),
 }
 
@@ -101,7 +110,7 @@ TRUE = (
     r"(.*/)?enclosures/[^/]+/rad",  # sharper, of what is exactly so
     r"box/[^/]+/[01]",  # a smaller box
     r"parameters/a",  # where a wall stands that is only looked at
-    r".*multipliers/\d+/im/rad",  # a real one
+    r".*multipliers/\d+/(re|im)/rad",
 )
 
 

@@ -88,19 +88,21 @@ class Declared:
     content : dict
     values : mapping of str to fmpq or Quotient
         Of all parameters that the file names: the declaration's entries are functions of them.
-        Where it takes roots its entries are balls, and bound to no names.
+        Where it takes roots its entries are numbers, and bound to no names.
     """
 
     def __init__(self, content: dict[str, Any], values: Mapping[str, Any]) -> None:
         declared, self.closing = content["declaration"], content["closing"]
         names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
         self.rational = '"mid"' not in json.dumps(declared)
-        bound = sorted(names) == sorted(values) or not (names or self.rational)
-        demand(bound, "the declaration is not over the parameters that are named")
+        self.bound = sorted(names) == sorted(values)
+        demand(self.bound or not names, "the declaration is not over the parameters that are named")
         self.variables = [values[name] for name in names]
         self.size, self.forcing = len(declared["states"]), declared["forcing"]
         self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]
         self._check_names(declared["states"])
+        told = [k for pair in self.forcing for k in pair]
+        demand({*told} <= {*range(self.size)} and len({*told}) == len(told), "no such forcing")
         zero = (fmpq(0),) * self.size
         self.configurations, self.fields = {}, {}
         for name, entry in declared["configurations"].items():
@@ -119,12 +121,14 @@ class Declared:
         if "law" in declared and self.rational:
             self._lawful(declared)
         self.itinerary = declared["phases"]
-        told = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
-        demand(content["itinerary"] == told, "the itinerary is not that of the declaration")
+        phases = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
+        demand(content["itinerary"] == phases, "the itinerary is not that of the declaration")
         self.steps = []
         names = [phase["configuration"] for phase in self.itinerary]
         for phase, target in zip(self.itinerary, [*names[1:], *names[:1]], strict=True):
-            taken, name = self.transitions[phase["transition"]], phase["configuration"]
+            number, name = phase["transition"], phase["configuration"]
+            demand(0 <= number < len(self.transitions), "there is no such transition")
+            taken = self.transitions[number]
             ways = (name, *sorted(phase["boundaries"])), target
             leads = ways == (taken.begins, taken.target)
             demand(leads, "a transition does not lead from phase to phase")

@@ -60,7 +60,7 @@ def _check(event: dict[str, Any]) -> None:
     demand(not event["reason"], "a reason why it is undecided")
     values, constants = values_of(event["parameters"], [event["parameter"]])
     declared = Declared(event, values)
-    demand(declared.rational, "the declaration is not exact")
+    demand(declared.bound and declared.rational, "the declaration is not exact")
     energies = declared.closes()
     box, place = event["box"], len(declared.unknowns)  # of the parameter
     names = [side["name"] for side in box]

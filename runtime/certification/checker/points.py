@@ -66,7 +66,7 @@ def check(content: dict[str, Any]) -> None:
         for name, stated in content["enclosures"].items():
             demand(inside(found[name], stated), f"{name} is not in its enclosure")
         stated = [(ball(m["re"]), ball(m["im"])) for m in content["multipliers"]]
-        demand(has_multipliers(orbit.section, stated), "a stated multiplier is none")
+        demand(has_multipliers(orbit, stated), "a stated multiplier is none")
         if stable != "undecided":
             verdict = stability(orbit)
             demand(verdict == stable, f"stability is {verdict}")

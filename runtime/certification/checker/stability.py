@@ -13,9 +13,13 @@ from nonsmooth.runtime.certification.models import matrix, middle_of, range_of
 __all__ = ["characteristic", "has_multipliers", "paired", "products_less_one", "stability"]
 
 
-def has_multipliers(square: Any, stated: Sequence[tuple[Any, Any]]) -> bool:
-    """Whether there is one in each disc, no two in one: Newton's map leads into it."""
-    polynomial = acb_poly([acb(c) for c in reversed(characteristic(square))])
+def has_multipliers(orbit: Orbit, stated: Sequence[tuple[Any, Any]]) -> bool:
+    """Whether there is one in each disc, no two in one: Newton's map leads into it.
+
+    On a section with fewer coordinates than the orbit has all the others are zero.
+    """
+    others = [0] * (orbit.section.nrows() < len(orbit.declared.free))
+    polynomial = acb_poly([*others, *(acb(c) for c in reversed(characteristic(orbit.section)))])
     discs = [acb(re, im) for re, im in stated]
     if any(first.overlaps(second) for first, second in combinations(discs, 2)):
         return False

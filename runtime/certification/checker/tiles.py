@@ -62,7 +62,7 @@ def check_tiles(content: dict[str, Any]) -> None:
     with ctx.workprec(_BITS):
         values, constants = values_of(content["parameters"], [*content["box"]])
         declared = Declared(content, values)
-        demand(declared.rational, "the declaration is not exact")
+        demand(declared.bound and declared.rational, "the declaration is not exact")
         demand(content["stability"] == declared.stability, "stability of another kind")
         energies = declared.closes()
         for tile, place in zip(tiles, places, strict=True):

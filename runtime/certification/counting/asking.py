@@ -20,7 +20,8 @@ from nonsmooth.runtime.certification.subject import (
     period_of,
     physical_values,
 )
-from nonsmooth.runtime.composition.naming import cycle_label, dwell_names
+from nonsmooth.runtime.composition.named import unknowns_of
+from nonsmooth.runtime.composition.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.composition.passage import Cycle, cycle_of
 from nonsmooth.runtime.composition.routes import with_routes
 from nonsmooth.runtime.errors import InputError
@@ -76,7 +77,9 @@ def asked_of(
         taken = {*cycle.structure.states, *(p.name for p in kernels.parameters)}
         values = system_parameters(kernels, parameters)
         names = dwell_names(len(cycle), taken)
-        return _of_cycle(None, kernels, values, cycle, names, box, _period(period), largest, bits)
+        start = start_names(cycle.structure.states, {*names, *values})
+        own = _period(period)
+        return _of_cycle(None, kernels, values, cycle, names, start, box, own, largest, bits)
     named = load_orbit(orbit)
     if named.table.get("symmetry"):
         raise InputError(
@@ -93,10 +96,9 @@ def asked_of(
         own = given.pop(declared["name"], None)
         period = own if period is None else period
     values = system_parameters(named.system, given)
-    names = tuple(name for _, _, name in named.table["phases"])
-    return _of_cycle(
-        named.name, named.system, values, cycle, names, box, _period(period), largest, bits
-    )
+    names = unknowns_of(named)
+    dwell, start, own = names[: len(cycle)], names[len(cycle) :], _period(period)
+    return _of_cycle(named.name, named.system, values, cycle, dwell, start, box, own, largest, bits)
 
 
 def _derived(
@@ -135,7 +137,10 @@ def _derived(
     except NotCovered as reason:
         raise InputError(f"{kernels.name}: {reason}") from None
     own, names = period_of(kernels, point.values), kernels.dwell_times
-    return _of_cycle(kernels.name, kernels.system, values, cycle, names, box, own, largest, bits)
+    start = start_names(cycle.structure.states, {*names, *values})
+    return _of_cycle(
+        kernels.name, kernels.system, values, cycle, names, start, box, own, largest, bits
+    )
 
 
 def _of_cycle(
@@ -144,13 +149,14 @@ def _of_cycle(
     values: Mapping[str, Value],
     cycle: Cycle,
     names: tuple[str, ...],
+    start: tuple[str, ...],
     box: Mapping[str, Any],
     period: Value | None,
     largest: float,
     bits: int,
 ) -> Asked:
     sides = sides_of(names, names, box)
-    question = dwell_question(label, kernels, values, cycle, sides, period, largest, bits)
+    question = dwell_question(label, kernels, values, cycle, sides, start, period, largest, bits)
     told = label or cycle_label(kernels.name, len(cycle))
     return Asked(told, kernels.name, values, cycle.itinerary, sides, question)
 

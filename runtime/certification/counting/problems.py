@@ -24,7 +24,6 @@ from nonsmooth.runtime.certification.counting.reduced import ReducedProblem
 from nonsmooth.runtime.certification.counting.search import Problem, Root, inside, touching
 from nonsmooth.runtime.certification.counting.sides import Side
 from nonsmooth.runtime.certification.tables import Tables, tables_of
-from nonsmooth.runtime.composition.naming import start_names
 from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError
@@ -159,8 +158,8 @@ class DwellQuestion:
     values : dict of str to Value
         All parameters of the system.
     cycle : Cycle
-    names : tuple of str
-        Of the dwell times.
+    names, start : tuple of str
+        Of the dwell times, and of the states at the start.
     setting : Setting
     period : Value or None
     largest : float
@@ -173,6 +172,7 @@ class DwellQuestion:
     values: Mapping[str, Value]
     cycle: Cycle
     names: tuple[str, ...]
+    start: tuple[str, ...]
     setting: Setting
     period: Value | None
     largest: float
@@ -251,7 +251,6 @@ class DwellQuestion:
 
     def orbit(self, problem: DwellProblem, root: Root) -> ComposedOrbit:
         """The orbit in double precision."""
-        states = self.cycle.structure.states
         starts = problem.starts(root.sides, root.coordinates)
         return ComposedOrbit(
             self.kernels.name,
@@ -267,7 +266,7 @@ class DwellQuestion:
             self.kernels,
             None,
             self.label,
-            (*self.names, *start_names(states, {*self.names, *self.values})),
+            (*self.names, *self.start),
         )
 
 
@@ -277,6 +276,7 @@ def dwell_question(
     values: Mapping[str, Value],
     cycle: Cycle,
     sides: Sequence[Side],
+    start: tuple[str, ...],
     period: Value | None,
     largest: float,
     bits: int,
@@ -311,7 +311,9 @@ def dwell_question(
             )
         problems = (DwellProblem(tables, cycle, setting, Given(), turned, largest),)
     names = tuple(side.name for side in sides)
-    return DwellQuestion(label, kernels, values, cycle, names, setting, period, largest, problems)
+    return DwellQuestion(
+        label, kernels, values, cycle, names, start, setting, period, largest, problems
+    )
 
 
 def _forced(
