@@ -336,7 +336,7 @@ def test_report_of_violations() -> None:
     assert "Admissible: no" in out
     (first, *_) = told("solve", ORBIT, "us2=0.7")["violations"]
     assert (first["phase"], first["boundary"]) == (1, "second-breaks-backward")
-    assert re.search(r"0 +stick-stick +second-breaks-backward +0 +0\.0456", out)
+    assert re.search(r"1 +stick-stick +second-breaks-backward +0 +0\.0456", out)
 
 
 def test_long_numbers_are_grouped() -> None:

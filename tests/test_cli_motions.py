@@ -322,7 +322,7 @@ def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):
 def test_json_of_sweep():
     document = told(*SWEEP.split())
     assert list(document) == [
-        *("system", "parameter", "state", "configuration", "values", "samples", "files"),
+        *("system", "parameter", "state", "configuration", "phase", "values", "samples", "files"),
     ]
     assert [float(v) for v in document["values"]] == pytest.approx([0.95, 1.0, 1.05])
     assert [len(row) for row in document["samples"]] == [3, 3, 3]

@@ -63,10 +63,9 @@ def show_report(
     for name, text, source in _sources(orbit, found, assigned):
         parameters.add_row(name, text, Text(source, style="dim"))
     unknowns = _table()
-    for name in ("unknowns", "period", "residual"):
-        entries = found[name] if name == "unknowns" else {name: found[name]}
-        for label, text in entries.items():
-            unknowns.add_row(label, _digits(text))
+    shown = {**_unknowns(orbit, found), "period": found["period"], "residual": found["residual"]}
+    for label, text in shown.items():
+        unknowns.add_row(label, _digits(text))
     excess = decimal_string(-orbit.stability.margin, found["digits"])
     criterion = _criterion(found, excess, orbit.stability.rank)
     tables = [("Given", parameters), ("Orbit", unknowns)]
@@ -169,6 +168,22 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
     with Progress(*columns, Elapsed(), console=Console(stderr=True)) as progress:
         task = progress.add_task(what, total=1.0, count=0)
         yield lambda share, count: progress.update(task, completed=share, count=count)
+
+
+def _unknowns(orbit: Orbit | ComposedOrbit, found: Mapping[str, Any]) -> dict[str, str]:
+    """Unknowns of an orbit; in place of a forcing's cosine and sine its phase at the start."""
+    entries = dict(found["unknowns"])
+    if isinstance(orbit, Orbit):
+        return entries
+    start, names = orbit.states[0], list(entries)[-orbit.states.shape[1] :]
+    for number, (cosine, sine) in enumerate(orbit.piecewise.structure.forcing, 1):
+        for place in (cosine, sine):
+            entries.pop(names[place], None)
+        context = orbit.arithmetic.mp
+        phase = context.atan2(start[sine], start[cosine])
+        label = "forcing phase" if number == 1 else f"forcing phase {number}"
+        entries[label] = decimal_string(phase, found["digits"])
+    return entries
 
 
 def _configurations(orbit: Orbit | ComposedOrbit) -> list[str]:

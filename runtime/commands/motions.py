@@ -269,8 +269,8 @@ def find(
     epilog="Examples:\n\n"
     "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
     " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png --save sweep.json\n\n"
-    "nonsmooth sweep impact_oscillator.py w=2:3:200 sigma=1/5 --state x --at forcing-phase"
-    " --phase pi/2 --from x=0,v=0 --out stroboscope.png"
+    "nonsmooth sweep impact_oscillator.py w=2:3:100 sigma=1/5 r=4/5 --state v --at forcing-phase"
+    " --phase pi/2 --from x=0,v=0 --transient 200 --out strobe.png"
 )
 @answering
 def sweep(

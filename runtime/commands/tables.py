@@ -13,7 +13,6 @@ from rich.text import Text
 __all__ = ["console_as_wide", "listing", "show_table"]
 
 _PIPE = 1_000_000  # columns: as many as it takes
-_LEAST = 24  # columns of a cell that is folded
 
 
 def console_as_wide() -> Console:
@@ -50,15 +49,13 @@ def show_table(table: Table, out: Console | None = None, *, keys: int = 1) -> No
 
 def _blocks(table: Table, console: Console, keys: int) -> list[Table]:
     """The table, or parts of it that fit."""
-    widths = [_width(table, [column]) for column in range(len(table.columns))]
-    if _width(table, range(len(widths))) <= console.width:
+    count = len(table.columns)
+    if _width(table, range(count)) <= console.width:
         return [table]
-    key = list(range(min(keys, len(widths) - 1)))
-    room = max(console.width - sum(widths[k] for k in key), _LEAST)
+    key = list(range(min(keys, count - 1)))
     blocks: list[list[int]] = [[]]
-    for column in range(len(key), len(widths)):
-        used = sum(min(widths[c], room) for c in blocks[-1])
-        if blocks[-1] and used + min(widths[column], room) > room:
+    for column in range(len(key), count):
+        if blocks[-1] and _width(table, [*key, *blocks[-1], column]) > console.width:
             blocks.append([])
         blocks[-1].append(column)
     return [_part(table, [*key, *block]) for block in blocks]

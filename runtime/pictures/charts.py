@@ -107,7 +107,7 @@ def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) 
         vmax=len(parts) - 0.5,
         rasterized=True,
     )
-    axes.add_collection(LineCollection([*_outlines(labels, x, y)], colors="0.1", linewidths=0.7))
+    axes.add_collection(LineCollection(list(_outlines(labels, x, y)), colors="0.1", linewidths=0.7))
     for part, color in zip(parts, colors, strict=True):
         _label(axes, x, y, part, color)
     axes.set_xlabel(_named(chart, across))
