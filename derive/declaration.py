@@ -100,6 +100,7 @@ class Declaration:
             named += self._constraints(configuration)
         for contact in system.contacts:
             named += [*contact.forces.values(), contact.velocity, contact.surface]
+        named += [sine for _, sine in system.forcing[:1]]  # zero where its phase begins anew
         return tuple(dict.fromkeys(map(sp.expand, named)))
 
     @cached_property
@@ -184,6 +185,7 @@ class Declaration:
                 for name, found in modes.items()
             },
             "forcing": [(str(c), str(s)) for c, s in system.forcing],
+            **({"forcing_row": self._row(system.forcing[0][1])} if system.forcing else {}),
             "coordinates": [(str(x), str(v)) for x, v in self._coordinates()],
             "held": {c.name: self._held(c.dynamics) for c in system.configurations},
             "constraint_rows": {

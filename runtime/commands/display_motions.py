@@ -9,7 +9,8 @@ from rich.text import Text
 
 from nonsmooth.runtime.commands.display import wide_console
 from nonsmooth.runtime.commands.report_motions import largest_exponent
-from nonsmooth.runtime.finding.find import Found
+from nonsmooth.runtime.composition.naming import itinerary_text
+from nonsmooth.runtime.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.finding.sweep import Sweep
 from nonsmooth.runtime.observing.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -55,34 +56,103 @@ def show_motion(motion: Trajectory) -> None:
 
 
 def show_found(found: Found) -> None:
-    """Show periodic orbits, with period, itinerary, stability and basin."""
+    """Show periodic orbits and equilibria, with stability and basin, and how else motions end."""
     out = wide_console(_WIDTH)
-    count = len(found.starts)
-    title = f"{found.system}, {_count(len(found.orbits), 'periodic orbit')} from {count} starts"
+    kinds = [_count(len(found.orbits), "periodic orbit")]
+    if found.equilibria:
+        count = len(found.equilibria)
+        kinds.append(f"{count} equilibri{'um' if count == 1 else 'a'}")
+    title = f"{found.system}, {' and '.join(kinds)} from {_count(len(found.starts), 'start')}"
     out.print(Text(title, style="bold"))
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
-    for name in ("", "period", "stability", "multipliers", "starts", "itinerary"):
-        right = name in ("", "period", "starts")
-        table.add_column(name, justify="right" if right else "left", no_wrap=right)
-    for i, orbit in enumerate(found.orbits, 1):
-        multipliers = ", ".join(_complex(m) for m in orbit.orbit.multipliers)
-        style = {"stable": "green", "unstable": "red"}.get(orbit.verdict, "")
-        phases = " -> ".join(configuration for configuration, _ in orbit.itinerary)
-        basin = f"{100 * orbit.share:.4g} %" if orbit.starts else "-"
-        table.add_row(
-            str(i),
-            _number(orbit.period),
-            Text(orbit.verdict, style=style),
-            multipliers,
-            basin,
-            phases,
-        )
-    out.print(table)
-    for share, what in ((found.resting, "came to rest"), (found.unclassified, "not classified")):
-        if share:
-            out.print(f"{100 * share:.4g} % of the starts {what}")
+    if found.orbits:
+        out.print(_orbits(found))
+    if found.equilibria:
+        out.print(_equilibria(found))
+    for outcome, share in found.outcomes.items():
+        out.print(f"{100 * share:.4g} % of the starts: {outcome.text}")
     if found.unclassified:
-        out.print("(slow ones may need more --transitions; motions that keep energy never settle)")
+        out.print("(slow ones may need more --transitions)")
+
+
+def _orbits(found: Found) -> Table:
+    forced = any(orbit.forcing_periods for orbit in found.orbits)
+    mirrored = any(orbit.mirror is not None for orbit in found.orbits)
+    table = _entries("period", *["in forcing periods"] * forced, "stability", "multipliers")
+    table.add_column("starts", justify="right", no_wrap=True)
+    if mirrored:
+        table.add_column("mirror image")
+    table.add_column("itinerary")
+    for place, orbit in enumerate(found.orbits):
+        table.add_row(
+            str(place + 1),
+            _number(orbit.period),
+            *[", ".join(map(str, orbit.forcing_periods))] * forced,
+            _stability(orbit.verdict),
+            _pairs(orbit.orbit.multipliers.tolist()),
+            _basin(orbit),
+            *[_mirror(orbit.mirror, place, 0)] * mirrored,
+            itinerary_text(orbit.itinerary),
+        )
+    return table
+
+
+def _equilibria(found: Found) -> Table:
+    mirrored = any(entry.mirror is not None for entry in found.equilibria)
+    table = _entries("equilibrium", "stability", "eigenvalues")
+    table.add_column("starts", justify="right", no_wrap=True)
+    if mirrored:
+        table.add_column("mirror image")
+    table.add_column("configuration")
+    before = len(found.orbits)
+    for place, entry in enumerate(found.equilibria):
+        known = entry.equilibrium
+        state = zip(known.names, known.state.tolist(), strict=True)
+        table.add_row(
+            str(before + place + 1),
+            ", ".join(f"{name} = {_number(value)}" for name, value in state),
+            _stability(known.verdict),
+            _pairs(known.eigenvalues.tolist()),
+            _basin(entry),
+            *[_mirror(entry.mirror, place, before)] * mirrored,
+            known.configuration,
+        )
+    return table
+
+
+def _entries(*names: str) -> Table:
+    """A numbered table whose first column of that name is of numbers."""
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column("", justify="right", no_wrap=True)
+    for name in names:
+        right = name in ("period", "in forcing periods")
+        table.add_column(name, justify="right" if right else "left", no_wrap=name == "period")
+    return table
+
+
+def _stability(verdict: str) -> Text:
+    return Text(verdict, style={"stable": "green", "unstable": "red"}.get(verdict, ""))
+
+
+def _basin(entry: FoundOrbit | FoundEquilibrium) -> str:
+    return f"{100 * entry.share:.4g} %" if entry.starts else "-"
+
+
+def _mirror(mirror: int | None, place: int, before: int) -> str:
+    """Of which entry one is the mirror image."""
+    if mirror is None:
+        return ""
+    return "its own" if mirror == place else f"of {before + mirror + 1}"
+
+
+def _pairs(numbers: list[complex]) -> str:
+    """Complex numbers, of which conjugate ones are told together."""
+    told = []
+    for number in numbers:
+        if number.imag < 0 and number.conjugate() in numbers:
+            continue
+        paired = number.imag > 0 and number.conjugate() in numbers
+        told.append(_complex(number).replace(" + ", " ± ") if paired else _complex(number))
+    return ", ".join(told)
 
 
 def show_observables(found: Observables) -> None:

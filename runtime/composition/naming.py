@@ -1,10 +1,13 @@
-"""Names of a composed orbit's unknowns."""
+"""Names of a composed orbit's unknowns, and its itinerary in words."""
 
 from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
+from itertools import groupby
 
-__all__ = ["dwell_names", "start_names"]
+from nonsmooth.runtime.simulation.structure import FORCING_PHASE
+
+__all__ = ["dwell_names", "itinerary_text", "start_names"]
 
 
 def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
@@ -24,3 +27,23 @@ def start_names(
         known.get(name, name if f"{name}0" in taken or f"{name}0" in states else f"{name}0")
         for name in states
     )
+
+
+def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
+    """Configurations and the boundaries by which they are left; equal phases are counted.
+
+    Examples
+    --------
+    >>> itinerary_text([("slip", "belt-reached"), ("stick", "belt-breaks")])
+    'slip, belt-reached -> stick, belt-breaks'
+    >>> itinerary_text([("free", "right"), ("free", "left"), ("free", "left")])
+    'free, right -> 2 x (free, left)'
+    """
+    phases = []
+    for (configuration, boundary), repeated in groupby(itinerary):
+        count = len(list(repeated))
+        text = f"{configuration}, {boundary}"
+        if boundary == FORCING_PHASE:
+            text = f"{configuration}, no boundary is reached"
+        phases.append(text if count == 1 else f"{count} x ({text})")
+    return " -> ".join(phases)

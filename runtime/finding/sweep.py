@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.finding.find import UNCLASSIFIED, Found, labels_of
+from nonsmooth.runtime.finding.find import Found
+from nonsmooth.runtime.finding.outcomes import Attractors, Outcome, attractors_of
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.loading.declared import DeclaredSystem
+from nonsmooth.runtime.simulation.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 from nonsmooth.runtime.simulation.structure import structure_of
@@ -20,6 +22,7 @@ __all__ = ["Basins", "Sweep", "basins", "sweep"]
 
 _CHUNK = 64  # values of the parameter between two reports of progress
 _FIRST_LOOK = 60  # transitions, about
+_KEPT = 33  # entries at the end of a motion that is measured
 _LARGEST_PLANE = 4_000_000  # starts
 
 
@@ -57,7 +60,7 @@ class Basins:
     x_values : array (n,)
     y_values : array (m,)
     labels : array (m, n) of int
-        As `Found.labels`; -3 where a start belongs to no configuration.
+        As `Found.labels`; `Outcome.ILLEGAL` where a start belongs to no configuration.
     start : array (N,)
     """
 
@@ -190,7 +193,7 @@ def basins(
     kernels = load_system(found.system)
     others: dict[str, object] = {name: 0 for name in found.names} | dict(start or {})
     base = start_state(structure_of(kernels), others)
-    values = {name: float(value) for name, value in found.parameters.items()}
+    attractors = _attractors(found, kernels)
     labels = np.empty((axes[1].size, axes[0].size), dtype=int)
     rows = max(1, 20_000 // axes[0].size)
     for low_row in range(0, axes[1].size, rows):
@@ -198,30 +201,39 @@ def basins(
         starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
         starts[..., found.names.index(x[0])] = axes[0]
         starts[..., found.names.index(y[0])] = axes[1][here, None]
-        labels[here] = _arrivals(found, values, starts.reshape(-1, base.size), threads).reshape(
-            -1, axes[0].size
-        )
+        flat = _arrivals(found, attractors, starts.reshape(-1, base.size), threads)
+        labels[here] = flat.reshape(-1, axes[0].size)
         progress(min(low_row + rows, axes[1].size))
     return Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
 
 
+def _attractors(found: Found, kernels: SystemKernels) -> Attractors:
+    """What was found, in the order of its labels."""
+    point = piecewise(kernels, found.parameters)
+    orbits = tuple(entry.orbit for entry in found.orbits)
+    equilibria = tuple(entry.equilibrium for entry in found.equilibria)
+    return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
+
+
 def _arrivals(
-    found: Found, values: Mapping[str, float], starts: np.ndarray, threads: int | None
+    found: Found, attractors: Attractors, starts: np.ndarray, threads: int | None
 ) -> np.ndarray:
     """Labels of starts: followed four times longer as long as they are not classified."""
-    orbits = [entry.orbit for entry in found.orbits]
-    labels = np.full(len(starts), UNCLASSIFIED)
+    values = {name: float(value) for name, value in found.parameters.items()}
+    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
     length = found.transitions
     lengths = [length]
     while length > 2 * _FIRST_LOOK:
         length //= 4
         lengths.insert(0, length)
     for length in lengths:
-        open_ = np.flatnonzero(labels == UNCLASSIFIED)
+        open_ = np.flatnonzero(labels == Outcome.UNCLASSIFIED)
         if not open_.size:
             break
         motions = simulate_many(
-            found.system, values, starts[open_], transitions=length, keep=2, threads=threads
+            found.system, values, starts[open_], transitions=length, keep=_KEPT, threads=threads
         )
-        labels[open_] = labels_of(motions, orbits)
+        labels[open_] = attractors.labels(motions)
+        if length == found.transitions:
+            labels[open_] = attractors.measured(motions, labels[open_], threads)
     return labels

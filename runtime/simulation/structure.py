@@ -11,6 +11,7 @@ from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
 
 __all__ = [
+    "FORCING_PHASE",
     "BoundaryShape",
     "ContactShape",
     "ModeShape",
@@ -20,6 +21,8 @@ __all__ = [
     "mode_shapes",
     "structure_of",
 ]
+
+FORCING_PHASE = "forcing-phase"  # in an itinerary: the phase of the first forcing begins anew
 
 
 @dataclass(frozen=True)
@@ -97,6 +100,8 @@ class Structure:
         States c and s of a harmonic forcing: c^2 + s^2 = 1.
     coordinates : tuple of (int, int)
         Positions and their velocities.
+    forcing_row : int or None
+        Row that is zero where the phase of the first forcing begins anew.
     """
 
     name: str
@@ -112,6 +117,7 @@ class Structure:
     resets: int
     forcing: tuple[tuple[int, int], ...] = ()
     coordinates: tuple[tuple[int, int], ...] = ()
+    forcing_row: int | None = None
 
     def configuration(self, name: str) -> int:
         """Index of a configuration; InputError if there is none of that name."""
@@ -208,10 +214,9 @@ def _structure(kernels: SystemKernels) -> Structure:
         ),
         kernels.module.KERNELS["rows"][1][0][0],
         kernels.module.KERNELS["resets"][1][0][0] // len(states),
-        *(
-            tuple((states.index(a), states.index(b)) for a, b in table[name])
-            for name in ("forcing", "coordinates")
-        ),
+        tuple((states.index(c), states.index(s)) for c, s in table["forcing"]),
+        tuple((states.index(x), states.index(v)) for x, v in table["coordinates"]),
+        table.get("forcing_row"),
     )
 
 

@@ -1,0 +1,119 @@
+"""How fast neighbouring motions part, for many motions at once: their largest exponents.
+
+Two motions that begin next to each other are followed transition by transition; what parts them
+is scaled back again and again (Benettin et al., Meccanica 15, 1980). States behind the same
+transition lie on one section, so that the direction of the motion does not count.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.kernels import SystemKernels
+from nonsmooth.runtime.simulation.run import Status
+from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
+
+__all__ = ["Stretching", "stretching"]
+
+_APART = 1e-10  # in units of the scales
+_BLOCK, _BLOCKS = 16, 52  # transitions from one scaling to the next, and how many there are
+_TURNING = _BLOCKS // 4  # blocks in which what parts the motions turns to its direction
+_LOST = 1e-15  # of the scales: below, nothing is left that parts them
+_PARTS, _TREND = 8, 0.05  # of a motion that grows, or settles, from each part to the next
+
+
+class Stretching(NamedTuple):
+    """Largest exponents (n,) of motions, their standard errors, and whether the motions grow.
+
+    The exponent is NaN where a motion ends or still settles, or its neighbour goes another way.
+    An error is no less than what a single stretching by e makes of it.
+    """
+
+    exponents: np.ndarray
+    errors: np.ndarray
+    grows: np.ndarray
+
+
+def stretching(
+    kernels: SystemKernels,
+    parameters: Mapping[str, Any],
+    motions: Trajectories,
+    scales: np.ndarray,
+    threads: int | None = None,
+) -> Stretching:
+    """Follow motions (n,) on, each beside a neighbour.
+
+    Parameters
+    ----------
+    parameters : mapping of str to float or array (n,)
+    motions : Trajectories
+        Their last three entries and more have to be kept.
+    scales : array (n, N)
+    """
+    count = len(motions.times)
+    growths, lengths = np.full((_BLOCKS, count), np.nan), np.zeros((_BLOCKS, count))
+    sizes = np.zeros((_BLOCKS, *scales.shape))
+    values = {name: np.broadcast_to(value, count) for name, value in parameters.items()}
+
+    def follow(states: np.ndarray, configurations: np.ndarray, **ends: Any) -> Trajectories:
+        here = {name: value[going] for name, value in values.items()}
+        return simulate_many(kernels, here, states, configurations, threads=threads, **ends)
+
+    # inside the last phase but one, where any small change that its constraints allow is one
+    configurations = motions.last_configurations[:, -2]
+    halves = np.diff(motions.last_times[:, -2:], axis=1)[:, 0] / 2
+    change = _changes(motions, scales)
+    usable = (motions.status == Status.TRANSITIONS) & (halves > 0)
+    going = np.flatnonzero(usable & np.isfinite(change).all(axis=1))
+    entries = motions.last_states[going, -2]
+    middle = follow(entries, configurations[going], until=halves[going]).states
+    now = np.stack([middle, middle + _APART * change[going]])
+    where = np.stack([configurations[going]] * 2)
+    for block in range(_BLOCKS):
+        found = follow(now, where, transitions=_BLOCK, keep=_BLOCK)
+        apart = (found.states[1] - found.states[0]) / scales[going]
+        distance = np.abs(apart).max(axis=1)
+        together = (found.status == Status.TRANSITIONS).all(axis=0) & np.isfinite(distance)
+        together &= found.configurations[0] == found.configurations[1]
+        together &= found.last_sets[0, :, -1] == found.last_sets[1, :, -1]
+        growths[block, going] = np.log(np.maximum(distance, _LOST) / _APART)
+        lengths[block, going] = found.times[0]
+        sizes[block, going] = np.abs(found.last_states[0]).max(axis=1)
+        growths[block:, going[~together]] = np.nan
+        back = np.where(distance > _LOST, _APART / np.maximum(distance, _LOST), 1.0)
+        nearer = found.states[0] + apart * back[:, None] * scales[going]
+        now = np.stack([found.states[0], nearer])[:, together]
+        going, where = going[together], found.configurations[:, together]
+        if not going.size:
+            break
+    return _measured(growths[_TURNING:], lengths[_TURNING:], sizes)
+
+
+def _measured(growths: np.ndarray, lengths: np.ndarray, sizes: np.ndarray) -> Stretching:
+    """Exponents from growths and lengths (blocks, n), trends from sizes (blocks, n, N)."""
+    whole, blocks = lengths.sum(axis=0), len(growths)
+    whole = np.where(whole > 0, whole, np.nan)
+    spread = growths.std(axis=0, ddof=1) * np.sqrt(blocks)
+    parts = np.stack([part.max(axis=0) for part in np.array_split(sizes, _PARTS)])
+    changes, ratios = np.diff(parts, axis=0), parts[-1] / np.maximum(parts[0], 1e-300)
+    grows = ((changes > 0).all(axis=0) & (ratios > 1 + _TREND)).any(axis=1)
+    shrinks = ((changes < 0).all(axis=0) & (ratios < 1 - _TREND)).any(axis=1)
+    exponents = np.where(shrinks, np.nan, growths.sum(axis=0) / whole)
+    return Stretching(exponents, np.maximum(spread, 1.0) / whole, grows)
+
+
+def _changes(motions: Trajectories, scales: np.ndarray) -> np.ndarray:
+    """Directions (n, N) of length 1 that the constraints of the last phase but one allow.
+
+    From one state to another in which the same configuration is entered; the forcing stays.
+    NaN where there is no other one.
+    """
+    configurations, states = motions.last_configurations, motions.last_states
+    other = np.argmax(configurations[:, :-2] == configurations[:, [-2]], axis=1)
+    found = states[np.arange(len(states)), other] - states[:, -2]
+    found[:, [state for pair in motions.structure.forcing for state in pair]] = 0.0
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray(found / np.abs(found / scales).max(axis=1, keepdims=True))
