@@ -217,8 +217,8 @@ def found():
 def test_json_of_find(found):
     document = told(*FIND.split())
     assert list(document) == [
-        *("system", "parameters", "starts", "transitions", "box", "orbits", "resting"),
-        *("unclassified", "files"),
+        *("system", "parameters", "starts", "transitions", "box", "orbits", "equilibria"),
+        *("outcomes", "resting", "unclassified", "files"),
     ]
     assert (document["starts"], document["transitions"]) == (12, 400)
     assert document["parameters"] == values(B)
@@ -226,8 +226,8 @@ def test_json_of_find(found):
         [o.period for o in found.orbits]
     )
     shares = [float(o["share"]) for o in document["orbits"]]
-    rest = float(document["resting"]) + float(document["unclassified"])
-    assert sum(shares) + rest == pytest.approx(1)
+    others = [float(share) for share in document["outcomes"].values()]
+    assert sum(shares) + sum(others) == pytest.approx(1)
     for entry in document["orbits"]:
         assert {"stability", "itinerary", "start", "multipliers", "trace"} <= entry.keys()
         dwell = [float(phase["dwell_time"]) for phase in entry["itinerary"]]
@@ -311,7 +311,8 @@ def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):
 def test_json_of_sweep():
     document = told(*SWEEP.split())
     assert list(document) == [
-        *("system", "parameter", "state", "configuration", "values", "samples", "files"),
+        *("system", "parameter", "state", "configuration", "values", "samples"),
+        *("outcomes", "files"),
     ]
     assert [float(v) for v in document["values"]] == pytest.approx([0.95, 1.0, 1.05])
     assert [len(row) for row in document["samples"]] == [3, 3, 3]

@@ -11,6 +11,7 @@ from nonsmooth.runtime.commands.display import wide_console
 from nonsmooth.runtime.commands.report_motions import largest_exponent
 from nonsmooth.runtime.composition.naming import itinerary_text
 from nonsmooth.runtime.finding.find import Found, FoundEquilibrium, FoundOrbit
+from nonsmooth.runtime.finding.settled import settled_texts
 from nonsmooth.runtime.finding.sweep import Sweep
 from nonsmooth.runtime.observing.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -202,13 +203,17 @@ def _listing(*names: str) -> Table:
 
 
 def show_sweep(diagram: Sweep) -> None:
-    """Say how many points a bifurcation diagram has."""
+    """Say how many points a bifurcation diagram has, and what the motions settle on."""
     points = int(np.isfinite(diagram.samples).sum())
     low, high = diagram.values[[0, -1]]
     print(
         f"{diagram.system}: {points} points of {diagram.state} at each entry of"
         f" {diagram.configuration}, {diagram.parameter} from {_number(low)} to {_number(high)}"
     )
+    numbers, counts = np.unique(diagram.outcomes, return_counts=True)
+    texts = settled_texts()
+    for number, count in zip(numbers[::-1].tolist(), counts[::-1].tolist(), strict=True):
+        print(f"{texts[number]}: {_count(count, 'value')} of {diagram.parameter}")
 
 
 def _complex(number: complex) -> str:

@@ -124,7 +124,7 @@ def _root(affine: np.ndarray) -> np.ndarray | None:
         return None
     state = right.T @ (left.T @ -affine[:, -1] / values)
     missed = np.abs(matrix @ state + affine[:, -1])
-    size = np.abs(matrix) @ np.abs(state) + np.abs(affine[:, -1])
+    size = (np.abs(matrix) @ np.abs(state) + np.abs(affine[:, -1])).max()
     return state / columns if (missed <= _DEPENDENT * size).all() else None
 
 

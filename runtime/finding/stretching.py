@@ -22,7 +22,8 @@ _APART = 1e-10  # in units of the scales
 _BLOCK, _BLOCKS = 16, 52  # transitions from one scaling to the next, and how many there are
 _TURNING = _BLOCKS // 4  # blocks in which what parts the motions turns to its direction
 _LOST = 1e-15  # of the scales: below, nothing is left that parts them
-_PARTS, _TREND = 8, 0.05  # of a motion that grows, or settles, from each part to the next
+_PARTS = 8  # of a motion that grows, or settles, from each to the next
+_GROWTH, _ROUNDING = 1.05, 1e-9
 
 
 class Stretching(NamedTuple):
@@ -55,7 +56,8 @@ def stretching(
     """
     count = len(motions.times)
     growths, lengths = np.full((_BLOCKS, count), np.nan), np.zeros((_BLOCKS, count))
-    sizes = np.zeros((_BLOCKS, *scales.shape))
+    highest, lowest = np.zeros((2, _BLOCKS, *scales.shape))
+    escaped = np.zeros(count, dtype=bool)
     values = {name: np.broadcast_to(value, count) for name, value in parameters.items()}
 
     def follow(states: np.ndarray, configurations: np.ndarray, **ends: Any) -> Trajectories:
@@ -73,36 +75,48 @@ def stretching(
     now = np.stack([middle, middle + _APART * change[going]])
     where = np.stack([configurations[going]] * 2)
     for block in range(_BLOCKS):
-        found = follow(now, where, transitions=_BLOCK, keep=_BLOCK)
-        apart = (found.states[1] - found.states[0]) / scales[going]
+        ends = follow(now, where, transitions=_BLOCK, keep=_BLOCK)
+        apart = (ends.states[1] - ends.states[0]) / scales[going]
         distance = np.abs(apart).max(axis=1)
-        together = (found.status == Status.TRANSITIONS).all(axis=0) & np.isfinite(distance)
-        together &= found.configurations[0] == found.configurations[1]
-        together &= found.last_sets[0, :, -1] == found.last_sets[1, :, -1]
+        together = (ends.status == Status.TRANSITIONS).all(axis=0) & np.isfinite(distance)
+        together &= ends.configurations[0] == ends.configurations[1]
+        together &= ends.last_sets[0, :, -1] == ends.last_sets[1, :, -1]
         growths[block, going] = np.log(np.maximum(distance, _LOST) / _APART)
-        lengths[block, going] = found.times[0]
-        sizes[block, going] = np.abs(found.last_states[0]).max(axis=1)
+        lengths[block, going] = ends.times[0]
+        highest[block, going] = ends.last_states[0].max(axis=1)
+        lowest[block, going] = ends.last_states[0].min(axis=1)
         growths[block:, going[~together]] = np.nan
+        escaped[going] = ends.status[0] == Status.OVERFLOW
         back = np.where(distance > _LOST, _APART / np.maximum(distance, _LOST), 1.0)
-        nearer = found.states[0] + apart * back[:, None] * scales[going]
-        now = np.stack([found.states[0], nearer])[:, together]
-        going, where = going[together], found.configurations[:, together]
+        nearer = ends.states[0] + apart * back[:, None] * scales[going]
+        now = np.stack([ends.states[0], nearer])[:, together]
+        going, where = going[together], ends.configurations[:, together]
         if not going.size:
             break
-    return _measured(growths[_TURNING:], lengths[_TURNING:], sizes)
+    found = _measured(growths[_TURNING:], lengths[_TURNING:], highest, lowest)
+    return found._replace(grows=found.grows | escaped)
 
 
-def _measured(growths: np.ndarray, lengths: np.ndarray, sizes: np.ndarray) -> Stretching:
-    """Exponents from growths and lengths (blocks, n), trends from sizes (blocks, n, N)."""
+def _measured(
+    growths: np.ndarray, lengths: np.ndarray, highest: np.ndarray, lowest: np.ndarray
+) -> Stretching:
+    """Exponents from growths and lengths (blocks, n), trends from extremes (blocks, n, N)."""
     whole, blocks = lengths.sum(axis=0), len(growths)
     whole = np.where(whole > 0, whole, np.nan)
     spread = growths.std(axis=0, ddof=1) * np.sqrt(blocks)
-    parts = np.stack([part.max(axis=0) for part in np.array_split(sizes, _PARTS)])
-    changes, ratios = np.diff(parts, axis=0), parts[-1] / np.maximum(parts[0], 1e-300)
-    grows = ((changes > 0).all(axis=0) & (ratios > 1 + _TREND)).any(axis=1)
-    shrinks = ((changes < 0).all(axis=0) & (ratios < 1 - _TREND)).any(axis=1)
+    sizes, grown = _trend(np.maximum(highest, -lowest))
+    ranges, shrunk = _trend(highest - lowest)
+    grows = np.any((sizes > 0).all(axis=0) & (grown > _GROWTH), axis=1, keepdims=True)[:, 0]
+    shrinks = ((ranges < 0).all(axis=0) & (shrunk < 1 - _ROUNDING)).any(axis=1)
     exponents = np.where(shrinks, np.nan, growths.sum(axis=0) / whole)
     return Stretching(exponents, np.maximum(spread, 1.0) / whole, grows)
+
+
+def _trend(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Changes from part to part of values (blocks, n, N), and the last part's by the first's."""
+    parts = np.stack([part.max(axis=0) for part in np.array_split(values, _PARTS)])
+    first = np.where(parts[0] > 0, parts[0], 1.0)
+    return np.diff(parts, axis=0), np.where(parts[0] > 0, parts[-1] / first, 1.0)
 
 
 def _changes(motions: Trajectories, scales: np.ndarray) -> np.ndarray:

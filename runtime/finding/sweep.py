@@ -11,6 +11,7 @@ import numpy as np
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.finding.find import Found
 from nonsmooth.runtime.finding.outcomes import Attractors, Outcome, attractors_of
+from nonsmooth.runtime.finding.settled import settled
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.piecewise import piecewise
@@ -22,7 +23,7 @@ __all__ = ["Basins", "Sweep", "basins", "sweep"]
 
 _CHUNK = 64  # values of the parameter between two reports of progress
 _FIRST_LOOK = 60  # transitions, about
-_KEPT = 33  # entries at the end of a motion that is measured
+_KEPT = 65  # entries at the end of a motion that is classified
 _LARGEST_PLANE = 4_000_000  # starts
 
 
@@ -37,6 +38,8 @@ class Sweep:
     values : array (n,)
     samples : array (n, m)
         NaN where a motion entered the configuration less often, or ended.
+    outcomes : array (n,) of int
+        What the motions settle on: numbers of `nonsmooth.runtime.finding.settled`.
     """
 
     system: str
@@ -45,6 +48,7 @@ class Sweep:
     configuration: str
     values: np.ndarray
     samples: np.ndarray
+    outcomes: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,29 +133,32 @@ def sweep(
     taken = checked_count("samples", samples, 1)
     first = start_state(structure, start)
     place = structure.states.index(state)
-    found = np.full((grid.size, taken), np.nan)
+    found, outcomes = np.full((grid.size, taken), np.nan), np.empty(grid.size, dtype=int)
     begin, followed = first, 0
     for low in range(0, grid.size, _CHUNK):
         here = slice(low, low + _CHUNK)
+        point = {**parameters, name: grid[here]}
         motions = simulate_many(
             kernels,
-            {**parameters, name: grid[here]},
+            point,
             begin,
             transitions=skipped + taken,
-            keep=taken,
+            keep=max(taken, _KEPT),
             threads=threads,
         )
+        outcomes[here] = settled(kernels, point, motions, threads).outcomes
         followed += int((motions.status >= 0).sum())
         # a motion that ended early has kept entries of its transient too
         places = motions.transitions[:, None] - np.arange(taken)[::-1]
-        entered = (motions.last_configurations == where) & (places > skipped)
-        found[here] = np.where(entered, motions.last_states[..., place], np.nan)
+        entered = (motions.last_configurations[:, -taken:] == where) & (places > skipped)
+        states = motions.last_states[:, -taken:, place]
+        found[here] = np.where(entered, states, np.nan)
         last = motions.states[-1]
         begin = last if follow and np.isfinite(last).all() else first
         progress(min(low + _CHUNK, grid.size))
     if not followed:
         raise InputError(f"for no value of {name} are the parameters and the start possible")
-    return Sweep(kernels.name, name, state, configuration, grid, found)
+    return Sweep(kernels.name, name, state, configuration, grid, found, outcomes)
 
 
 def basins(

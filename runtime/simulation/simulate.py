@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields
 from types import ModuleType
@@ -149,12 +149,16 @@ class Trajectories:
 
     def at(self, places: Any) -> Trajectories:
         """Those at some places of the first axis."""
-        arrays = {
-            field.name: getattr(self, field.name)[places]
-            for field in fields(self)
-            if field.name != "structure"
-        }
-        return Trajectories(self.structure, **arrays)
+        return self._with(lambda array: array[places])
+
+    def reshaped(self, count: int) -> Trajectories:
+        """All of them in one row."""
+        inner = self.status.ndim
+        return self._with(lambda array: array.reshape(count, *array.shape[inner:]))
+
+    def _with(self, change: Callable[[np.ndarray], np.ndarray]) -> Trajectories:
+        names = [field.name for field in fields(self) if field.name != "structure"]
+        return Trajectories(self.structure, **{n: change(getattr(self, n)) for n in names})
 
 
 def simulate_many(
