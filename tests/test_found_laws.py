@@ -311,10 +311,12 @@ def test_an_equilibrium_has_eigenvalues():
 
 
 def test_steady_sliding_that_is_unstable_is_listed():
-    found = found_at(on_belt(), {"mu": "1/2", "c": "-1/5", "V": 3})
+    found = found_at(on_belt(), {"mu": "1/2", "c": "-1/50", "V": 3})
     (entry,) = found.equilibria
     assert (entry.starts, entry.equilibrium.verdict) == (0, "unstable")
-    assert found.share(Outcome.DIVERGENT) == 1  # friction does not grow with the speed
+    # what the belt does not catch grows: friction does not grow with the speed
+    assert 0 < found.share(Outcome.DIVERGENT) < 1
+    assert found.orbits[0].share + found.share(Outcome.DIVERGENT) == 1
 
 
 @pytest.mark.parametrize(
@@ -376,5 +378,10 @@ def test_files_and_words(tmp_path):
         found = found_at(system, data, 5)
         found.save(tmp_path / "found.json")
         again = load_found(tmp_path / "found.json")
-        assert found_json(again) == found_json(found)
+        told, wanted = found_json(again), found_json(found)
+        for one, other in zip(told.pop("orbits"), wanted.pop("orbits"), strict=True):
+            assert float(one["period"]) == pytest.approx(float(other["period"]), rel=1e-13)
+            assert one["itinerary"][0]["boundary"] == other["itinerary"][0]["boundary"]
+            assert (one["forcing_periods"], one["symmetric"]) == ([1], False)
+        assert told == wanted
         np.testing.assert_array_equal(again.labels, found.labels)

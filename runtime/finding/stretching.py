@@ -57,7 +57,7 @@ def stretching(
     count = len(motions.times)
     growths, lengths = np.full((_BLOCKS, count), np.nan), np.zeros((_BLOCKS, count))
     highest, lowest = np.zeros((2, _BLOCKS, *scales.shape))
-    escaped = np.zeros(count, dtype=bool)
+    escaped = _growing(np.abs(np.moveaxis(motions.last_states, 1, 0)))
     values = {name: np.broadcast_to(value, count) for name, value in parameters.items()}
 
     def follow(states: np.ndarray, configurations: np.ndarray, **ends: Any) -> Trajectories:
@@ -86,7 +86,7 @@ def stretching(
         highest[block, going] = ends.last_states[0].max(axis=1)
         lowest[block, going] = ends.last_states[0].min(axis=1)
         growths[block:, going[~together]] = np.nan
-        escaped[going] = ends.status[0] == Status.OVERFLOW
+        escaped[going] |= ends.status[0] == Status.OVERFLOW
         back = np.where(distance > _LOST, _APART / np.maximum(distance, _LOST), 1.0)
         nearer = ends.states[0] + apart * back[:, None] * scales[going]
         now = np.stack([ends.states[0], nearer])[:, together]
@@ -104,12 +104,19 @@ def _measured(
     whole, blocks = lengths.sum(axis=0), len(growths)
     whole = np.where(whole > 0, whole, np.nan)
     spread = growths.std(axis=0, ddof=1) * np.sqrt(blocks)
-    sizes, grown = _trend(np.maximum(highest, -lowest))
     ranges, shrunk = _trend(highest - lowest)
-    grows = np.any((sizes > 0).all(axis=0) & (grown > _GROWTH), axis=1, keepdims=True)[:, 0]
     shrinks = ((ranges < 0).all(axis=0) & (shrunk < 1 - _ROUNDING)).any(axis=1)
     exponents = np.where(shrinks, np.nan, growths.sum(axis=0) / whole)
-    return Stretching(exponents, np.maximum(spread, 1.0) / whole, grows)
+    return Stretching(
+        exponents, np.maximum(spread, 1.0) / whole, _growing(np.maximum(highest, -lowest))
+    )
+
+
+def _growing(sizes: np.ndarray) -> np.ndarray:
+    """Whether motions grow (n,), from sizes (blocks, n, N): ever on, and no more slowly."""
+    changes, ratios = _trend(sizes)
+    steady = (changes > 0).all(axis=0) & (changes[-1] > changes[0] / 2)
+    return np.asarray(np.any(steady & (ratios > _GROWTH), axis=1))
 
 
 def _trend(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
