@@ -385,3 +385,14 @@ def test_files_and_words(tmp_path):
             assert (one["forcing_periods"], one["symmetric"]) == ([1], False)
         assert told == wanted
         np.testing.assert_array_equal(again.labels, found.labels)
+
+
+def test_a_motion_without_contact_is_proved_and_checked(tmp_path):
+    data = {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}
+    phases = [("free", "forcing-phase")]
+    certificate = ns.certify(ns.compose(stopped(), data, phases, [2 * np.pi / 2.6]))
+    assert set(certificate.claims.values()) == {"proved"}
+    certificate.save(tmp_path / "proof.json")
+    assert ns.check_certificate(tmp_path / "proof.json").claims == certificate.claims
+    beyond = ns.compose(stopped(), data | {"gap": "0.1"}, phases, [2 * np.pi / 2.6])
+    assert ns.certify(beyond).claims["admissibility"] == "refuted"

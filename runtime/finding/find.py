@@ -158,6 +158,11 @@ class Found:
 
         save_found(self, path)
 
+    def _repr_html_(self) -> str:
+        from nonsmooth.runtime.notebook import found_html
+
+        return found_html(self)
+
     def share(self, outcome: Outcome) -> float:
         """Share of the starts that end so."""
         return float(np.mean(self.labels == outcome)) if self.labels.size else 0.0

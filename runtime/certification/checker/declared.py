@@ -24,6 +24,8 @@ from nonsmooth.runtime.certification.quotients import Quotient
 
 __all__ = ["Declared", "Phase", "Step", "Transition", "Watched"]
 
+_FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
+
 
 class Transition(NamedTuple):
     """What leads from a configuration and boundaries to another: conditions, affine reset."""
@@ -101,7 +103,11 @@ class Declared:
         self.steps = []
         names = [phase["configuration"] for phase in self.itinerary]
         for phase, target in zip(self.itinerary, [*names[1:], *names[:1]], strict=True):
-            taken, name = self.transitions[phase["transition"]], phase["configuration"]
+            name = phase["configuration"]
+            if told == [[name, _FORCING_PHASE]]:
+                self.steps.append(self._whole_turn(name))
+                continue
+            taken = self.transitions[phase["transition"]]
             ways = (name, *sorted(phase["boundaries"])), target
             leads = ways == (taken.begins, taken.target)
             demand(leads, "a transition does not lead from phase to phase")
@@ -114,6 +120,17 @@ class Declared:
         period = self.closing["kind"] == "period"
         self.period = self.number(self.closing["period"]) if period else None
         self.rational = '"mid"' not in json.dumps(declared)
+
+    def _whole_turn(self, name: str) -> Step:
+        """A phase that ends where the first forcing begins anew, and changes nothing."""
+        demand(bool(self.forcing), "without a forcing there is no phase of it")
+        sine = self.forcing[0][1]
+        row = tuple(fmpq(int(k == sine)) for k in range(self.size + 1))
+        identity = [
+            tuple(fmpq(int(j == k)) for j in range(self.size + 1)) for k in range(self.size + 1)
+        ]
+        staying = Transition((name, _FORCING_PHASE), [], identity, name)
+        return Step(name, self.fields[name], row, staying, name)
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
@@ -233,8 +250,8 @@ class Declared:
             still = not any(reduced(rate, kept))
             ends = reduced(row, end), reduced(rate, end)
             watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
-        own = [boundaries[name] for name in ending]
-        ways = []
+        own = [boundaries[name] for name in ending if name != _FORCING_PHASE]
+        ways: list[Any] = [[]] if ending == [_FORCING_PHASE] else []
         for other in self.transitions:
             if other.begins == step.taken.begins:
                 ways.append(
