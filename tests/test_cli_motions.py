@@ -247,7 +247,7 @@ def test_find_shows_saves_and_maps(found, tmp_path):
     )  # fmt: skip
     assert code == 0
     assert out.endswith(f"{kept} written\n{picture} written\n")
-    assert f"{len(found.orbits)} periodic orbits from 12 starts" in out
+    assert f"{len(found.orbits)} periodic orbits and 1 equilibrium from 12 starts" in out
     assert "unstable" in out
     assert "Traceback" not in err
     assert picture.read_bytes().startswith(b"\x89PNG")
