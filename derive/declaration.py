@@ -105,6 +105,7 @@ class Declaration:
         if system.law is not None:
             named += [f for contact in system.law.contacts for f in contact.functions]
             named += [*system.law.coupling, *chain.from_iterable(system.law.free.values())]
+        named += [sine for _, sine in system.forcing[:1]]  # zero where its phase begins anew
         return tuple(dict.fromkeys(map(sp.expand, named)))
 
     @cached_property
@@ -193,6 +194,7 @@ class Declaration:
                 for name, found in modes.items()
             },
             "forcing": [(str(c), str(s)) for c, s in system.forcing],
+            **({"forcing_row": self._row(system.forcing[0][1])} if system.forcing else {}),
             "coordinates": [(str(x), str(v)) for x, v in self._coordinates()],
             "held": {c.name: self._held(c.dynamics) for c in system.configurations},
             "constraint_rows": {

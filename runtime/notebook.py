@@ -7,13 +7,15 @@ from collections.abc import Iterable
 from html import escape
 from typing import TYPE_CHECKING
 
+from nonsmooth.runtime.composition.naming import itinerary_text
 from nonsmooth.runtime.values import decimal_string
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.composition.record import ComposedOrbit
+    from nonsmooth.runtime.finding.find import Found
     from nonsmooth.runtime.orbit import Orbit
 
-__all__ = ["orbit_html", "orbit_latex", "symbol"]
+__all__ = ["found_html", "orbit_html", "orbit_latex", "symbol"]
 
 _GREEK = re.compile(
     "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
@@ -105,3 +107,28 @@ def _table(caption: str, rows: Iterable[tuple[str, Iterable[str]]]) -> str:
         for name, lines in rows
     )
     return f"<table><caption>{escape(caption)}</caption>{body}</table>"
+
+
+def found_html(found: Found) -> str:
+    """Show what was found as a table, for a notebook: a row for each, and how else motions end."""
+    rows = [
+        (
+            f"{place}",
+            [f"period {orbit.period:.8g}, {orbit.verdict}", itinerary_text(orbit.itinerary)],
+            orbit.share,
+        )
+        for place, orbit in enumerate(found.orbits, 1)
+    ]
+    rows += [
+        (
+            f"{place}",
+            [f"equilibrium, {entry.equilibrium.verdict}", entry.equilibrium.configuration],
+            entry.share,
+        )
+        for place, entry in enumerate(found.equilibria, len(found.orbits) + 1)
+    ]
+    rows += [("", [outcome.text], share) for outcome, share in found.outcomes.items()]
+    return _table(
+        f"{found.system}, {len(found.starts)} starts",
+        [(name, [*lines, f"{100 * share:.4g} % of the starts"]) for name, lines, share in rows],
+    )

@@ -229,7 +229,7 @@ def test_json_of_find(found):
     document = told(*FIND.split())
     assert list(document) == [
         *("system", "parameters", "starts", "transitions", "complete", "box", "orbits"),
-        *("resting", "unclassified", "files"),
+        *("equilibria", "outcomes", "resting", "unclassified", "files", "itineraries"),
     ]
     assert (document["starts"], document["transitions"]) == (12, 400)
     assert document["parameters"] == values(B)
@@ -237,8 +237,8 @@ def test_json_of_find(found):
         [o.period for o in found.orbits]
     )
     shares = [float(o["share"]) for o in document["orbits"]]
-    rest = float(document["resting"]) + float(document["unclassified"])
-    assert sum(shares) + rest == pytest.approx(1)
+    others = [float(share) for share in document["outcomes"].values()]
+    assert sum(shares) + sum(others) == pytest.approx(1)
     for entry in document["orbits"]:
         assert {"stability", "itinerary", "start", "multipliers", "trace"} <= entry.keys()
         dwell = [float(phase["dwell_time"]) for phase in entry["itinerary"]]
@@ -258,7 +258,7 @@ def test_find_shows_saves_and_maps(found, tmp_path):
     )  # fmt: skip
     assert code == 0
     assert out.endswith(f"{kept} written\n{picture} written\n")
-    assert f"{len(found.orbits)} periodic orbits from 12 starts" in out
+    assert f"{len(found.orbits)} periodic orbits and 1 equilibrium from 12 starts" in out
     assert "unstable" in out
     assert "Traceback" not in err
     assert picture.read_bytes().startswith(b"\x89PNG")
@@ -322,7 +322,8 @@ def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):
 def test_json_of_sweep():
     document = told(*SWEEP.split())
     assert list(document) == [
-        *("system", "parameter", "state", "configuration", "phase", "values", "samples", "files"),
+        *("system", "parameter", "state", "configuration", "phase", "values", "samples"),
+        *("outcomes", "files"),
     ]
     assert [float(v) for v in document["values"]] == pytest.approx([0.95, 1.0, 1.05])
     assert [len(row) for row in document["samples"]] == [3, 3, 3]

@@ -7,7 +7,8 @@ import pytest
 
 from nonsmooth.runtime.composition.composed import compose_many
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.finding.find import ILLEGAL, RESTING, UNCLASSIFIED, find_orbits
+from nonsmooth.runtime.finding.find import find_orbits
+from nonsmooth.runtime.finding.outcomes import Outcome
 from nonsmooth.runtime.finding.sweep import basins, sweep
 from nonsmooth.runtime.simulation.simulate import simulate
 
@@ -182,12 +183,14 @@ def test_axes_may_be_any_two_states():
     np.testing.assert_array_equal(one.labels, other.labels.T)
 
 
-def test_rest_and_no_configuration_have_labels():
+def test_equilibria_and_no_configuration_have_labels():
     quiet = find_orbits("rigid-stop", STOP | {"r": 1}, 4, transitions=50, box={"x1": (-0.9, 0.9)})
     plane = basins(quiet, ("x1", 0.0, 2.0, 3), ("v1", 0.0, 0.1, 2))
-    assert (plane.labels[:, 2] == ILLEGAL).all()
-    assert plane.labels[0, 0] == RESTING
-    assert set(plane.labels.ravel().tolist()) <= {ILLEGAL, RESTING, UNCLASSIFIED}
+    assert (plane.labels[:, 2] == Outcome.ILLEGAL).all()
+    assert plane.labels[0, 0] == len(quiet.orbits)  # the equilibrium
+    labels = set(plane.labels.ravel().tolist())
+    assert labels <= {Outcome.ILLEGAL, *range(len(quiet.orbits) + 1), *Outcome}
+    assert plane.labels[1, 0] == Outcome.FAMILY
 
 
 @pytest.mark.parametrize(

@@ -11,20 +11,19 @@ import numpy as np
 from nonsmooth.runtime.charting.grid import Block, Grid
 from nonsmooth.runtime.charting.problem import MISSING, Variable, fixed_values, table_hash
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.finding.settled import settled, settled_texts
 from nonsmooth.runtime.kernels import SystemKernels, load_system
 from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.run import Status
-from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 from nonsmooth.runtime.simulation.structure import structure_of
 from nonsmooth.runtime.units import units_of
 
-__all__ = ["LONGEST", "AttractorProblem", "attractor_problem", "settled_lengths"]
+__all__ = ["LONGEST", "AttractorProblem", "attractor_problem"]
 
 LONGEST = 32  # phases of a cycle that is looked for
-RETURN = 1e-6  # in units of the largest size of a state on the cycle
 _POINTS = 1 << 11  # of a chunk: about a second
-_LEAST = 1e-8  # size of a state in units of the largest
 
 
 @dataclass(frozen=True)
@@ -61,6 +60,7 @@ class AttractorProblem:
         compiled = kernels.compiled is not None and compiled_engine() is not None
         return {
             "kind": "attractors",
+            "version": 2,
             "system": str(kernels.table["name"]),
             "derivation": str(kernels.module.DERIVATION),
             "table": table_hash(kernels.table),
@@ -99,6 +99,15 @@ class AttractorProblem:
                 -1,
                 {"long_name": "configuration at the end", "meanings": places},
             ),
+            Variable(
+                "outcome",
+                "|i1",
+                MISSING,
+                {
+                    "long_name": "what the motion settles on",
+                    "meanings": {str(number): text for number, text in settled_texts().items()},
+                },
+            ),
         )
 
     def axis_attributes(self, name: str) -> dict[str, str]:
@@ -111,22 +120,22 @@ class AttractorProblem:
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
         """All variables at the points of a chunk."""
+        parameters = {**dict(self.fixed), **block.values}
         motions = simulate_many(
             self.system,
-            {**dict(self.fixed), **block.values},
+            parameters,
             np.array(self.start),
             transitions=self.transitions,
             keep=2 * LONGEST + 1,
             threads=1,
         )
-        lengths = settled_lengths(motions)
-        times = motions.last_times
-        before = np.take_along_axis(times, (times.shape[-1] - 1 - lengths)[..., None], axis=-1)
+        found = settled(self.kernels, parameters, motions, threads=1)
         return {
             "status": motions.status.astype("i1"),
-            "transitions": lengths.astype("<i2"),
-            "period": np.where(lengths > 0, times[..., -1] - before[..., 0], np.nan),
+            "transitions": found.lengths.astype("<i2"),
+            "period": found.periods,
             "configuration": motions.configurations.astype("<i2"),
+            "outcome": found.outcomes.astype("i1"),
         }
 
 
@@ -155,31 +164,3 @@ def attractor_problem(
     fixed = fixed_values(kernels.parameters, given, swept, {}, kernels.name)
     begin = start_state(structure_of(kernels), start)
     return AttractorProblem(kernels.name, fixed, tuple(begin.tolist()), most)
-
-
-def settled_lengths(motions: Trajectories) -> np.ndarray:
-    """After how many transitions the end of each motion came back; 0 where it did not.
-
-    The last cycle repeats the configurations and boundaries of the one before; its size is
-    that of the motion's own states, so that nothing depends on other motions.
-
-    Returns
-    -------
-    array (...) of int
-    """
-    configurations, sets = motions.last_configurations, motions.last_sets
-    states, kept = motions.last_states, motions.last_times.shape[-1]
-    with np.errstate(invalid="ignore"):
-        largest = np.nan_to_num(np.abs(states)).max(axis=-2)
-        scale = np.maximum(largest, _LEAST * largest.max(axis=-1, keepdims=True))
-        scale[scale == 0] = 1.0
-        found = np.zeros(motions.status.shape, dtype=int)
-        for length in range(1, (kept - 1) // 2 + 1):
-            last, before = slice(kept - length, kept), slice(kept - 2 * length, kept - length)
-            same = (configurations[..., last] == configurations[..., before]).all(axis=-1)
-            same &= (sets[..., last] == sets[..., before]).all(axis=-1)
-            same &= configurations[..., kept - 2 * length - 1] >= 0
-            miss = np.abs(states[..., -1, :] - states[..., -1 - length, :]) / scale
-            same &= (miss <= RETURN).all(axis=-1) & (found == 0)
-            found[same & (motions.status == Status.TRANSITIONS)] = length
-    return found

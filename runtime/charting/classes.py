@@ -14,8 +14,14 @@ from nonsmooth.runtime.charting.problem import MISSING, NEITHER
 from nonsmooth.runtime.charting.store import ATTRIBUTE
 from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.finding.outcomes import Outcome
+from nonsmooth.runtime.finding.settled import (
+    EQUILIBRIUM,
+    PERIODIC,
+    UNINTERRUPTED,
+    settled_texts,
+)
 from nonsmooth.runtime.newton import CONVERGED
-from nonsmooth.runtime.simulation.run import Status
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -107,17 +113,19 @@ def _orbits(chart: Dataset) -> Iterator[Part]:
 
 
 def _motions(chart: Dataset) -> Iterator[Part]:
-    status, lengths = chart.status.values, chart.transitions.values
-    periodic = lengths > 0
+    outcomes, lengths = chart.outcome.values, chart.transitions.values
+    periodic = outcomes == PERIODIC
     several = _most_frequent(lengths[periodic])
     for number in sorted(several):
-        yield Part("periodic", f"{number} transitions in a period", lengths == number)
+        yield Part("periodic", f"{number} transitions in a period", periodic & (lengths == number))
     yield Part("periodic", "others that are periodic", periodic & ~np.isin(lengths, several))
-    rest = ~periodic & (status == Status.QUIET)
-    yield Part("rest", "rest", rest)
-    ended = ~periodic & ~rest & (status != Status.TRANSITIONS) & (status != MISSING)
-    yield Part("none", "no motion", ended)
-    yield Part("other", "not periodic", ~periodic & (status == Status.TRANSITIONS))
+    rest = (EQUILIBRIUM, int(Outcome.RESTING))
+    for number, text in settled_texts().items():
+        if number == PERIODIC:
+            continue
+        kind = "none" if number == Outcome.ILLEGAL else "rest" if number in rest else "other"
+        kind = "periodic" if number == UNINTERRUPTED else kind
+        yield Part(kind, text, outcomes == number)
 
 
 def _most_frequent(numbers: np.ndarray) -> list[int]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+from rich.table import Table
 from rich.text import Text
 
 from nonsmooth.runtime.commands.report_motions import largest_exponent
 from nonsmooth.runtime.commands.tables import console_as_wide, listing, show_table
-from nonsmooth.runtime.composition.naming import shown_name
-from nonsmooth.runtime.finding.find import Found
+from nonsmooth.runtime.composition.naming import itinerary_text, shown_name
+from nonsmooth.runtime.finding.find import Found, FoundEquilibrium, FoundOrbit
+from nonsmooth.runtime.finding.settled import settled_texts
 from nonsmooth.runtime.finding.sweep import Sweep
 from nonsmooth.runtime.observing.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -56,33 +58,89 @@ def show_motion(motion: Trajectory) -> None:
 
 
 def show_found(found: Found) -> None:
-    """Show periodic orbits, with period, itinerary, stability and basin."""
+    """Show periodic orbits and equilibria, with stability and basin, and how else motions end."""
     out = console_as_wide()
-    count = len(found.starts)
-    orbits = _count(len(found.orbits), "periodic orbit")
-    title = f"{shown_name(found.system)}, {orbits} from {count} starts"
-    out.print(Text(title, style="bold"))
-    titles = ("", "period", "stability", "multipliers", "starts", "itinerary")
-    table = listing(*titles, right=("", "period", "starts"))
-    for i, orbit in enumerate(found.orbits, 1):
-        multipliers = ", ".join(_complex(m) for m in orbit.orbit.multipliers)
-        style = {"stable": "green", "unstable": "red"}.get(orbit.verdict, "")
-        phases = " -> ".join(configuration for configuration, _ in orbit.itinerary)
-        basin = f"{100 * orbit.share:.4g} %" if orbit.starts else "-"
-        table.add_row(
-            str(i),
-            _number(orbit.period),
-            Text(orbit.verdict, style=style),
-            multipliers,
-            basin,
-            phases,
-        )
-    show_table(table, out)
-    for share, what in ((found.resting, "came to rest"), (found.unclassified, "not classified")):
-        if share:
-            out.print(f"{100 * share:.4g} % of the starts {what}")
+    kinds = [_count(len(found.orbits), "periodic orbit")]
+    if found.equilibria:
+        count = len(found.equilibria)
+        kinds.append(f"{count} equilibri{'um' if count == 1 else 'a'}")
+    title = f"{' and '.join(kinds)} from {_count(len(found.starts), 'start')}"
+    out.print(Text(f"{shown_name(found.system)}, {title}", style="bold"))
+    if found.orbits:
+        show_table(_orbits(found), out)
+    if found.equilibria:
+        show_table(_equilibria(found), out)
+    for outcome, share in found.outcomes.items():
+        out.print(f"{100 * share:.4g} % of the starts: {outcome.text}")
     if found.unclassified:
-        out.print("(slow ones may need more --transitions; motions that keep energy never settle)")
+        out.print("(slow ones may need more --transitions)")
+
+
+def _orbits(found: Found) -> Table:
+    forced = any(orbit.forcing_periods for orbit in found.orbits)
+    mirrored = any(orbit.mirror is not None for orbit in found.orbits)
+    titles = ["", "period", *["in forcing periods"] * forced, "stability", "multipliers", "starts"]
+    titles += [*["mirror image"] * mirrored, "itinerary"]
+    table = listing(*titles, right=("", "period", "in forcing periods", "starts"))
+    for place, orbit in enumerate(found.orbits):
+        table.add_row(
+            str(place + 1),
+            _number(orbit.period),
+            *[", ".join(map(str, orbit.forcing_periods))] * forced,
+            _stability(orbit.verdict),
+            _pairs(orbit.orbit.multipliers.tolist()),
+            _basin(orbit),
+            *[_mirror(orbit.mirror, place, 0)] * mirrored,
+            itinerary_text(orbit.itinerary),
+        )
+    return table
+
+
+def _equilibria(found: Found) -> Table:
+    mirrored = any(entry.mirror is not None for entry in found.equilibria)
+    titles = ["", "equilibrium", "stability", "eigenvalues", "starts"]
+    titles += [*["mirror image"] * mirrored, "configuration"]
+    table = listing(*titles, right=("", "starts"))
+    before = len(found.orbits)
+    for place, entry in enumerate(found.equilibria):
+        known = entry.equilibrium
+        state = zip(known.names, known.state.tolist(), strict=True)
+        table.add_row(
+            str(before + place + 1),
+            ", ".join(f"{name} = {_number(value)}" for name, value in state),
+            _stability(known.verdict),
+            _pairs(known.eigenvalues.tolist()),
+            _basin(entry),
+            *[_mirror(entry.mirror, place, before)] * mirrored,
+            known.configuration,
+        )
+    return table
+
+
+def _stability(verdict: str) -> Text:
+    return Text(verdict, style={"stable": "green", "unstable": "red"}.get(verdict, ""))
+
+
+def _basin(entry: FoundOrbit | FoundEquilibrium) -> str:
+    return f"{100 * entry.share:.4g} %" if entry.starts else "-"
+
+
+def _mirror(mirror: int | None, place: int, before: int) -> str:
+    """Of which entry one is the mirror image."""
+    if mirror is None:
+        return ""
+    return "its own" if mirror == place else f"of {before + mirror + 1}"
+
+
+def _pairs(numbers: list[complex]) -> str:
+    """Complex numbers, of which conjugate ones are told together."""
+    told = []
+    for number in numbers:
+        if number.imag < 0 and number.conjugate() in numbers:
+            continue
+        paired = number.imag > 0 and number.conjugate() in numbers
+        told.append(_complex(number).replace(" + ", " ± ") if paired else _complex(number))
+    return ", ".join(told)
 
 
 def show_observables(found: Observables) -> None:
@@ -147,13 +205,17 @@ def _angles(motion: Trajectory, row: int) -> list[float]:
 
 
 def show_sweep(diagram: Sweep) -> None:
-    """Say how many points a bifurcation diagram has."""
+    """Say how many points a bifurcation diagram has, and what the motions settle on."""
     points = int(np.isfinite(diagram.samples).sum())
     low, high = diagram.values[[0, diagram.done - 1]] if diagram.done else (np.nan, np.nan)
     print(
         f"{shown_name(diagram.system)}: {points} points of {diagram.state} {diagram.when},"
         f" {diagram.parameter} from {_number(low)} to {_number(high)}"
     )
+    numbers, counts = np.unique(diagram.outcomes, return_counts=True)
+    texts = settled_texts()
+    for number, count in zip(numbers[::-1].tolist(), counts[::-1].tolist(), strict=True):
+        print(f"{texts[number]}: {_count(count, 'value')} of {diagram.parameter}")
 
 
 def _complex(number: complex) -> str:

@@ -194,7 +194,7 @@ def find(
     overwrite: Overwrite = False,
     as_json: AsJson = False,
 ) -> int:
-    """Find the periodic orbits that live in a system, stable and unstable, and their basins."""
+    """Find the periodic orbits and equilibria of a system, and where random starts lead."""
     from nonsmooth.runtime.commands.display import counted, steps
     from nonsmooth.runtime.commands.display_motions import show_found
     from nonsmooth.runtime.files import check_ending, check_target

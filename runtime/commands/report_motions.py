@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.finding.settled import settled_texts
 from nonsmooth.runtime.finding.sweep import Sweep
 from nonsmooth.runtime.observing.extremes import Extreme
 from nonsmooth.runtime.observing.lyapunov import Exponent, lyapunov
@@ -50,6 +51,7 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
 def sweep_json(diagram: Sweep) -> dict[str, Any]:
     """A bifurcation diagram: for each value of the parameter the points that were taken."""
     rows = zip(diagram.values.tolist(), diagram.samples.tolist(), strict=True)
+    texts = settled_texts()
     return {
         "system": diagram.system,
         "parameter": diagram.parameter,
@@ -58,6 +60,7 @@ def sweep_json(diagram: Sweep) -> dict[str, Any]:
         "phase": None if diagram.phase is None else repr(diagram.phase),
         "values": [repr(value) for value in diagram.values.tolist()],
         "samples": [[repr(x) for x in row if x == x] for _, row in rows],
+        "outcomes": [texts[number] for number in diagram.outcomes.tolist()],
     }
 
 

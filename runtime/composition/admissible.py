@@ -114,6 +114,8 @@ def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int, duration: f
 def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.ndarray) -> bool:
     """Whether the first declared transition whose conditions hold is the itinerary's."""
     wanted = cycle.transitions[place]
+    if cycle.boundaries[place] is None:  # the forcing's phase changes nothing
+        return True
     if wanted.path is not None:
         return _lawful(cycle, numbers, now, place)
     if cycle.structure.orders(cycle.configurations[place], wanted.boundaries):

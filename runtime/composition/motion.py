@@ -32,6 +32,18 @@ def motion_along(
         State at the start and at the end of each phase.
     periods : int
     """
+    if cycle.uninterrupted:
+        run = Run(
+            np.zeros(1),
+            np.array(cycle.configurations[:1], dtype=np.int32),
+            starts[:1],
+            starts[:1],
+            np.zeros(1, dtype=np.int32),
+            (),
+            Status.UNTIL,
+            float(periods * dwell.sum()),
+        )
+        return Trajectory(system, run)
     masks = [sum(1 << boundary for boundary in t.boundaries) for t in cycle.transitions]
     behind = np.tile(np.roll(starts, -1, axis=0), (periods, 1))
     times = np.cumsum(np.tile(dwell, periods))

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Container, Mapping, Sequence
+from itertools import groupby
 
-__all__ = ["cycle_label", "dwell_names", "shown_name", "start_names"]
+from nonsmooth.runtime.simulation.structure import FORCING_PHASE
+
+__all__ = ["cycle_label", "dwell_names", "itinerary_text", "shown_name", "start_names"]
 
 
 def cycle_label(system: str, count: int) -> str:
@@ -44,3 +47,23 @@ def shown_name(name: str) -> str:
         return name
     system, _, orbit = os.path.basename(name).partition(":")
     return "/".join(filter(None, (system.removesuffix(".py"), orbit)))
+
+
+def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
+    """Configurations and the boundaries by which they are left; equal phases are counted.
+
+    Examples
+    --------
+    >>> itinerary_text([("slip", "belt-reached"), ("stick", "belt-breaks")])
+    'slip, belt-reached -> stick, belt-breaks'
+    >>> itinerary_text([("free", "right"), ("free", "left"), ("free", "left")])
+    'free, right -> 2 x (free, left)'
+    """
+    phases = []
+    for (configuration, boundary), repeated in groupby(itinerary):
+        count = len(list(repeated))
+        text = f"{configuration}, {boundary}"
+        if boundary == FORCING_PHASE:
+            text = f"{configuration}, no boundary is reached"
+        phases.append(text if count == 1 else f"{count} x ({text})")
+    return " -> ".join(phases)

@@ -20,7 +20,7 @@ import numpy as np
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.simulation.exponential import exponential
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.structure import Structure, TransitionShape
+from nonsmooth.runtime.simulation.structure import FORCING_PHASE, Structure, TransitionShape
 
 __all__ = [
     "Cycle",
@@ -28,6 +28,7 @@ __all__ = [
     "Passage",
     "cycle_of",
     "flow_at",
+    "forcing_row_of",
     "guesses",
     "numbers_in",
     "pass_through",
@@ -45,23 +46,33 @@ class Cycle:
     structure : Structure
     itinerary : tuple of (configuration, boundary)
         By name; boundaries that are reached together are joined, ``"a+b"``.
-    configurations, boundaries : tuple of int
+    configurations : tuple of int
+    boundaries : tuple of int or None
         The same as indices, a boundary's among those of its configuration. Of several the
-        first, whose switching condition is solved.
+        first, whose switching condition is solved; None for the forcing's phase, at which a
+        configuration is not left.
     transitions : tuple of TransitionShape
     """
 
     structure: Structure
     itinerary: tuple[tuple[str, str], ...]
     configurations: tuple[int, ...]
-    boundaries: tuple[int, ...]
+    boundaries: tuple[int | None, ...]
     transitions: tuple[TransitionShape, ...]
 
     @cached_property
     def rows(self) -> tuple[int, ...]:
-        """Row of the boundary that ends each phase."""
+        """Row of the boundary, or of the forcing's phase, that ends each phase."""
         ends = zip(self.configurations, self.boundaries, strict=True)
-        return tuple(self.structure.boundaries[c][b].row for c, b in ends)
+        return tuple(
+            forcing_row_of(self.structure) if b is None else self.structure.boundaries[c][b].row
+            for c, b in ends
+        )
+
+    @property
+    def uninterrupted(self) -> bool:
+        """Whether no boundary is reached: the motion stays in one configuration."""
+        return self.boundaries == (None,)
 
     @property
     def one_sided(self) -> bool:
@@ -102,7 +113,9 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
 
     Between two phases the first transition that is declared for the boundary and leads to the
     next configuration is taken. Boundaries that are reached together are one name ``"a+b"``
-    or a sequence of names; the first one's switching condition is solved.
+    or a sequence of names; the first one's switching condition is solved. A motion that
+    reaches no boundary is one phase that ends with ``forcing-phase``: that of the first forcing
+    begins anew.
 
     Raises
     ------
@@ -117,6 +130,10 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
     if not pairs:
         raise InputError("the itinerary has no phase")
     configurations = tuple(structure.configuration(c) for c, _ in pairs)
+    if [boundary for _, boundary in pairs] == [FORCING_PHASE]:
+        forcing_row_of(structure)
+        staying = TransitionShape(frozenset(), (), 0, configurations[0])  # reset 0: the identity
+        return Cycle(structure, pairs, configurations, (None,), (staying,))
     sets = [
         [structure.boundary(c, name) for name in joined.split("+")]
         for c, (_, joined) in zip(configurations, pairs, strict=True)
@@ -137,6 +154,13 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
         transitions.append(found[0])
     boundaries = tuple(reached[0] for reached in sets)
     return Cycle(structure, pairs, configurations, boundaries, tuple(transitions))
+
+
+def forcing_row_of(structure: Structure) -> int:
+    """Row that is zero where the forcing's phase begins anew; InputError without a forcing."""
+    if structure.forcing_row is None:
+        raise InputError(f"{structure.name} has no forcing whose phase could begin anew")
+    return structure.forcing_row
 
 
 def guesses(name: str, given: Any, count: int, *, positive: bool = False) -> np.ndarray:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.finding.recurrence import recurrent_lengths, sizes_of
+from nonsmooth.runtime.finding.recurrence import recurrent_lengths, scales_of
 from nonsmooth.runtime.simulation.simulate import Trajectories
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -15,6 +15,7 @@ __all__ = ["Recurrence", "itinerary_of"]
 
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _SETTLING = 1e-3  # of a part's miss: a whole that misses less is a cycle of its own
+_EXACT = 1e-10  # of a part's miss: it is repeated
 _NEAR = 0.05  # relative difference of a cycle's duration from the period that was asked for
 
 
@@ -90,8 +91,21 @@ def itinerary_of(
 
 def _repeated(trajectory: Trajectory, first: int) -> int:
     """Number of phases of the shortest cycle at the end; 0 if there is none."""
+    motions = _since(trajectory, first)
+    if motions.last_times.shape[1] < 3:
+        return 0
+    scales = scales_of(trajectory.system, motions)
+    for tolerance in _TOLERANCES:
+        length = int(recurrent_lengths(motions, scales, tolerance)[0])
+        if length:
+            return length
+    return 0
+
+
+def _since(trajectory: Trajectory, first: int) -> Trajectories:
+    """The end of a motion, with its entries from one of them on, as the only one of many."""
     run = trajectory.run
-    motions = Trajectories(
+    return Trajectories(
         trajectory.structure,
         run.times[-1:],
         run.states[-1:],
@@ -104,13 +118,6 @@ def _repeated(trajectory: Trajectory, first: int) -> int:
         run.sets[None, first:],
         run.states[None, first:],
     )
-    if motions.last_times.shape[1] < 3:
-        return 0
-    for tolerance in _TOLERANCES:
-        length = int(recurrent_lengths(motions, tolerance)[0])
-        if length:
-            return length
-    return 0
 
 
 def _prime(trajectory: Trajectory, length: int) -> int:
@@ -120,7 +127,7 @@ def _prime(trajectory: Trajectory, length: int) -> int:
     settles on one turn if what two turns miss is not far less than what one does.
     """
     run = trajectory.run
-    scale = sizes_of(run.states[-2 * length :])
+    (scale,) = scales_of(trajectory.system, _since(trajectory, len(run.times) - 1 - 2 * length))
 
     def missed(back: int) -> float:
         return float((np.abs(run.states[-1] - run.states[-1 - back]) / scale).max())
@@ -129,7 +136,7 @@ def _prime(trajectory: Trajectory, length: int) -> int:
     for part in range(1, length // 2 + 1):
         if length % part or (phases != np.roll(phases, part, axis=1)).any():
             continue
-        if missed(length) > _SETTLING * missed(part):
+        if missed(part) <= _EXACT or missed(length) > _SETTLING * missed(part):
             return part
     return length
 
@@ -138,8 +145,8 @@ def _near(trajectory: Trajectory, first: int, period: float) -> int:
     """Number of phases of the cycle at the end that lasts about so long and comes back best."""
     run = trajectory.run
     durations = run.times[-1] - run.times[first:]
-    states = run.states[first:]
-    miss = (np.abs(states - run.states[-1]) / sizes_of(states)).max(axis=1)
+    (scale,) = scales_of(trajectory.system, _since(trajectory, first))
+    miss = (np.abs(run.states[first:] - run.states[-1]) / scale).max(axis=1)
     # the same configuration, entered by the same boundaries, which the start of a motion lacks
     fits = (run.configurations[first:] == run.configurations[-1]) & (
         run.sets[first:] == run.sets[-1]

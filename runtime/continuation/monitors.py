@@ -140,6 +140,8 @@ def monitors_of(curve: Curve, points: np.ndarray) -> Monitors:
         for place, name in enumerate(waves.names):
             watched = waves.phase, name
             borders.append(Monitor("grazing", *watched, "highest", place))
+            if waves.leaving is None:
+                continue  # the motion goes on: no end is one of its own
             if not begun[0, place]:
                 borders.append(Monitor("entry", *watched, "start", place))
             elif not begun[1, place]:

@@ -29,8 +29,8 @@ class PhaseWaves:
     phase : int
     names : tuple of str
         Of the boundaries, b of them.
-    leaving : int
-        Place among them of the boundary that ends the phase.
+    leaving : int or None
+        Place among them of the boundary that ends the phase; None where none does.
     durations : array (k,)
     fastest : float
         Largest absolute value of an exponent.
@@ -42,7 +42,7 @@ class PhaseWaves:
 
     phase: int
     names: tuple[str, ...]
-    leaving: int
+    leaving: int | None
     durations: np.ndarray
     fastest: float
     basis: Callable[[np.ndarray, np.ndarray], np.ndarray]

@@ -3,7 +3,13 @@
 ============  ==============================================================
 `recurrence`  motions that come back, or nearly
 `neighbours`  short cycles of the transitions that were seen
+`primitive`   candidates solved as orbits, over their primitive period, each once
+`steady`      equilibria, and what a forcing makes of one configuration
+`stretching`  how fast neighbouring motions part
+`mirrors`     symmetries of a system, found from its tables
+`outcomes`    where motions lead, each by its name
 `find`        `find_orbits`: attractors by simulation, others by Newton
+`settled`     the same for one motion at each of many parameter points
 `sweep`       attractors over a parameter, or over a plane of starts
 `saved`       found orbits as JSON and in files
 `saved_sweep` sweeps in files

@@ -1,58 +1,61 @@
 """The periodic orbits that live in a system: attractors by simulation, others by Newton.
 
 Random starts are followed until their transients are gone; the itineraries that recur are
-solved as periodic orbits. Unstable orbits are not reached that way: cycles after which a
-motion nearly came back, and short cycles of the transitions that were seen, are tried too.
+solved as periodic orbits, and motions that reach no boundary any more are read off their
+flows. Unstable orbits are not reached that way: cycles after which a motion nearly came back,
+and short cycles of the transitions that were seen, are tried too.
 """
 
 from __future__ import annotations
 
 import os
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
+from nonsmooth.runtime.composition.composed import ComposedOrbit
+from nonsmooth.runtime.composition.symmetry import Symmetry
 from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.finding.mirrors import mirror_places, mirrors
 from nonsmooth.runtime.finding.neighbours import short_cycles
+from nonsmooth.runtime.finding.outcomes import Attractors, Outcome, attractors_of
+from nonsmooth.runtime.finding.primitive import (
+    add_orbit,
+    converging,
+    image_of,
+    in_a_family,
+    primitive_orbit,
+    same_orbit,
+)
 from nonsmooth.runtime.finding.recurrence import (
     Candidate,
-    Itinerary,
     candidate_at,
     near_returns,
     recurrent_lengths,
-    scale_of,
-    sizes_of,
+    scales_of,
 )
+from nonsmooth.runtime.finding.steady import Equilibrium
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.simulation.run import Status
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 from nonsmooth.runtime.values import Value
 
 __all__ = [
-    "ILLEGAL",
-    "RESTING",
-    "UNCLASSIFIED",
     "Found",
+    "FoundEquilibrium",
     "FoundOrbit",
     "find_orbits",
     "label_names",
-    "labels_of",
     "start_box",
 ]
 
-UNCLASSIFIED, RESTING, ILLEGAL = -1, -2, -3
-
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
+_EXACT = 1e-7  # of a return: of a motion that has settled
 _KEPT = 129  # entries: cycles of at most 64 phases
 _NEAR, _LONGEST = 0.3, 12  # a near return, and the longest cycle that is tried for one
-_ARRIVED = 1e-3  # how near to an attractor a motion has to end, relative to its size
-_SAME = 1e-7  # relative difference of two orbits' dwell times
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,14 +65,19 @@ class FoundOrbit:
     Attributes
     ----------
     orbit : ComposedOrbit
+        Over its primitive period; of one phase that ends with ``forcing-phase`` where it
+        reaches no boundary.
     starts : int
     share : float
         Of all starts; 0 for an orbit that no start led to.
+    mirror : int or None
+        Place of the orbit before it whose mirror image it is; its own where it is its own.
     """
 
     orbit: ComposedOrbit
     starts: int
     share: float
+    mirror: int | None = None
 
     @property
     def itinerary(self) -> tuple[tuple[str, str], ...]:
@@ -82,14 +90,40 @@ class FoundOrbit:
         return float(self.orbit.period)
 
     @property
+    def forcing_periods(self) -> tuple[int, ...]:
+        """How many periods of each forcing it lasts; none without a forcing."""
+        system = self.orbit.piecewise
+        speeds = [abs(float(system.fields[0, s, c])) for c, s in system.structure.forcing]
+        return tuple(round(self.period * speed / (2 * np.pi)) for speed in speeds)
+
+    @property
     def verdict(self) -> str:
         """Stable, unstable, neutral or undecided."""
         return str(self.orbit.stability.verdict)
 
 
 @dataclass(frozen=True, eq=False)
+class FoundEquilibrium:
+    """An equilibrium and how many of the starts led to it.
+
+    Attributes
+    ----------
+    equilibrium : Equilibrium
+    starts : int
+    share : float
+    mirror : int or None
+        Place of the equilibrium before it whose mirror image it is, or its own.
+    """
+
+    equilibrium: Equilibrium
+    starts: int
+    share: float
+    mirror: int | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class Found:
-    """The periodic orbits that were found, those with the largest basins first.
+    """What was found to live in a system, with the largest basins first.
 
     Attributes
     ----------
@@ -98,10 +132,10 @@ class Found:
     names : tuple of str
         Of the states.
     orbits : tuple of FoundOrbit
+    equilibria : tuple of FoundEquilibrium
     starts : array (n, N)
     labels : array (n,) of int
-        Where each start led: an index of `orbits`, RESTING where no boundary is reached any
-        more, UNCLASSIFIED where the motion was not recognised.
+        Where each start led: the place of an orbit, then of an equilibrium, or an `Outcome`.
     box : array (N, 2)
         From where the starts were drawn.
     transitions : int
@@ -114,6 +148,7 @@ class Found:
     parameters: dict[str, Value]
     names: tuple[str, ...]
     orbits: tuple[FoundOrbit, ...]
+    equilibria: tuple[FoundEquilibrium, ...]
     starts: np.ndarray
     labels: np.ndarray
     box: np.ndarray
@@ -126,15 +161,30 @@ class Found:
 
         save_found(self, path)
 
+    def _repr_html_(self) -> str:
+        from nonsmooth.runtime.notebook import found_html
+
+        return found_html(self)
+
+    def share(self, outcome: Outcome) -> float:
+        """Share of the starts that end so."""
+        return float(np.mean(self.labels == outcome)) if self.labels.size else 0.0
+
+    @property
+    def outcomes(self) -> dict[Outcome, float]:
+        """Shares of the starts that lead to nothing that is listed, by how they end."""
+        shares = {outcome: self.share(outcome) for outcome in Outcome}
+        return {outcome: share for outcome, share in shares.items() if share}
+
     @property
     def unclassified(self) -> float:
         """Share of the starts whose motion was not recognised."""
-        return float(np.mean(self.labels == UNCLASSIFIED)) if self.labels.size else 0.0
+        return self.share(Outcome.UNCLASSIFIED)
 
     @property
     def resting(self) -> float:
-        """Share of the starts that came to where no boundary is reached any more."""
-        return float(np.mean(self.labels == RESTING)) if self.labels.size else 0.0
+        """Share of the starts that came to rest, at any of the places where that is possible."""
+        return self.share(Outcome.RESTING)
 
 
 def find_orbits(
@@ -189,44 +239,115 @@ def find_orbits(
 
     progress(f"following {count} starts")
     starts, motions = _legal_starts(follow, point, limits, count, seed, length)
-    attractors: list[ComposedOrbit] = []
-    others: list[ComposedOrbit] = []
+    attractors = attractors_of(kernels, point, ())
+    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
+    orbits: list[ComposedOrbit] = []
+    symmetries: Sequence[Symmetry] = ()
 
     def found(*, complete: bool) -> Found:
-        labels, everything = labels_of(motions, attractors), [*attractors, *others]
-        totals = [int((labels == i).sum()) for i in range(len(everything))]
-        order = sorted(
-            range(len(everything)), key=lambda i: (-totals[i], float(everything[i].period))
-        )
-        places = np.argsort(order)
-        return Found(
-            kernels.name,
-            point.parameters,
-            point.structure.states,
-            tuple(FoundOrbit(everything[i], totals[i], totals[i] / len(starts)) for i in order),
-            starts,
-            np.where(labels >= 0, places[np.maximum(labels, 0)] if len(order) else labels, labels),
-            limits,
-            length,
-            complete,
+        return _found(
+            point, attractors, orbits, symmetries, starts, labels, limits, length, complete=complete
         )
 
     try:
+        scales = scales_of(point, motions)
+        symmetries = mirrors(point)
         progress("solving the motions that recur")
-        for candidate in _recurrent(motions):
-            orbit = _solved(kernels, point, candidate)
-            if orbit is not None:
-                _add(attractors, orbit)
+        recurrent = _recurrent(motions, scales)
+        attracting: list[ComposedOrbit] = []
+        _solve(kernels, point, [c for c, _ in recurrent.values()], symmetries, attracting)
+        attracting = [
+            o
+            for o in attracting
+            if len(o.itinerary) <= _LONGEST or o.stability.verdict != "unstable"
+        ]
+        attractors = attractors_of(kernels, point, attracting)
+        orbits = list(attractors.orbits)
+        labels = attractors.labels(motions)
+        for place, (candidate, miss) in recurrent.items():
+            exact = labels[place] == Outcome.UNCLASSIFIED and miss <= _EXACT
+            if exact and in_a_family(kernels, point, candidate):
+                labels[place] = Outcome.FAMILY
+        labels = attractors.measured(motions, labels, threads)
+
         progress("looking for unstable orbits")
         early = follow(starts[: min(count, 200)], _KEPT, _KEPT)
-        for candidate in _converging(kernels, point, _tried(kernels, motions, early)):
-            if not any(_same(known, candidate) for known in (*attractors, *others)):
-                orbit = _solved(kernels, point, candidate)
-                if orbit is not None and not any(_same(known, orbit) for known in attractors):
-                    _add(others, orbit)
+        tried = _tried(kernels, motions, scales, early, scales_of(point, early))
+        _solve(kernels, point, tried, symmetries, orbits)
     except KeyboardInterrupt:
         raise Interrupted(found(complete=False)) from None
     return found(complete=True)
+
+
+def _solve(
+    kernels: SystemKernels,
+    point: PiecewiseLinear,
+    candidates: Iterable[Candidate],
+    symmetries: Sequence[Symmetry],
+    orbits: list[ComposedOrbit],
+) -> None:
+    """Add the orbits near candidates, and their images under the system's symmetries."""
+    for candidate in converging(kernels, point, candidates):
+        if any(same_orbit(known, candidate) for known in orbits):
+            continue
+        orbit = primitive_orbit(kernels, point, candidate)
+        if orbit is None:
+            continue
+        add_orbit(orbits, orbit)
+        for symmetry in symmetries:
+            image = primitive_orbit(kernels, point, image_of(orbit, symmetry))
+            if image is not None:
+                add_orbit(orbits, image)
+
+
+def _found(
+    point: PiecewiseLinear,
+    attractors: Attractors,
+    orbits: Sequence[ComposedOrbit],
+    symmetries: Sequence[Symmetry],
+    starts: np.ndarray,
+    labels: np.ndarray,
+    limits: np.ndarray,
+    transitions: int,
+    *,
+    complete: bool,
+) -> Found:
+    """What was found in its order: by the number of starts, then by the period.
+
+    Labels count the orbits that attract, which come first, then the equilibria.
+    """
+    attracting, steady = len(attractors.orbits), attractors.equilibria
+    totals = [int((labels == i).sum()) for i in range(attracting + len(steady))]
+    of_orbits = totals[:attracting] + [0] * (len(orbits) - attracting)
+    of_steady = totals[attracting:]
+    order = sorted(range(len(orbits)), key=lambda i: (-of_orbits[i], float(orbits[i].period)))
+    steady_order = sorted(range(len(steady)), key=lambda i: -of_steady[i])
+    places = {old: new for new, old in enumerate(order) if old < attracting}
+    places |= {attracting + old: len(order) + new for new, old in enumerate(steady_order)}
+    sorted_orbits = [orbits[i] for i in order]
+    sorted_steady = [steady[i] for i in steady_order]
+    return Found(
+        attractors.kernels.name,
+        point.parameters,
+        point.structure.states,
+        tuple(
+            FoundOrbit(orbit, of_orbits[i], of_orbits[i] / len(starts), mirror)
+            for i, orbit, mirror in zip(
+                order, sorted_orbits, mirror_places(sorted_orbits, symmetries), strict=True
+            )
+        ),
+        tuple(
+            FoundEquilibrium(equilibrium, of_steady[i], of_steady[i] / len(starts), mirror)
+            for i, equilibrium, mirror in zip(
+                steady_order, sorted_steady, mirror_places(sorted_steady, symmetries), strict=True
+            )
+        ),
+        starts,
+        np.array([places.get(label, label) for label in labels.tolist()], dtype=int),
+        limits,
+        transitions,
+        complete,
+    )
 
 
 def start_box(
@@ -292,151 +413,36 @@ def _legal_starts(
     return starts, follow(starts, transitions, _KEPT)
 
 
-def _recurrent(motions: Trajectories) -> Iterator[Candidate]:
-    """The best example of each recurrent itinerary, and of each of its motions."""
+def _recurrent(motions: Trajectories, scales: np.ndarray) -> dict[int, tuple[Candidate, float]]:
+    """The cycle that each motion repeats at its end, with the tolerance within which it does.
+
+    Those that come back best first.
+    """
     lengths = np.zeros(len(motions.times), dtype=int)
+    within = np.full(len(lengths), np.inf)
     for tolerance in _TOLERANCES:
-        found = recurrent_lengths(motions, tolerance)
-        lengths = np.where(lengths > 0, lengths, found)
-    scale = scale_of(motions)
-    candidates = []
+        found = np.where(lengths > 0, 0, recurrent_lengths(motions, scales, tolerance))
+        lengths, within = lengths + found, np.where(found > 0, tolerance, within)
     last = motions.last_times.shape[1] - 1
+    candidates = {}
     for motion in np.flatnonzero(lengths).tolist():
-        found_cycle = candidate_at(motions, motion, last, int(lengths[motion]), scale)
-        if found_cycle is not None:
-            candidates.append(found_cycle)
-    seen: list[Candidate] = []
-    for candidate in sorted(candidates, key=lambda c: c.miss):
-        twin = any(
-            candidate.itinerary == other.itinerary
-            and np.allclose(candidate.dwell_times, other.dwell_times, rtol=0.01, atol=1e-3)
-            for other in seen
-        )
-        if not twin:
-            seen.append(candidate)
-            yield candidate
+        cycle = candidate_at(motions, motion, last, int(lengths[motion]), scales[motion])
+        if cycle is not None:
+            candidates[motion] = cycle, float(within[motion])
+    return dict(sorted(candidates.items(), key=lambda entry: entry[1][0].miss))
 
 
 def _tried(
-    kernels: SystemKernels, motions: Trajectories, early: Trajectories
+    kernels: SystemKernels,
+    motions: Trajectories,
+    scales: np.ndarray,
+    early: Trajectories,
+    early_scales: np.ndarray,
 ) -> Iterator[Candidate]:
     """Guesses for orbits that no transient ends at."""
-    yield from near_returns(early, _LONGEST, _NEAR)
-    yield from near_returns(motions, _LONGEST, _NEAR)
+    yield from near_returns(early, early_scales, _LONGEST, _NEAR)
+    yield from near_returns(motions, scales, _LONGEST, _NEAR)
     yield from short_cycles(kernels, early)
-
-
-def _converging(
-    kernels: SystemKernels, point: PiecewiseLinear, candidates: Iterable[Candidate]
-) -> Iterator[Candidate]:
-    """Candidates from which Newton's method converges, moved to where it does, each once."""
-    groups: dict[Itinerary, list[Candidate]] = defaultdict(list)
-    for candidate in candidates:
-        if (candidate.dwell_times > 0).all():
-            groups[candidate.itinerary].append(candidate)
-    for itinerary, group in groups.items():
-        values = {name: np.full(len(group), float(v)) for name, v in point.parameters.items()}
-        found = compose_many(
-            kernels,
-            itinerary,
-            values,
-            np.array([c.dwell_times for c in group]),
-            np.array([c.state for c in group]),
-            threads=1,
-        )
-        good = found.converged & (found.dwell_times > 0).all(axis=1)
-        kept: list[np.ndarray] = []
-        for i in np.flatnonzero(good).tolist():
-            dwell = found.dwell_times[i]
-            cycle = np.concatenate([dwell, found.states[i, 0]])
-            if not any(np.allclose(cycle, known, rtol=_SAME, atol=_SAME) for known in kept):
-                kept.append(cycle)
-                yield Candidate(itinerary, dwell, found.states[i, 0], 0.0)
-
-
-def _solved(
-    kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate
-) -> ComposedOrbit | None:
-    """The admissible orbit near a candidate, over its prime period; None if there is none."""
-    if not (candidate.dwell_times > 0).all():
-        return None
-    orbit = compose(
-        kernels,
-        point.parameters,
-        candidate.itinerary,
-        candidate.dwell_times.tolist(),
-        candidate.state.tolist(),
-    )
-    if not orbit.converged or not (orbit.dwell_times > 0).all():
-        return None
-    for length in range(1, len(orbit.itinerary) // 2 + 1):
-        turns, rest = divmod(len(orbit.itinerary), length)
-        if rest or orbit.itinerary != orbit.itinerary[:length] * turns:
-            continue
-        cycles = orbit.dwell_times.reshape(turns, length)
-        states = orbit.states.reshape(turns, length, -1) / sizes_of(orbit.states)
-        if np.allclose(cycles, cycles[0], rtol=1e-6, atol=1e-9) and np.allclose(
-            states, states[0], rtol=0, atol=1e-6
-        ):
-            part = replace(
-                candidate,
-                itinerary=orbit.itinerary[:length],
-                dwell_times=cycles[0],
-                state=orbit.states[0],
-            )
-            return _solved(kernels, point, part)
-    return orbit if orbit.admissibility.verdict is True else None
-
-
-def _same(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
-    """Whether two cycles are the same; a doubled one begins at either of its turns."""
-    start = other.state if isinstance(other, Candidate) else other.states[0]
-    return any(
-        orbit.itinerary == other.itinerary[turn:] + other.itinerary[:turn]
-        and np.allclose(
-            orbit.dwell_times, np.roll(other.dwell_times, -turn), rtol=_SAME, atol=_SAME
-        )
-        and (np.abs(orbit.states[-turn] - start) <= 10 * _SAME * sizes_of(orbit.states)).all()
-        for turn in range(len(other.itinerary))
-    )
-
-
-def _add(orbits: list[ComposedOrbit], orbit: ComposedOrbit) -> None:
-    """Add an orbit that is not there yet."""
-    if not any(_same(known, orbit) for known in orbits):
-        orbits.append(orbit)
-
-
-def labels_of(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndarray:
-    """Where each motion ended: index of a stable orbit, RESTING, UNCLASSIFIED or ILLEGAL.
-
-    The last two entries of the motions have to be kept.
-    """
-    structure = motions.structure
-    labels = np.full(len(motions.times), UNCLASSIFIED)
-    labels[motions.status == Status.QUIET] = RESTING
-    labels[motions.status < 0] = ILLEGAL
-    nearest = np.full(len(labels), _ARRIVED)
-    for index, orbit in enumerate(orbits):
-        if orbit.stability.verdict != "stable":
-            continue
-        scale = sizes_of(orbit.states)
-        for phase, (name, _) in enumerate(orbit.itinerary):
-            where = structure.configuration(name)
-            before = orbit.cycle.configurations[phase - 1]
-            mask = 1 << orbit.cycle.boundaries[phase - 1]
-            here = (
-                (motions.last_configurations[:, -1] == where)
-                & (motions.last_configurations[:, -2] == before)
-                & (motions.last_sets[:, -1] == mask)
-                & (motions.status == Status.TRANSITIONS)
-            )
-            with np.errstate(invalid="ignore"):
-                distance = np.abs(motions.last_states[:, -1] - orbit.states[phase])
-                miss = (distance / scale).max(axis=1)
-            better = here & (miss < nearest)
-            labels[better], nearest[better] = index, miss[better]
-    return labels
 
 
 def label_names(found: Found) -> dict[int, str]:
@@ -444,4 +450,8 @@ def label_names(found: Found) -> dict[int, str]:
     names = {
         i: f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(found.orbits) if o.starts
     }
-    return {**names, RESTING: "rest", UNCLASSIFIED: "unclassified", ILLEGAL: "no configuration"}
+    count = len(found.orbits)
+    for i, entry in enumerate(found.equilibria):
+        if entry.starts:
+            names[count + i] = f"equilibrium {count + i + 1}, {entry.equilibrium.configuration}"
+    return {**names, **{int(outcome): outcome.text for outcome in Outcome}}

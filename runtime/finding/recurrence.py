@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.simulate import Trajectories
 from nonsmooth.runtime.simulation.structure import Structure
 
@@ -23,13 +24,13 @@ __all__ = [
     "near_returns",
     "phase_name",
     "recurrent_lengths",
-    "scale_of",
-    "sizes_of",
+    "scales_of",
+    "variation",
 ]
 
 _EXAMPLES = 20  # of near returns by one cycle
 
-_LEAST = 1e-8  # size of a state in units of the largest
+_LEAST = 1e-5  # scale of a state in units of the largest of its kind: well above rounding
 
 Itinerary = tuple[tuple[str, str], ...]
 
@@ -67,11 +68,11 @@ def canonical(itinerary: Itinerary) -> int:
     return min(range(len(itinerary)), key=lambda i: itinerary[i:] + itinerary[:i])
 
 
-def recurrent_lengths(motions: Trajectories, tolerance: float) -> np.ndarray:
+def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: float) -> np.ndarray:
     """After how many transitions the last entry of each motion came back; 0 where it did not.
 
-    The whole last cycle repeats the configurations and boundaries of the one before, and the
-    state comes back within `tolerance` times the size of all states.
+    The whole last cycle repeats the configurations and boundaries of the one before, and each
+    state comes back within `tolerance` times its scale (n, N).
     """
     count, kept = motions.last_times.shape
     configurations, sets, states = (
@@ -79,7 +80,6 @@ def recurrent_lengths(motions: Trajectories, tolerance: float) -> np.ndarray:
         motions.last_sets,
         motions.last_states,
     )
-    scale = scale_of(motions)
     found = np.zeros(count, dtype=int)
     for length in range(1, (kept - 1) // 2 + 1):
         back = slice(kept - 2 * length, kept - length)
@@ -87,17 +87,17 @@ def recurrent_lengths(motions: Trajectories, tolerance: float) -> np.ndarray:
         same &= (sets[:, -length:] == sets[:, back]).all(axis=1)
         same &= configurations[:, kept - 2 * length - 1] >= 0
         with np.errstate(invalid="ignore"):
-            miss = (np.abs(states[:, -1] - states[:, -1 - length]) / scale).max(axis=1)
+            miss = (np.abs(states[:, -1] - states[:, -1 - length]) / scales).max(axis=1)
         found[(found == 0) & same & (miss <= tolerance)] = length
-    return found
+    return np.asarray(found)
 
 
 def candidate_at(
     motions: Trajectories, motion: int, end: int, length: int, scale: np.ndarray
 ) -> Candidate | None:
-    """The cycle of `length` phases that ends with entry `end` of a motion.
+    """The cycle of `length` phases that ends with entry `end` of a motion of scale (N,).
 
-    None where boundaries were reached together: such a phase has no single boundary.
+    None where the motion has no such entries.
     """
     entries = _Entries(
         motions.last_times[motion],
@@ -126,10 +126,11 @@ def candidate_at(
     )
 
 
-def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[Candidate]:
-    """Cycles of at most `longest` phases after which a motion nearly came back."""
+def near_returns(
+    motions: Trajectories, scales: np.ndarray, longest: int, tolerance: float
+) -> list[Candidate]:
+    """Cycles of at most `longest` phases after which a motion of scale (n, N) nearly came back."""
     kept = motions.last_times.shape[1]
-    scale = scale_of(motions)
     # a phase as a number: its configuration, and the boundaries by which it is left
     phases = motions.last_configurations[:, :-1].astype(np.int64) << 32 | motions.last_sets[:, 1:]
     integers = np.iinfo(np.int64)
@@ -141,7 +142,8 @@ def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[
         same &= motions.last_sets[:, ahead] == motions.last_sets[:, back]
         same &= motions.last_configurations[:, back] >= 0
         with np.errstate(invalid="ignore"):
-            moved = np.abs(motions.last_states[:, ahead] - motions.last_states[:, back]) / scale
+            moved = np.abs(motions.last_states[:, ahead] - motions.last_states[:, back])
+            moved = moved / scales[:, None]
         miss = moved.max(axis=2)
         same &= miss <= tolerance
         places = np.argwhere(same)
@@ -151,28 +153,53 @@ def near_returns(motions: Trajectories, longest: int, tolerance: float) -> list[
         order = np.lexsort((miss[*places.T], groups))
         ranks = np.arange(order.size) - np.searchsorted(groups[order], groups[order])
         for motion, place in places[order[ranks < _EXAMPLES]].tolist():
-            candidate = candidate_at(motions, motion, place + length, length, scale)
+            candidate = candidate_at(motions, motion, place + length, length, scales[motion])
             if candidate is not None and (candidate.dwell_times > 0).all():
                 found.append(candidate)
     return found
 
 
 def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[str, str] | None:
-    """Names of a phase and of the one boundary that ended it."""
-    if reached == 0 or reached & (reached - 1):
+    """Names of a phase and of the boundaries that ended it, joined; None where nothing did."""
+    if configuration < 0 or reached <= 0:
         return None
-    boundary = structure.boundaries[configuration][reached.bit_length() - 1]
-    return structure.configurations[configuration], boundary.name
+    shapes = structure.boundaries[configuration]
+    names = [shape.name for place, shape in enumerate(shapes) if reached >> place & 1]
+    return structure.configurations[configuration], "+".join(names)
 
 
-def scale_of(motions: Trajectories) -> np.ndarray:
-    """Largest size (N,) of each state over the entries that were kept."""
-    states = motions.last_states
-    entries = states.reshape(-1, states.shape[-1])
-    return sizes_of(entries[np.isfinite(entries).all(axis=1)])
+def scales_of(system: PiecewiseLinear, motions: Trajectories) -> np.ndarray:
+    """Scale (n, N) of each state of each motion over the entries that were kept."""
+    states, configurations = motions.last_states, motions.last_configurations
+    waits = np.diff(motions.last_times, axis=1)[..., None]
+    extended = np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
+    # by the velocities behind each entry and, in the phase before it, in front of it
+    fields = system.fields[configurations[:, :-1]]
+    moved = [
+        np.einsum("nkij,nkj->nki", fields, extended[:, side]) * waits
+        for side in (slice(None, -1), slice(1, None))
+    ]
+    return variation(motions.structure, states, np.concatenate(moved, axis=1))
 
 
-def sizes_of(states: np.ndarray) -> np.ndarray:
-    """Largest size (N,) of each state of (n, N), and no less than rounding makes of a zero."""
-    largest = np.abs(states).max(axis=0, initial=0.0)
-    return np.asarray(np.maximum(largest, _LEAST * (largest.max() or 1.0)))
+def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np.ndarray:
+    """Scale (..., N) of states (..., k, N), from their range and from how far they move at once.
+
+    A state that is the same at all entries, as the velocity of a mass that only stops and goes,
+    has the scale of its changes between them. None is so small that rounding matters, in units
+    of its kind: positions, or velocities.
+    """
+    known = np.isfinite(states)
+    highest = np.where(known, states, -np.inf).max(axis=-2, initial=-np.inf)
+    lowest = np.where(known, states, np.inf).min(axis=-2, initial=np.inf)
+    changes = np.where(np.isfinite(moved), np.abs(moved), 0.0).max(axis=-2, initial=0.0)
+    found = np.maximum(np.maximum(highest - lowest, 0.0), changes)
+    sizes = np.maximum(found, np.where(known, np.abs(states), 0.0).max(axis=-2, initial=0.0))
+    kinds = [[x for x, _ in structure.coordinates], [v for _, v in structure.coordinates]]
+    kinds += [list(pair) for pair in structure.forcing]
+    known_kinds = {state for kind in kinds for state in kind}
+    kinds.append([state for state in range(found.shape[-1]) if state not in known_kinds])
+    for kind in filter(None, kinds):
+        least = _LEAST * sizes[..., kind].max(axis=-1, keepdims=True)
+        found[..., kind] = np.maximum(found[..., kind], np.where(least > 0, least, 1.0))
+    return np.asarray(found)

@@ -26,6 +26,7 @@ _FORM = Form(
         "phase": str,
         "values": list,
         "samples": list,
+        "outcomes": list,
         "start": list,
         "transient": int,
         "follow": bool,
@@ -54,6 +55,7 @@ def save_sweep(diagram: Sweep, path: str | os.PathLike[str]) -> None:
             "phase": "" if diagram.phase is None else repr(diagram.phase),
             "values": _texts(diagram.values),
             "samples": [_texts(row) for row in diagram.samples],
+            "outcomes": diagram.outcomes.tolist(),
             "start": _texts(diagram.start),
             "transient": diagram.transient,
             "follow": diagram.follow,
@@ -78,7 +80,12 @@ def load_sweep(path: str | os.PathLike[str]) -> Sweep:
 def _sweep(content: dict[str, Any]) -> Sweep:
     parameters = {name: given_value(name, text) for name, text in content["parameters"].items()}
     values, samples = _numbers(content["values"]), _numbers(content["samples"])
-    if samples.ndim != 2 or len(samples) != len(values) or not 0 <= content["done"] <= len(values):
+    outcomes = np.array(content["outcomes"], dtype=int)
+    if (
+        samples.ndim != 2
+        or not len(samples) == len(values) == len(outcomes)
+        or not 0 <= content["done"] <= len(values)
+    ):
         raise InputError("its values and samples do not belong together")
     return Sweep(
         system=content["system"],
@@ -89,6 +96,7 @@ def _sweep(content: dict[str, Any]) -> Sweep:
         phase=float(content["phase"]) if content["phase"] else None,
         values=values,
         samples=samples,
+        outcomes=outcomes,
         start=_numbers(content["start"]),
         transient=content["transient"],
         follow=content["follow"],

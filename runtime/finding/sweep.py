@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.finding.find import UNCLASSIFIED, Found, labels_of
+from nonsmooth.runtime.finding.find import Found
+from nonsmooth.runtime.finding.outcomes import Attractors, Outcome, attractors_of
+from nonsmooth.runtime.finding.settled import settled
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.flows import flow_states
@@ -26,6 +28,7 @@ __all__ = ["Basins", "Sweep", "basins", "sweep"]
 
 _CHUNK = 64  # values of the parameter between two reports of progress
 _FIRST_LOOK = 60  # transitions, about
+_KEPT = 65  # entries at the end of a motion that is classified
 _LARGEST_PLANE = 4_000_000  # starts
 
 
@@ -46,6 +49,8 @@ class Sweep:
     values : array (n,)
     samples : array (n, m)
         NaN where a motion entered the configuration less often, or ended.
+    outcomes : array (n,) of int
+        What the motions settle on: numbers of `nonsmooth.runtime.finding.settled`.
     start : array (N,)
     transient : int
         Transitions, or periods of the forcing, before the first sample.
@@ -65,6 +70,7 @@ class Sweep:
     phase: float | None
     values: np.ndarray
     samples: np.ndarray
+    outcomes: np.ndarray
     start: np.ndarray
     transient: int
     follow: bool
@@ -98,7 +104,7 @@ class Basins:
     x_values : array (n,)
     y_values : array (m,)
     labels : array (m, n) of int
-        As `Found.labels`; -3 where a start belongs to no configuration.
+        As `Found.labels`; `Outcome.ILLEGAL` where a start belongs to no configuration.
     start : array (N,)
     """
 
@@ -190,6 +196,7 @@ def sweep(
         phase=None if phase is None else float(phase),
         values=grid,
         samples=np.full((grid.size, checked_count("samples", samples, 1)), np.nan),
+        outcomes=np.full(grid.size, int(Outcome.UNCLASSIFIED)),
         start=first,
         transient=checked_count("transient", transient, 0),
         follow=follow,
@@ -204,14 +211,14 @@ def sweep(
         while diagram.done < grid.size:
             end = min(diagram.done + (_CHUNK if phase is None else 1), grid.size)
             here = slice(diagram.done, end)
-            found, last, possible = look(kernels, diagram, here, threads)
+            found, outcomes, last, possible = look(kernels, diagram, here, threads)
             followed |= possible
             begin = last.copy() if follow and np.isfinite(last).all() else first
             if len(forced) > 2:  # at other frequencies they are together at other times
                 begin[forced] = first[forced]
-            taken = diagram.samples.copy()
-            taken[here] = found
-            diagram = replace(diagram, samples=taken, done=end, next_start=begin)
+            taken, ends = diagram.samples.copy(), diagram.outcomes.copy()
+            taken[here], ends[here] = found, outcomes
+            diagram = replace(diagram, samples=taken, outcomes=ends, done=end, next_start=begin)
             progress(end)
     except KeyboardInterrupt:
         raise Interrupted(diagram) from None
@@ -223,7 +230,7 @@ def sweep(
 def _resumed(question: Sweep, known: Sweep) -> Sweep:
     """What is known of a question; InputError if it is of another one."""
     for field in fields(Sweep):
-        if field.name in ("samples", "done", "next_start"):
+        if field.name in ("samples", "outcomes", "done", "next_start"):
             continue
         if not np.array_equal(getattr(question, field.name), getattr(known, field.name)):
             raise InputError(f"the sweep to resume has another {field.name}")
@@ -232,37 +239,40 @@ def _resumed(question: Sweep, known: Sweep) -> Sweep:
     return known
 
 
-Looked = tuple[np.ndarray, np.ndarray, bool]  # samples, where it ended, whether it was possible
+# samples, what the motions settle on, where the last one ended, whether one was possible
+Looked = tuple[np.ndarray, np.ndarray, np.ndarray, bool]
 
 
 def _at_entries(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
     """Samples at the entries of a configuration, for some of the values."""
     structure, taken = structure_of(kernels), diagram.samples.shape[1]
+    point = {**diagram.parameters, diagram.parameter: diagram.values[here]}
     motions = simulate_many(
         kernels,
-        {**diagram.parameters, diagram.parameter: diagram.values[here]},
+        point,
         diagram.next_start,
         transitions=diagram.transient + taken,
-        keep=taken,
+        keep=max(taken, _KEPT),
         threads=threads,
     )
     # a motion that ended early has kept entries of its transient too
     places = motions.transitions[:, None] - np.arange(taken)[::-1]
     where = structure.configuration(str(diagram.configuration))
-    entered = (motions.last_configurations == where) & (places > diagram.transient)
-    states = motions.last_states[..., structure.states.index(diagram.state)]
+    entered = (motions.last_configurations[:, -taken:] == where) & (places > diagram.transient)
+    states = motions.last_states[:, -taken:, structure.states.index(diagram.state)]
+    outcomes = settled(kernels, point, motions, threads).outcomes
     possible = bool((motions.status >= 0).any())
-    return np.where(entered, states, np.nan), motions.states[-1], possible
+    return np.where(entered, states, np.nan), outcomes, motions.states[-1], possible
 
 
 def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
     """Samples at a phase of the forcing, for one value: the motion as a stroboscope shows it."""
     taken, start = diagram.samples.shape[1], diagram.next_start
-    nothing = np.full((1, taken), np.nan), np.full(len(start), np.nan), False
+    illegal = np.array([int(Outcome.ILLEGAL)])
+    nothing = np.full((1, taken), np.nan), illegal, np.full(len(start), np.nan), False
+    point = {**diagram.parameters, diagram.parameter: float(diagram.values[here][0])}
     try:
-        system = piecewise(
-            kernels, {**diagram.parameters, diagram.parameter: float(diagram.values[here][0])}
-        )
+        system = piecewise(kernels, point)
         chosen = configuration_of(system, start)
     except InputError:
         return nothing
@@ -282,7 +292,13 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
         where = int(run.configurations[entry])
         states[place] = flow_states(system, where, since, run.states[entry])[0]
     column = system.structure.states.index(diagram.state)
-    return states[None, :, column], states[-1], True
+    outcomes = illegal
+    if np.isfinite(states[-1]).all():
+        goes_on = simulate_many(
+            kernels, point, states[-1:], transitions=_KEPT, keep=_KEPT, threads=threads
+        )
+        outcomes = settled(kernels, point, goes_on, threads).outcomes
+    return states[None, :, column], outcomes, states[-1], True
 
 
 def basins(
@@ -326,8 +342,8 @@ def basins(
     kernels = load_system(found.system)
     others: dict[str, object] = {name: 0 for name in found.names} | dict(start or {})
     base = start_state(structure_of(kernels), others)
-    values = {name: float(value) for name, value in found.parameters.items()}
-    labels = np.full((axes[1].size, axes[0].size), UNCLASSIFIED)
+    attractors = _attractors(found, kernels)
+    labels = np.full((axes[1].size, axes[0].size), int(Outcome.UNCLASSIFIED))
     plane = Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
     rows = max(1, 20_000 // axes[0].size)
     try:
@@ -336,7 +352,7 @@ def basins(
             starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
             starts[..., found.names.index(x[0])] = axes[0]
             starts[..., found.names.index(y[0])] = axes[1][here, None]
-            arrived = _arrivals(found, values, starts.reshape(-1, base.size), threads)
+            arrived = _arrivals(found, attractors, starts.reshape(-1, base.size), threads)
             labels[here] = arrived.reshape(-1, axes[0].size)
             progress(min(low_row + rows, axes[1].size))
     except KeyboardInterrupt:
@@ -344,23 +360,33 @@ def basins(
     return plane
 
 
+def _attractors(found: Found, kernels: SystemKernels) -> Attractors:
+    """What was found, in the order of its labels."""
+    point = piecewise(kernels, found.parameters)
+    orbits = tuple(entry.orbit for entry in found.orbits)
+    equilibria = tuple(entry.equilibrium for entry in found.equilibria)
+    return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
+
+
 def _arrivals(
-    found: Found, values: Mapping[str, float], starts: np.ndarray, threads: int | None
+    found: Found, attractors: Attractors, starts: np.ndarray, threads: int | None
 ) -> np.ndarray:
     """Labels of starts: followed four times longer as long as they are not classified."""
-    orbits = [entry.orbit for entry in found.orbits]
-    labels = np.full(len(starts), UNCLASSIFIED)
+    values = {name: float(value) for name, value in found.parameters.items()}
+    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
     length = found.transitions
     lengths = [length]
     while length > 2 * _FIRST_LOOK:
         length //= 4
         lengths.insert(0, length)
     for length in lengths:
-        open_ = np.flatnonzero(labels == UNCLASSIFIED)
+        open_ = np.flatnonzero(labels == Outcome.UNCLASSIFIED)
         if not open_.size:
             break
         motions = simulate_many(
-            found.system, values, starts[open_], transitions=length, keep=2, threads=threads
+            found.system, values, starts[open_], transitions=length, keep=_KEPT, threads=threads
         )
-        labels[open_] = labels_of(motions, orbits)
+        labels[open_] = attractors.labels(motions)
+        if length == found.transitions:
+            labels[open_] = attractors.measured(motions, labels[open_], threads)
     return labels

@@ -45,7 +45,8 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
     """
     check_picture(kind, KINDS)
     if not found.orbits:
-        raise InputError(f"no orbit of {found.system} was found: there is nothing to draw")
+        told = f", but {len(found.equilibria)} equilibria" if found.equilibria else ""
+        raise InputError(f"no orbit of {found.system} was found{told}: there is nothing to draw")
     from matplotlib.figure import Figure
 
     shown = found.orbits[:_MOST_ROWS]
@@ -66,4 +67,9 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
 
 def _title(row: int, entry: FoundOrbit) -> str:
     share = f"{100 * entry.share:.3g} % of the starts" if entry.starts else "no start leads there"
-    return f"{row + 1}: period {entry.period:.6g}, {entry.verdict}, {share}"
+    turns = ", ".join(map(str, entry.forcing_periods))
+    count = "" if not turns else f" = {turns} forcing period{'' if turns == '1' else 's'}"
+    mirror = ""
+    if entry.mirror is not None and entry.mirror != row:
+        mirror = f", mirror image of {entry.mirror + 1}"
+    return f"{row + 1}: period {entry.period:.6g}{count}, {entry.verdict}, {share}{mirror}"

@@ -9,7 +9,8 @@ import numpy as np
 
 from nonsmooth.runtime.composition.naming import shown_name
 from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.finding.find import RESTING, label_names
+from nonsmooth.runtime.finding.find import label_names
+from nonsmooth.runtime.finding.outcomes import Outcome
 from nonsmooth.runtime.notebook import symbol
 from nonsmooth.runtime.pictures.drawing import LINES, check_picture, finish
 from nonsmooth.runtime.units import units_of
@@ -173,10 +174,11 @@ def _draw_sweep(axes: Any, across: np.ndarray, points: np.ndarray, name: str, pl
 
 
 def draw_basins(plane: Basins) -> Figure:
-    """Draw a plane of starts: the attractors in the order of the orbits, then rest."""
+    """Draw a plane of starts: the attractors in their order, then how else motions end."""
     names = label_names(plane.found)
-    attracting = [label for label in names if label >= 0]
-    order = [*attracting, RESTING] if (plane.labels == RESTING).any() else attracting
+    ends = [outcome for outcome in Outcome if outcome != Outcome.UNCLASSIFIED]
+    order = [label for label in names if label >= 0]
+    order += [int(outcome) for outcome in ends if (plane.labels == outcome).any()]
     labels = np.full(plane.labels.shape, -1)
     for place, label in enumerate(order):
         labels[plane.labels == label] = place

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from types import ModuleType
 from typing import Any
 
@@ -154,12 +154,25 @@ class Trajectories:
     last_sets: np.ndarray
     last_states: np.ndarray
 
+    def at(self, places: Any) -> Trajectories:
+        """Those at some places of the first axis."""
+        return self._with(lambda array: array[places])
+
+    def reshaped(self, count: int) -> Trajectories:
+        """All of them in one row."""
+        inner = self.status.ndim
+        return self._with(lambda array: array.reshape(count, *array.shape[inner:]))
+
+    def _with(self, change: Callable[[np.ndarray], np.ndarray]) -> Trajectories:
+        names = [field.name for field in fields(self) if field.name != "structure"]
+        return Trajectories(self.structure, **{n: change(getattr(self, n)) for n in names})
+
 
 def simulate_many(
     system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, Any],
     states: Any,
-    configurations: str | None = None,
+    configurations: str | np.ndarray | None = None,
     *,
     until: Any = math.inf,
     transitions: int | None = None,
@@ -175,8 +188,9 @@ def simulate_many(
         All physical parameters; they broadcast against each other and the starts.
     states : array (..., N)
         Physical coordinates.
-    configurations : str, optional
-        Where all start; found for each when omitted.
+    configurations : str or array (...) of int, optional
+        Where all start, or each: as `Trajectories` tells where motions ended, not checked again.
+        Found for each when omitted.
     until : float or array (...)
     transitions : int, optional
         At least one of the two has to be given.
@@ -213,6 +227,11 @@ def simulate_many(
     which = np.broadcast_to(np.arange(len(points)).reshape(shape), common).ravel()
     flat = np.broadcast_to(starts, (*common, size)).reshape(-1, size)
     until_each = np.broadcast_to(limits, common).ravel()
+    wanted, given = (
+        (None, np.broadcast_to(configurations, common).ravel())
+        if isinstance(configurations, np.ndarray)
+        else (configurations, None)
+    )
     engine = compiled_engine()
     chunk = min(max(len(flat) // (8 * workers), _LEAST_CHUNK), _LARGEST_CHUNK)
 
@@ -226,7 +245,10 @@ def simulate_many(
             row_of[group.places] = np.arange(len(group.places))
             members = np.flatnonzero(row_of[places] >= 0)
             rows_of = row_of[places[members]]
-            found = _configurations(group, rows_of, states[members], configurations)
+            if given is not None:
+                found = given[here][members]
+            else:
+                found = _configurations(group, rows_of, states[members], wanted)
             sound = found >= 0
             members = members[sound]
             _follow_many(

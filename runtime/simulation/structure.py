@@ -13,6 +13,7 @@ from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
 
 __all__ = [
+    "FORCING_PHASE",
     "BoundaryShape",
     "ContactShape",
     "ModeShape",
@@ -22,6 +23,8 @@ __all__ = [
     "mode_shapes",
     "structure_of",
 ]
+
+FORCING_PHASE = "forcing-phase"  # in an itinerary: the phase of the first forcing begins anew
 
 
 @dataclass(frozen=True)
@@ -107,6 +110,8 @@ class Structure:
         Positions and their velocities.
     law : Law, optional
         What decides where no transition is listed.
+    forcing_row : int or None
+        Row that is zero where the phase of the first forcing begins anew.
     """
 
     name: str
@@ -123,6 +128,7 @@ class Structure:
     forcing: tuple[tuple[int, int], ...] = ()
     coordinates: tuple[tuple[int, int], ...] = ()
     law: Law | None = None
+    forcing_row: int | None = None
 
     def configuration(self, name: str) -> int:
         """Index of a configuration; InputError if there is none of that name."""
@@ -250,6 +256,7 @@ def _structure(kernels: SystemKernels) -> Structure:
         _pairs(states, table["forcing"]),
         _pairs(states, table["coordinates"]),
         law_of(table, configurations),
+        table.get("forcing_row"),
     )
 
 

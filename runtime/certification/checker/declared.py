@@ -27,6 +27,8 @@ from nonsmooth.runtime.certification.quotients import Quotient
 
 __all__ = ["Declared", "Phase", "Step", "Transition", "Watched"]
 
+_FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
+
 
 class Transition(NamedTuple):
     """What leads from a configuration and boundaries to another: conditions, affine reset."""
@@ -127,6 +129,9 @@ class Declared:
         names = [phase["configuration"] for phase in self.itinerary]
         for phase, target in zip(self.itinerary, [*names[1:], *names[:1]], strict=True):
             number, name = phase["transition"], phase["configuration"]
+            if phase["boundaries"] == [_FORCING_PHASE]:
+                self.steps.append(self._whole_turn(name))
+                continue
             demand(0 <= number < len(self.transitions), "there is no such transition")
             taken = self.transitions[number]
             ways = (name, *sorted(phase["boundaries"])), target
@@ -179,6 +184,17 @@ class Declared:
                     self.transitions[place] = own._replace(early=law.check(entry, own.conditions))
         except (KeyError, IndexError, TypeError, ValueError) as problem:
             raise Failure(f"the contact law is malformed: {problem!r}") from None
+
+    def _whole_turn(self, name: str) -> Step:
+        """A phase that ends where the first forcing begins anew, and changes nothing."""
+        demand(bool(self.forcing), "without a forcing there is no phase of it")
+        sine = self.forcing[0][1]
+        row = tuple(fmpq(int(k == sine)) for k in range(self.size + 1))
+        identity = [
+            tuple(fmpq(int(j == k)) for j in range(self.size + 1)) for k in range(self.size + 1)
+        ]
+        staying = Transition((name, _FORCING_PHASE), [], identity, name)
+        return Step(name, self.fields[name], row, staying, name)
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
@@ -306,8 +322,9 @@ class Declared:
             still = not any(reduced(rate, kept))
             ends = reduced(row, end), reduced(rate, end)
             watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
-        own = [boundaries[name] for name in ending]
-        ways, decided = [], True
+        own = [boundaries[name] for name in ending if name != _FORCING_PHASE]
+        ways: list[Any] = [[]] if ending == [_FORCING_PHASE] else []
+        decided = True
         for other in self.transitions:
             if other.begins == step.taken.begins:
                 found = [
