@@ -102,6 +102,8 @@ def closing_json(closing: Closing, cycle: Cycle, bits: int) -> dict[str, Any]:
     told: dict[str, Any] = {"kind": closing.kind, "dropped": closing.dropped}
     if closing.kind == "forcing":
         told["turns"] = closing.turns
+    if closing.translations:
+        told["translations"] = [_row(row) for row in closing.translations]
     if closing.form is not None:
         period = closing.period
         told["period"] = value_json(period, bits) if isinstance(period, Value) else entry(period)

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
+from nonsmooth.runtime.composition.translations import translations_of, up_to_shift
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.finding.neighbours import short_cycles
 from nonsmooth.runtime.finding.recurrence import (
@@ -177,10 +178,13 @@ def find_orbits(
     checked_count("seed", seed, 0)
     values = {name: float(value) for name, value in point.parameters.items()}
 
+    directions = translations_of(point)
+
     def follow(starts: np.ndarray, number: int, keep: int) -> Trajectories:
-        return simulate_many(
+        motions = simulate_many(
             kernels, values, starts, transitions=number, keep=keep, threads=threads
         )
+        return replace(motions, last_states=up_to_shift(motions.last_states, directions))
 
     progress(f"following {count} starts")
     starts, motions = _legal_starts(follow, point, limits, count, seed, length)
@@ -361,7 +365,8 @@ def _solved(
         if rest or orbit.itinerary != orbit.itinerary[:length] * turns:
             continue
         cycles = orbit.dwell_times.reshape(turns, length)
-        states = orbit.states.reshape(turns, length, -1) / sizes_of(orbit.states)
+        states = orbit.states_up_to_shift.reshape(turns, length, -1)
+        states = states / sizes_of(orbit.states_up_to_shift)
         if np.allclose(cycles, cycles[0], rtol=1e-6, atol=1e-9) and np.allclose(
             states, states[0], rtol=0, atol=1e-6
         ):
@@ -378,12 +383,13 @@ def _solved(
 def _same(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
     """Whether two cycles are the same; a doubled one begins at either of its turns."""
     start = other.state if isinstance(other, Candidate) else other.states[0]
+    states = orbit.states_up_to_shift
     return any(
         orbit.itinerary == other.itinerary[turn:] + other.itinerary[:turn]
         and np.allclose(
             orbit.dwell_times, np.roll(other.dwell_times, -turn), rtol=_SAME, atol=_SAME
         )
-        and (np.abs(orbit.states[-turn] - start) <= 10 * _SAME * sizes_of(orbit.states)).all()
+        and (np.abs(states[-turn] - start) <= 10 * _SAME * sizes_of(states)).all()
         for turn in range(len(other.itinerary))
     )
 
@@ -407,7 +413,8 @@ def labels_of(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndar
     for index, orbit in enumerate(orbits):
         if orbit.stability.verdict != "stable":
             continue
-        scale = sizes_of(orbit.states)
+        states = orbit.states_up_to_shift
+        scale, ends = sizes_of(states), up_to_shift(motions.last_states[:, -1], orbit.translations)
         for phase, (name, _) in enumerate(orbit.itinerary):
             where = structure.configuration(name)
             before = orbit.cycle.configurations[phase - 1]
@@ -419,7 +426,7 @@ def labels_of(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndar
                 & (motions.status == Status.TRANSITIONS)
             )
             with np.errstate(invalid="ignore"):
-                distance = np.abs(motions.last_states[:, -1] - orbit.states[phase])
+                distance = np.abs(ends - states[phase])
                 miss = (distance / scale).max(axis=1)
             better = here & (miss < nearest)
             labels[better], nearest[better] = index, miss[better]

@@ -22,7 +22,7 @@ from nonsmooth.runtime.certification.checker.exact import (
 )
 from nonsmooth.runtime.certification.quotients import Quotient
 
-__all__ = ["Declared", "Phase", "Step", "Transition", "Watched"]
+__all__ = ["Declared", "Phase", "Step", "Transition", "Watched", "gauge_of"]
 
 
 class Transition(NamedTuple):
@@ -35,13 +35,17 @@ class Transition(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A phase of the itinerary: its field, the row that ends it, the transition behind that."""
+    """A phase of the itinerary: its field, the row that ends it, the transition behind that.
+
+    The reset is the transition's, at the end of the cycle projected along what it closes up to.
+    """
 
     name: str
     field: Any
     exit: Any
     taken: Transition
     target: str
+    reset: Any
 
 
 class Watched(NamedTuple):
@@ -106,14 +110,17 @@ class Declared:
             leads = ways == (taken.begins, taken.target)
             demand(leads, "a transition does not lead from phase to phase")
             row = self.configurations[name][0][phase["boundaries"][0]]
-            self.steps.append(Step(name, self.fields[name], row, taken, target))
+            self.steps.append(Step(name, self.fields[name], row, taken, target, taken.reset))
         self.forced = [k for pair in self.forcing for k in pair]
         self.free = [k for k in range(self.size) if k not in self.forced]
+        self.rational = '"mid"' not in json.dumps(declared)
+        self.translations = [self.row(row) for row in self.closing.get("translations", [])]
+        for direction in self.translations:
+            self._close_along(direction)
         self.alone = all(len(phase["boundaries"]) == 1 for phase in self.itinerary)
         self.omega: list[Any] = []
         period = self.closing["kind"] == "period"
         self.period = self.number(self.closing["period"]) if period else None
-        self.rational = '"mid"' not in json.dumps(declared)
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
@@ -153,9 +160,9 @@ class Declared:
             demand(symmetric, "a field is not the energy's")
             energies[step.name] = energy
         for step in self.steps:
-            linear = [row[:-1] for row in step.taken.reset[:-1]]
+            linear = [row[:-1] for row in step.reset[:-1]]
             for kept, before, reset, normal in (
-                (energies[step.target], energies[step.name], step.taken.reset, step.exit),
+                (energies[step.target], energies[step.name], step.reset, step.exit),
                 (omega, omega, linear, step.exit[:-1]),
             ):
                 on = self.exactly.left_kernel([[x] for x in normal])
@@ -163,6 +170,35 @@ class Declared:
                 same = _seen(kept, moved) == _seen(before, on)
                 demand(same, "a reset keeps neither energy nor form")
         return energies
+
+    def _close_along(self, direction: tuple[Any, ...]) -> None:
+        """Close up to a translation of all that is declared: y + s d is a motion when y is.
+
+        Behind the last phase the state is moved along it until its first coordinate is zero.
+        """
+        rows = [row for field in self.fields.values() for row in field]
+        for boundaries, held in self.configurations.values():
+            rows += [*boundaries.values(), *held]
+        for transition in self.transitions:
+            rows += [row for row, _, _ in transition.conditions]
+            rows += [
+                tuple(x - int(i == j) for j, x in enumerate(row))
+                for i, row in enumerate(transition.reset)
+            ]
+        along = [[x] for x in (*direction, fmpq(0))]
+        demand(len(direction) == self.size and self.rational and any(direction),
+               "no direction to close along")  # fmt: skip
+        demand(not any(product(row, along)[0] for row in rows), "no translation of the system")
+        gauge = gauge_of(direction)
+        others = sum(1 for other in self.translations if other[gauge])
+        demand(others == 1, "directions that are not independent")
+        last = self.steps[-1]
+        share = [x / direction[gauge] for x in last.reset[gauge]]
+        reset = [
+            tuple(x - d * y for x, y in zip(row, share, strict=True))
+            for row, d in zip(last.reset, (*direction, fmpq(0)), strict=True)
+        ]
+        self.steps[-1] = last._replace(reset=reset)
 
     def _returns(self) -> None:
         (c0, s0), turns = self.forcing[0], self.closing["turns"]
@@ -175,9 +211,7 @@ class Declared:
                 keep = [int(j == k) for j in range(self.size + 1)]
                 even = all(list(step.field[k]) == turns_as for step in self.steps)
                 demand(even, "an uneven forcing")
-                demand(
-                    all(list(step.taken.reset[k]) == keep for step in self.steps), "a reset forcing"
-                )
+                demand(all(list(step.reset[k]) == keep for step in self.steps), "a reset forcing")
 
     @cached_property
     def known(self) -> list[tuple[Any, Any, Any]]:
@@ -192,7 +226,7 @@ class Declared:
                 end = self.exactly.echelon([*kept, step.exit])
                 found.append((facts, kept, end))
                 facts = self.exactly.echelon(
-                    self.exactly.left_kernel([reduced(r, end) for r in step.taken.reset])
+                    self.exactly.left_kernel([reduced(r, end) for r in step.reset])
                 )
         return found
 
@@ -212,7 +246,9 @@ class Declared:
         forced = [[fmpq(int(j == k)) for j in range(self.size)] for k in self.forced]
         for place in range(len(self.steps) if self.rational else 1):
             facts = self.known[place][1 if self.forcing else 0] if self.rational else []
-            rows = self.exactly.echelon([*forced, *(row[:-1] for row in facts)])
+            gauges = [gauge_of(direction) for direction in self.translations if not place]
+            still = [[fmpq(int(j == k)) for j in range(self.size)] for k in gauges]
+            rows = self.exactly.echelon([*forced, *still, *(row[:-1] for row in facts)])
             pivots = {next(j for j, x in enumerate(row) if x): row for row in rows}
             free = [k for k in range(self.size) if k not in pivots]
             basis = [
@@ -246,6 +282,11 @@ class Declared:
                 if other is step.taken:
                     break
         return Phase([reduced(row, begin) for row in held], watched, ways)
+
+
+def gauge_of(direction: Any) -> int:
+    """The first coordinate of a direction: zero where the cycle begins."""
+    return next(k for k, x in enumerate(direction) if x)
 
 
 def _seen(form: Any, rows: Any) -> list[Any]:
