@@ -14,6 +14,7 @@ from nonsmooth.derive.kernels import flow_kernels, orbit_kernels, spectrum_kerne
 from nonsmooth.derive.modal import derive_flows
 from nonsmooth.derive.program import Kernel
 from nonsmooth.derive.system import System
+from nonsmooth.derive.translation import moves_freely
 
 __all__ = ["MOST_PHASES", "DerivedSystem", "Underived", "derive_system", "reduced_names"]
 
@@ -144,6 +145,8 @@ def _orbit(
         raise DerivationError("the flows of its system have no closed form of modes")
     if orbit.symmetry:
         raise DerivationError("it is known by a part and a symmetry")
+    if moves_freely(orbit.system):
+        raise DerivationError("it is periodic up to a shift: its system does not depend on where")
     if len(orbit.phases) > MOST_PHASES:
         raise DerivationError(f"it has more than {MOST_PHASES} phases")
     equations = derive_equations(orbit)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.admissibility import Judgement, Margin, judge
@@ -41,6 +41,7 @@ from nonsmooth.runtime.certification.tables import Tables, exact_tables
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.validation.facts import Row
 from nonsmooth.runtime.values import flint_precision
 
 if TYPE_CHECKING:
@@ -102,8 +103,9 @@ def certify(
         tables = exact_tables(subject.kernels, tuple(subject.values.values()), work)
         closing = Closing("state")
         try:
-            known = known_of(tables, subject.cycle) if tables.exact else None
             closing = closing_of(subject, tables, [float(x) for x in subject.start])
+            shifts = closing.translations
+            known = known_of(tables, subject.cycle, shifts) if tables.exact else None
             begin("existence")
             root = locate(subject, closing, bits)
         except (NotCovered, ZeroDivisionError) as reason:
@@ -114,7 +116,7 @@ def certify(
         begin("stability")
         stability = stability_of(subject, tables, closing, known, root)
         begin("admissibility")
-        judgement = _admissible(subject, tables, known, root, work)
+        judgement = _admissible(subject, tables, shifts, known, root, work)
         return _certificate(subject, tables, closing, bits, root, stability, judgement)
 
 
@@ -137,7 +139,7 @@ def stability_of(
     if not all(x.is_finite() for matrix in maps for x in matrix.entries()):
         return Stability(claim, "undecided", "a boundary may be reached tangentially", None, ())
     square = reduced_map(maps, known, closing, tables.number)
-    trace = trace_of(square)
+    trace = trace_of(square) + len(closing.translations)
     if closing.form is not None:
         inside, pairs = neutral_pairs(product_of(maps), trace)
     else:
@@ -158,7 +160,12 @@ def stability_of(
 
 
 def _admissible(
-    subject: Subject, tables: Tables, known: Known | None, root: Root, work: int
+    subject: Subject,
+    tables: Tables,
+    translations: Sequence[Row],
+    known: Known | None,
+    root: Root,
+    work: int,
 ) -> Judgement:
     """Judge the orbit, with few bits first: that it is as sharp as it is does not matter here."""
     if known is None:
@@ -169,7 +176,7 @@ def _admissible(
     found: Judgement | None = None
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
-            chain = chain_of(tables, subject.cycle)
+            chain = chain_of(tables, subject.cycle, None, translations)
             found = judge([plan.at(tables.number) for plan in plans], chain, root.passage, dwell)
         if found.verdict != "undecided":
             break

@@ -11,10 +11,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from nonsmooth.runtime.certification.closing import Closing
+from nonsmooth.runtime.certification.closing import Closing, projected
 from nonsmooth.runtime.certification.models import Model, matrix, middle_of
 from nonsmooth.runtime.certification.tables import Number, Tables, numbers
 from nonsmooth.runtime.composition.passage import Cycle
+from nonsmooth.runtime.composition.translations import gauges_of
+from nonsmooth.runtime.validation.facts import Row
 
 __all__ = ["Chain", "Equations", "Flows", "Passage", "chain_of", "equations_in"]
 
@@ -27,13 +29,20 @@ class Chain(NamedTuple):
     resets: tuple[Any, ...]
 
 
-def chain_of(tables: Tables, cycle: Cycle, number: Number | None = None) -> Chain:
-    """The chain of a cycle, at the working precision."""
+def chain_of(
+    tables: Tables,
+    cycle: Cycle,
+    number: Number | None = None,
+    translations: Sequence[Row] = (),
+) -> Chain:
+    """The chain of a cycle that closes up to translations, at the working precision."""
     number = number or tables.number
+    resets = [tables.resets[t.reset] for t in cycle.transitions]
+    resets[-1] = projected(resets[-1], translations)
     return Chain(
         tuple(numbers(tables.fields[c], number) for c in cycle.configurations),
         tuple(numbers([tables.rows[row]], number) for row in cycle.rows),
-        tuple(numbers(tables.resets[t.reset], number) for t in cycle.transitions),
+        tuple(numbers(reset, number) for reset in resets),
     )
 
 
@@ -85,6 +94,8 @@ class Equations:
         What the dwell times sum up to, where the closing says so.
     speeds : sequence of arb or Model
         Of the closing's forcings, in the chain's numbers.
+    directions : sequence of matrices (N + 1, 1)
+        Those of the closing's translations.
     """
 
     def __init__(
@@ -93,10 +104,12 @@ class Equations:
         closing: Closing,
         period: Any,
         speeds: Sequence[Any],
+        directions: Sequence[Any] = (),
     ) -> None:
         from flint import arb_mat
 
         self.chain, self.closing, self.period, self.speeds = chain, closing, period, speeds
+        self.directions = directions
         self.size = chain.fields[0].nrows() - 1
         self.free = [k for k in range(self.size) if k not in closing.forced]
         self.closed = [k for k in self.free if k != closing.dropped]
@@ -174,10 +187,19 @@ class Equations:
         for place, (flow, speed) in enumerate(zip(now.flows, now.speeds, strict=True)):
             row, reset = self.chain.rows[place], self.chain.resets[place]
             behind = self.chain.fields[(place + 1) % count] * now.starts[place + 1]
+            if place == count - 1:
+                behind = self._projected(behind)
             rate = (row * speed)[0, 0]
             jump = (behind - reset * speed) * (row * flow) / rate
             found.append(self._linear(reset * flow + jump))
         return found
+
+    def _projected(self, rate: Any) -> Any:
+        """A rate of the state (N + 1, 1) without the part along translations."""
+        gauges = gauges_of(self.closing.translations)
+        for direction, gauge in zip(self.directions, gauges, strict=True):
+            rate = rate - direction * rate[gauge, 0]
+        return rate
 
     def _linear(self, whole: Any) -> Any:
         """The part that acts on changes of the state."""
@@ -202,4 +224,5 @@ def equations_in(chain: Chain, closing: Closing, number: Number, period: Any) ->
     speeds = [number(speed) for speed in closing.speeds]
     if closing.timed:
         period = 2 * arb.pi() * closing.turns / speeds[0]
-    return Equations(chain, closing, period, speeds)
+    directions = [numbers([[x] for x in (*d, 0 * d[0])], number) for d in closing.translations]
+    return Equations(chain, closing, period, speeds, directions)

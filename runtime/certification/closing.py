@@ -5,6 +5,9 @@ given, and one coordinate's closure is dropped: it follows from the energy. A fo
 function of time: the forcing's states are cos(w t) and sin(w t) at an unknown time, and a
 whole number of the forcing's periods passes.
 
+Where nothing depends on some direction, a rotor's angle, a cycle closes up to a shift along it:
+behind the last reset the state is projected onto those that are zero in one coordinate.
+
 A conservative cycle is proved to be one by exact arithmetic: there is a nondegenerate
 skew form Omega and an energy E_c of each configuration with Omega f_c = grad E_c, each
 transition keeps the energy on its boundary and Omega on the tangents of its boundary. Hence
@@ -15,13 +18,26 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any
 
-from nonsmooth.runtime.certification.tables import Matrix, Tables
+from nonsmooth.runtime.certification.tables import Matrix, Tables, rational_of
 from nonsmooth.runtime.composition.passage import Cycle
+from nonsmooth.runtime.composition.translations import deciding_rows, gauges_of, taken_resets
+from nonsmooth.runtime.simulation.structure import Structure
 from nonsmooth.runtime.validation.facts import Row, left_kernel, product
 
-__all__ = ["Closing", "Form", "forcing_speeds", "symplectic_form"]
+__all__ = [
+    "Closing",
+    "Form",
+    "exact_translations",
+    "forcing_speeds",
+    "projected",
+    "symplectic_form",
+]
+
+
+_LARGEST_DENOMINATOR = 10**6  # of a direction
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +67,8 @@ class Closing:
         How often the first forcing turns in one period.
     pairs : tuple of (int, int)
         States of the forcings.
+    translations : tuple of Row
+        Directions along which nothing changes, in echelon form; the cycle closes up to these.
     """
 
     kind: str
@@ -60,6 +78,7 @@ class Closing:
     speeds: tuple[Any, ...] = ()
     turns: int = 0
     pairs: tuple[tuple[int, int], ...] = field(default=())
+    translations: tuple[Row, ...] = ()
 
     @property
     def timed(self) -> bool:
@@ -75,6 +94,42 @@ class Closing:
     def stability(self) -> str:
         """What is claimed of the multipliers: "stable", or "neutral" of a conservative one."""
         return "stable" if self.form is None else "neutral"
+
+
+def exact_translations(
+    tables: Tables, structure: Structure, near: Sequence[Sequence[float]]
+) -> tuple[Row, ...]:
+    """Directions along which a system does not change, exactly: none, unless all of them are.
+
+    Parameters
+    ----------
+    near : sequence of sequences of float
+        What `translations_of` gives in double precision.
+    """
+    if not len(near) or not tables.exact:
+        return ()
+    fractions = [[Fraction(x).limit_denominator(_LARGEST_DENOMINATOR) for x in d] for d in near]
+    found = tuple(tuple(map(rational_of, direction)) for direction in fractions)
+    rows = [row[:-1] for field in tables.fields for row in field[:-1]]
+    rows += [tables.rows[k][:-1] for k in deciding_rows(structure)]
+    for k in taken_resets(structure):
+        for i, row in enumerate(tables.resets[k][:-1]):
+            rows.append(tuple(x - int(i == j) for j, x in enumerate(row[:-1])))
+    columns = _transposed(found)
+    return () if any(any(product(row, columns)) for row in rows) else found
+
+
+def projected(reset: Matrix, translations: Sequence[Row]) -> Matrix:
+    """A reset, and then the projection along translations: their first coordinates are zero."""
+    found: list[list[Any]] = [list(row) for row in reset]
+    for direction, gauge in zip(translations, gauges_of(translations), strict=True):
+        first = found[gauge]
+        along: list[Any] = [*direction, 0]
+        found = [
+            [x - d * y if d and y else x for x, y in zip(row, first, strict=True)]
+            for row, d in zip(found, along, strict=True)
+        ]
+    return tuple(map(tuple, found))
 
 
 def forcing_speeds(tables: Tables, cycle: Cycle) -> tuple[Any, ...] | str:

@@ -6,11 +6,13 @@ behind it, and, the orbit being periodic, in front of the next one.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
+from nonsmooth.runtime.certification.closing import projected
 from nonsmooth.runtime.certification.tables import Tables
 from nonsmooth.runtime.composition.passage import Cycle
-from nonsmooth.runtime.validation.facts import Facts
+from nonsmooth.runtime.validation.facts import Facts, Row
 
 __all__ = ["Known", "known_of"]
 
@@ -23,8 +25,10 @@ class Known(NamedTuple):
     ends: tuple[Facts, ...]
 
 
-def known_of(tables: Tables, cycle: Cycle) -> Known:
-    """Facts of a cycle of a system whose numbers are exact."""
+def known_of(tables: Tables, cycle: Cycle, translations: Sequence[Row] = ()) -> Known:
+    """Facts of a cycle that closes up to translations, of a system whose numbers are exact."""
+    resets = [tables.resets[t.reset] for t in cycle.transitions]
+    resets[-1] = projected(resets[-1], translations)
     facts = Facts((), ())
     while True:
         found: list[tuple[Facts, Facts, Facts]] = []
@@ -33,7 +37,7 @@ def known_of(tables: Tables, cycle: Cycle) -> Known:
             lasting = facts.lasting(tables.fields[configuration])
             end = Facts.of([*lasting.rows, tables.rows[cycle.rows[place]]])
             found.append((facts, lasting, end))
-            facts = end.reset(tables.resets[cycle.transitions[place].reset])
+            facts = end.reset(resets[place])
         if len(facts.rows) == len(begin.rows):
             starts, lastings, ends = zip(*found, strict=True)
             return Known(starts, lastings, ends)

@@ -51,7 +51,9 @@ def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
     """Equations of a subject, at the working precision of so many bits."""
     tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
     period = None if closing.period is None else closing.period.ball(bits)
-    return equations_in(chain_of(tables, subject.cycle), closing, tables.number, period)
+    return equations_in(
+        chain_of(tables, subject.cycle, None, closing.translations), closing, tables.number, period
+    )
 
 
 def locate(subject: Subject, closing: Closing, bits: int) -> Root:

@@ -9,6 +9,7 @@ from nonsmooth.runtime.certification.closing import Closing
 from nonsmooth.runtime.certification.known import Known
 from nonsmooth.runtime.certification.models import matrix, range_of
 from nonsmooth.runtime.certification.tables import Number, numbers
+from nonsmooth.runtime.composition.translations import gauges_of
 from nonsmooth.runtime.validation.facts import Facts
 
 if TYPE_CHECKING:
@@ -49,7 +50,9 @@ def reduced_map(maps: Sequence[Any], known: Known | None, closing: Closing, numb
     facts: Sequence[Facts] = [Facts((), ())] * len(maps)
     if known is not None:
         facts = known.lasting if closing.timed else known.starts
-    tangents = [_tangent(f, closing.forced, size) for f in facts]
+    # where the cycle closes the first coordinates of translations are zero
+    fixed = [(*closing.forced, *gauges_of(closing.translations)), *(closing.forced for _ in facts)]
+    tangents = [_tangent(f, still, size) for f, still in zip(facts, fixed, strict=False)]
     first = min(range(len(maps)), key=lambda k: len(tangents[k][0]))
     free, basis = tangents[first]
     found = numbers(basis, number)

@@ -141,6 +141,8 @@ def closing_json(
     told: dict[str, Any] = {"kind": closing.kind}
     if closing.kind == "forcing":
         told["turns"] = closing.turns
+    if closing.translations:
+        told["translations"] = [_row(row) for row in closing.translations]
     if closing.form is not None:
         places, count = [parameters.index(name) for name in variables], len(parameters)
         names, form = cycle.structure.configurations, closing.form

@@ -11,18 +11,25 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.arithmetic import exact_ball
-from nonsmooth.runtime.certification.closing import Closing, forcing_speeds, symplectic_form
+from nonsmooth.runtime.certification.closing import (
+    Closing,
+    exact_translations,
+    forcing_speeds,
+    symplectic_form,
+)
 from nonsmooth.runtime.certification.tables import Tables, rational_of
 from nonsmooth.runtime.composition.naming import start_names
 from nonsmooth.runtime.composition.newton import fitting_start
 from nonsmooth.runtime.composition.passage import Cycle, cycle_of
 from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.composition.translations import translations_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.orbit import Orbit
 from nonsmooth.runtime.simulation.engine_layout import numbers_of
 from nonsmooth.runtime.simulation.piecewise import piecewise, system_parameters
 from nonsmooth.runtime.simulation.structure import structure_of
+from nonsmooth.runtime.validation.facts import Row
 from nonsmooth.runtime.values import Value, as_value
 
 if TYPE_CHECKING:
@@ -43,6 +50,7 @@ __all__ = [
     "subject_near",
     "subject_of",
     "system_of",
+    "translations_in",
 ]
 
 _MOST_TURNS = 1000
@@ -268,6 +276,12 @@ def _completed(kernels: OrbitKernels, name: str, values: dict[str, Value]) -> bo
     return bool(terms)
 
 
+def translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:
+    """Directions along which the subject's system does not change, as the tables show."""
+    near = translations_of(piecewise(subject.kernels, subject.values)).tolist()
+    return exact_translations(tables, subject.cycle.structure, near)
+
+
 def closing_of(
     subject: Subject,
     tables: Tables,
@@ -288,6 +302,7 @@ def closing_of(
     NotCovered
     """
     cycle, near = subject.cycle, near or tables.near
+    shifts = translations_in(subject, tables)
     if cycle.structure.forcing:
         if not tables.exact:
             raise NotCovered(
@@ -305,9 +320,17 @@ def closing_of(
             ratio = speed * turns / speeds[0]
             if ratio != round(near(ratio)):
                 raise NotCovered("the forcings have no common period that is the orbit's")
-        return Closing("forcing", speeds=speeds, turns=turns, pairs=cycle.structure.forcing)
+        return Closing(
+            "forcing",
+            speeds=speeds,
+            turns=turns,
+            pairs=cycle.structure.forcing,
+            translations=shifts,
+        )
+    if shifts and subject.period is not None:
+        raise NotCovered("it is periodic up to a shift, and of a family that a period singles out")
     if subject.period is None:
-        return Closing("state")
+        return Closing("state", translations=shifts)
     if not tables.exact:
         raise NotCovered("the parameters of a conservative system have to be rational")
     form = symplectic_form(tables, cycle)
@@ -320,7 +343,7 @@ def closing_of(
         for i in range(size)
     ]
     largest = max(range(size), key=lambda i: abs(slopes[i]))
-    return Closing("period", period=subject.period, dropped=largest, form=form)
+    return Closing("period", period=subject.period, dropped=largest, form=form, translations=shifts)
 
 
 def guess_of(subject: Subject, closing: Closing, near: Callable[[Any], float]) -> list[arb]:

@@ -250,6 +250,10 @@ def composed_orbits(kernels: OrbitKernels) -> tuple[ComposedPoints, list[Paramet
         reference = solve_declared(kernels, {})
     except NoConvergence as problem:
         raise InputError(f"at its reference, where a chart starts: {problem}") from None
+    if len(reference.translations):
+        raise InputError(
+            f"{kernels.name} is periodic up to a shift, which one point at a time knows"
+        )
     tables = list(kernels.system.parameters)
     if kernels.table.get("period"):
         tables.append(ParameterTable(**kernels.table["period"]))

@@ -56,7 +56,7 @@ def show_report(
         Show the trace criterion before the orbit.
     """
     console = console_as_wide()
-    rank_one = orbit.stability.rank == 1
+    rank_one = orbit.stability.rank == 1 and not any(m["trivial"] for m in found["multipliers"])
     console.print(Text(f"{shown_name(found['orbit'])}, {found['digits']} digits", style="bold"))
     console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
     parameters = _table()
@@ -64,10 +64,11 @@ def show_report(
         parameters.add_row(name, text, Text(source, style="dim"))
     unknowns = _table()
     shown = {**_unknowns(orbit, found), "period": found["period"], "residual": found["residual"]}
+    shown |= {f"{name} moves by": text for name, text in found.get("shift", {}).items()}
     for label, text in shown.items():
         unknowns.add_row(label, _digits(text))
     excess = decimal_string(-orbit.stability.margin, found["digits"])
-    criterion = _criterion(found, excess, orbit.stability.rank)
+    criterion = _criterion(found, excess, orbit.stability.rank, rank_one=rank_one)
     tables = [("Given", parameters), ("Orbit", unknowns)]
     tables.insert(
         0 if trace_first else 2, ("Trace criterion" if rank_one else "Stability", criterion)
@@ -225,22 +226,22 @@ def _table() -> Table:
     return table
 
 
-def _criterion(found: Mapping[str, Any], excess: str, rank: int) -> Table:
+def _criterion(found: Mapping[str, Any], excess: str, rank: int, *, rank_one: bool) -> Table:
     table = _table()
     verdict = found["stability"]
     table.add_row("trace", _digits(found["trace"]))
-    if rank == 1:
+    if rank_one:
         table.add_row("|trace| - 1", _digits(excess))
     for number, multiplier in enumerate(found["multipliers"], 1):
         label = f"multiplier {number}"
         if number > rank:
             table.add_row(label, f"0 exactly: the Poincare map has rank {_RANKS.get(rank, rank)}")
-        elif rank > 1:
+        elif not rank_one:
             trivial = " (trivial)" if multiplier["trivial"] else ""
             table.add_row(label, _digits(multiplier["re"]) + trivial)
             if multiplier["im"].strip("-0."):
                 table.add_row(" + i times", _digits(multiplier["im"]))
-    if rank == 1:
+    if rank_one:
         reason = {
             "stable": "conditionally stable (|trace| < 1)",
             "unstable": "unstable (|trace| > 1)",

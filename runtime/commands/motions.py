@@ -249,7 +249,8 @@ def find(
         names = write_itineraries(found, write)
         written.append(str(write))
     if as_json:
-        print_json({**found_json(found), "files": written, "itineraries": list(names)})
+        appended = {"itineraries": list(names)} if names else {}
+        print_json({**found_json(found), "files": written, **appended})
     else:
         show_found(found)
         for name in written:

@@ -13,6 +13,7 @@ from scipy.optimize import minimize_scalar
 
 from nonsmooth.runtime.admissible import MOST_MISSED, Admissibility, Violation
 from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, flow_at, numbers_in
+from nonsmooth.runtime.composition.translations import projection_along, translations_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.simulation.crossing import first_crossing
 from nonsmooth.runtime.simulation.deciding import Decider
@@ -42,6 +43,8 @@ def assess_cycle(
         For a phase longer than the guarantee of the search reaches.
     """
     numbers = numbers_in(system)
+    behind = projection_along(translations_of(system)) @ now.starts[-1]
+    now = now._replace(starts=np.concatenate([now.starts[:-1], behind[None]]))
     begins = np.concatenate([[0.0], np.cumsum(dwell)])
     tables: dict[int, ConfigurationTable] = {}
     violations = []

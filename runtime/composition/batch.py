@@ -26,11 +26,18 @@ from nonsmooth.runtime.composition.stability import (
     smallest_section,
     stroboscopic_maps,
 )
+from nonsmooth.runtime.composition.symmetry import closed_cycle
+from nonsmooth.runtime.composition.translations import (
+    directions_of,
+    gauges_of,
+    projection_along,
+    translations_of,
+)
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.newton import CONVERGED
-from nonsmooth.runtime.simulation.piecewise import numbers_at, parameter_points
+from nonsmooth.runtime.simulation.piecewise import numbers_at, parameter_points, piecewise_at
 from nonsmooth.runtime.simulation.structure import structure_of
 
 __all__ = ["ComposedOrbits", "compose_many"]
@@ -147,7 +154,11 @@ def compose_many(
     count = len(dwell)
 
     driven = mechanical_states(cycle)
-    if driven is None:
+    moving = _translates(kernels, points)
+    if moving:
+        first, rank = 0, size if driven is None else len(driven)
+        dimension = rank
+    elif driven is None:
         first, rank, dimension = _smallest_section(cycle, kernels, points, dwell, start)
     else:
         first, rank, dimension = 0, len(driven), len(driven)
@@ -160,23 +171,25 @@ def compose_many(
     def work(begin: int) -> None:
         for group in numbers_at(kernels, points[begin : begin + CHUNK]):
             part, here, at = begin + group.places, cycle.at(group.structure), None
+            flat, directions = group.flat, np.empty((len(group.flat), 0, size))
+            if moving:
+                here, flat, directions = _closed(here, flat)
             if start is not None:
-                numbers = numbers_in(group.structure, group.flat)
+                numbers = numbers_in(here.structure, flat)
                 with np.errstate(all="ignore"):
                     at = pass_through(here, numbers, dwell[part], start[part], np).starts[first]
             guess = np.roll(dwell[part], -first, axis=1)
-            found = solve_cycle(here.rotated(first), group.flat, guess, at, lengths[part])
+            found = solve_cycle(here.rotated(first), flat, guess, at, lengths[part])
             dwell_times[part] = np.roll(found.dwell, first, axis=1)
             states[part] = np.roll(found.starts, first, axis=1)
             residual[part] = found.residual
             if driven is None:
-                maps[part] = found.maps
+                maps[part] = _with_translations(found.maps, directions)
             else:
                 fields = numbers_in(group.structure, group.flat).fields
                 first_field = fields[:, cycle.configurations[0]]
-                maps[part] = stroboscopic_maps(
-                    here, first_field, found.starts[:, 0], found.maps, driven
-                )
+                timed = stroboscopic_maps(here, first_field, found.starts[:, 0], found.maps, driven)
+                maps[part] = _with_translations(timed, directions[..., driven])
             iterations[part], status[part] = found.iterations, found.status
 
     parts = range(0, count, CHUNK)
@@ -201,6 +214,37 @@ def compose_many(
         status.reshape(shape),
         period is not None,
     )
+
+
+def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
+    """Whether the system does not change along some direction: the first sound point tells."""
+    sound = np.flatnonzero(np.isfinite(points).all(axis=1))
+    if not len(sound):
+        return False
+    return bool(len(translations_of(piecewise_at(kernels, points[sound[0]]))))
+
+
+def _closed(cycle: Cycle, flat: np.ndarray) -> tuple[Cycle, np.ndarray, np.ndarray]:
+    """A cycle that closes up to translations, numbers with its last reset, and directions."""
+    structure, count = cycle.structure, len(flat)
+    numbers = numbers_in(structure, flat)
+    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
+    directions = np.array([directions_of(structure, *each) for each in arrays])
+    last = numbers.resets[:, cycle.transitions[-1].reset]
+    added = np.stack([projection_along(d) @ r for d, r in zip(directions, last, strict=True)])
+    place = sum(part[0].size for part in numbers[:3])
+    parts = [flat[:, :place], added.reshape(count, -1), flat[:, place:]]
+    return closed_cycle(cycle, len(cycle)), np.concatenate(parts, axis=1), directions
+
+
+def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
+    """Maps (n, k, k) up to translations with the multipliers 1 that these have."""
+    found = maps.copy()
+    for map_, along in zip(found, directions, strict=True):
+        if len(along):
+            map_[:] = projection_along(along) @ map_
+            map_[:, gauges_of(along)] += along.T
+    return found
 
 
 def _common(shape: tuple[int, ...], dwell: Any, start: Any) -> tuple[int, ...]:

@@ -23,7 +23,6 @@ from nonsmooth.runtime.composition.newton import (
 )
 from nonsmooth.runtime.composition.passage import (
     Cycle,
-    Numbers,
     cycle_of,
     guesses,
     numbers_in,
@@ -38,6 +37,7 @@ from nonsmooth.runtime.composition.symmetry import (
     whole_cycle,
     whole_orbit,
 )
+from nonsmooth.runtime.composition.translations import translations_of, up_to_shift
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.loading.declared import DeclaredSystem
@@ -45,7 +45,7 @@ from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.orbit import DOUBLE
 from nonsmooth.runtime.refine import MOST_DIGITS
 from nonsmooth.runtime.simulation.engine_layout import numbers_of
-from nonsmooth.runtime.simulation.piecewise import piecewise
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.values import as_value
 
 __all__ = ["ComposedOrbit", "ComposedOrbits", "compose", "compose_many"]
@@ -127,9 +127,10 @@ def compose(
         cycle = whole_cycle(point, mirror, itinerary)
     closed, part = closing(point, cycle, mirror)
     dwell = guesses("guess_dwell_times", guess_dwell_times, len(part), positive=True)
-    start = None
+    start, directions = None, translations_of(point)
     if guess_state is not None:
         start = guesses("guess_state", guess_state, len(structure.states)).reshape(1, -1)
+        start = up_to_shift(start, directions)
     wanted = None if period is None else as_value(period)
     length = np.nan if wanted is None else float(wanted)
     if wanted is not None and not 0 < length < np.inf:
@@ -139,7 +140,9 @@ def compose(
     found = solve_cycle(
         part, numbers_of(closed)[None], dwell.reshape(1, -1), start, np.array([length])
     )
-    times, states = whole_orbit(mirror, found.dwell[0], found.starts[0])
+    found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
+    part_of_it = found.dwell[0], found.starts[0]
+    times, states = whole_orbit(point, cycle, mirror, *part_of_it, np)
     kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
     orbit = ComposedOrbit(
         kernels.name,
@@ -149,7 +152,7 @@ def compose(
         states,
         wanted,
         float(found.residual[0]),
-        _digits(part, numbers_in(closed), found, length),
+        _digits(part, closed, found, length),
         int(found.iterations[0]),
         int(found.status[0]),
         kernels,
@@ -160,7 +163,7 @@ def compose(
     return orbit.refined(digits)
 
 
-def _digits(part: Cycle, numbers: Numbers, found: Found, period: float) -> int:
+def _digits(part: Cycle, system: PiecewiseLinear, found: Found, period: float) -> int:
     """Decimal digits of an orbit in double precision, by the inverse of its equations.
 
     What closure and switching miss, and rounding, move the start by as much as the smallest
@@ -168,9 +171,13 @@ def _digits(part: Cycle, numbers: Numbers, found: Found, period: float) -> int:
     """
     if found.status[0] != CONVERGED:
         return 0
-    dwell, start = found.dwell[0], found.starts[0, 0]
+    dwell, start, numbers = found.dwell[0], found.starts[0, 0], numbers_in(system)
     now = pass_through(part, numbers, dwell, start, np)
-    size_of = sizes(now, dwell)
+    directions = translations_of(system)  # how far it drifts is no size
+    starts, ends, fields = (
+        up_to_shift(part, directions) for part in (now.starts, now.ends, now.fields)
+    )
+    size_of = sizes(now._replace(starts=starts, ends=ends, fields=fields), dwell)
     matrix, right = equations(now, dwell, size_of, np.float64(period))
     matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, FLOATS)
     least = float(np.linalg.svd(matrix, compute_uv=False)[-1])

@@ -18,6 +18,7 @@ def motion_along(
     dwell: np.ndarray,
     starts: np.ndarray,
     ends: np.ndarray,
+    shift: np.ndarray,
     periods: int,
 ) -> Trajectory:
     """Phases one after the other, some periods long.
@@ -30,6 +31,8 @@ def motion_along(
     dwell : array (p,)
     starts, ends : array (p, N)
         State at the start and at the end of each phase.
+    shift : array (N,)
+        By which a period moves the state.
     periods : int
     """
     if cycle.uninterrupted:
@@ -45,13 +48,14 @@ def motion_along(
         )
         return Trajectory(system, run)
     masks = [sum(1 << boundary for boundary in t.boundaries) for t in cycle.transitions]
-    behind = np.tile(np.roll(starts, -1, axis=0), (periods, 1))
+    moved = np.repeat(np.arange(periods), len(dwell))[:, None] * shift
+    behind = np.tile(np.concatenate([starts[1:], starts[:1] + shift]), (periods, 1)) + moved
     times = np.cumsum(np.tile(dwell, periods))
     following = np.tile(np.roll(cycle.configurations, -1), periods)
     run = Run(
         np.concatenate([[0.0], times]),
         np.concatenate([cycle.configurations[:1], following]).astype(np.int32),
-        np.concatenate([starts[:1], np.tile(ends, (periods, 1))]),
+        np.concatenate([starts[:1], np.tile(ends, (periods, 1)) + moved]),
         np.concatenate([starts[:1], behind]),
         np.array([0, *masks * periods], dtype=np.int32),
         (),

@@ -11,6 +11,7 @@ from nonsmooth.runtime.arithmetic import Mpmath
 from nonsmooth.runtime.composition.newton import equations, sizes, with_forcing
 from nonsmooth.runtime.composition.passage import Cycle, numbers_in, pass_through
 from nonsmooth.runtime.composition.symmetry import Symmetry, closing, symmetry_of
+from nonsmooth.runtime.composition.translations import translations_of, up_to_shift
 from nonsmooth.runtime.errors import NoConvergence
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.orbit import GUARD
@@ -105,7 +106,9 @@ def refine_cycle(
     gaps = [*now.gaps, *(now.starts[-1] - now.starts[0])]
     residual = last.mp.mpf(max(abs(gap) for gap in gaps))
     rounded = np.vectorize(last.mp.mpf, otypes=[object])
-    return Precise(rounded(times), rounded(now.starts[:-1]), residual, len(steps))
+    states = rounded(now.starts[:-1])
+    states[0] = up_to_shift(states[0], translations_of(system))
+    return Precise(rounded(times), states, residual, len(steps))
 
 
 def _precisions(digits: int) -> list[int]:

@@ -33,6 +33,11 @@ from nonsmooth.runtime.composition.passage import (
 from nonsmooth.runtime.composition.precise import refine_cycle
 from nonsmooth.runtime.composition.stability import ComposedStability, assess, saltations
 from nonsmooth.runtime.composition.symmetry import Symmetry, closing, part_of, whole_orbit
+from nonsmooth.runtime.composition.translations import (
+    gauges_of,
+    translations_of,
+    up_to_shift,
+)
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.newton import CONVERGED, SINGULAR
@@ -165,6 +170,26 @@ class ComposedOrbit:
         return piecewise(self.kernels, self.parameters)
 
     @cached_property
+    def translations(self) -> np.ndarray:
+        """Directions (m, N) along which the system does not change; m = 0 is the rule."""
+        return translations_of(self.piecewise)
+
+    @property
+    def shift(self) -> dict[str, Any]:
+        """By how much each state is moved behind one period: zero but along translations."""
+        moved = self.passage.starts[-1][gauges_of(self.translations)] @ self.translations
+        return dict(zip(self.state_names, moved.tolist(), strict=True))
+
+    def translates(self, state: str) -> bool:
+        """Whether a translation moves this state."""
+        return bool(self.translations[:, self.state_names.index(state)].any())
+
+    @property
+    def states_up_to_shift(self) -> np.ndarray:
+        """The states (p, N), each moved along the translations to where the orbit starts."""
+        return up_to_shift(self.states, self.translations)
+
+    @cached_property
     def passage(self) -> Passage:
         """One passage of the cycle and its linearisation."""
         numbers, lib = self._numbers, self._functions
@@ -201,8 +226,7 @@ class ComposedOrbit:
             If there is no orbit.
         """
         self._check_found()
-        arrays = (self.cycle, self._numbers, self.passage, self.dwell_times)
-        found = assess(*arrays, self.family, self._functions, self._error)
+        found = self._assessed(self._closed(None))
         return replace(found, verdict="undecided") if self.cycle.one_sided else found
 
     @cached_property
@@ -220,7 +244,7 @@ class ComposedOrbit:
         self._check_found()
         if self.symmetry is None:
             raise InputError("the orbit was not composed from a part and a symmetry")
-        return assess(*self._part, self.family, self._functions, self._error)
+        return self._assessed(self._part)
 
     @property
     def multipliers(self) -> np.ndarray:
@@ -294,6 +318,7 @@ class ComposedOrbit:
             self.dwell_times.astype(float),
             self.states.astype(float),
             self.passage.ends.astype(float),
+            np.array([float(x) for x in self.shift.values()]),
             checked_count("periods", periods, 1),
         )
 
@@ -327,7 +352,12 @@ class ComposedOrbit:
             digits,
             symmetry,
         )
-        dwell, states = whole_orbit(symmetry, precise.dwell, precise.states)
+        lib = Mpmath(digits + GUARD)
+        with lib.working(digits + GUARD):
+            system = piecewise_in(self.kernels, self.parameters, lib)
+            cycle = self.cycle.at(system.structure)
+            part = precise.dwell, precise.states
+            dwell, states = whole_orbit(system, cycle, symmetry, *part, lib.mp)
         return replace(
             self,
             dwell_times=dwell,
@@ -368,10 +398,16 @@ class ComposedOrbit:
     @cached_property
     def _part(self) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
         """The part that the symmetry closes: cycle, numbers, passage and dwell times."""
-        system, part = closing(self.piecewise, self.cycle, self.symmetry)
+        return self._closed(self.symmetry)
+
+    def _closed(self, symmetry: Symmetry | None) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
+        system, part = closing(self.piecewise, self.cycle, symmetry)
         numbers, dwell = numbers_in(system), self.dwell_times[: len(part)]
         now = pass_through(part, numbers, dwell, self.states[0], self._functions)
         return part, numbers, now, dwell
+
+    def _assessed(self, closed: tuple[Cycle, Numbers, Passage, np.ndarray]) -> ComposedStability:
+        return assess(*closed, self.translations, self.family, self._functions, self._error)
 
     @property
     def _error(self) -> Any:

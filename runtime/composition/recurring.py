@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.composition.translations import translations_of, up_to_shift
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding.recurrence import recurrent_lengths, scales_of
 from nonsmooth.runtime.simulation.simulate import Trajectories
@@ -76,6 +78,7 @@ def itinerary_of(
         )
     if period is not None and not 0 < period < np.inf:
         raise InputError(f"period = {period!r} is not positive and finite")
+    trajectory = _up_to_shift(trajectory)
     first = int(np.searchsorted(trajectory.times, since))
     length = _repeated(trajectory, first) if period is None else _near(trajectory, first, period)
     part = _prime(trajectory, length) if period is None and length else length
@@ -87,6 +90,12 @@ def itinerary_of(
             f" back{told}: follow it longer, or say about after which period it comes back"
         )
     return _cycle(trajectory, length, part)
+
+
+def _up_to_shift(trajectory: Trajectory) -> Trajectory:
+    """The motion without the part along translations of its system."""
+    states = up_to_shift(trajectory.run.states, translations_of(trajectory.system))
+    return replace(trajectory, run=replace(trajectory.run, states=states))
 
 
 def _repeated(trajectory: Trajectory, first: int) -> int:

@@ -39,6 +39,7 @@ def composed_json(orbit: ComposedOrbit, digits: int | None = None) -> dict[str, 
         ]
 
     stability = orbit.stability
+    shift = {name: text(by) for name, by in orbit.shift.items() if orbit.translates(name)}
     times = zip(orbit.itinerary, orbit.dwell_time_names, strict=True)
     return {
         "orbit": orbit.name,
@@ -48,6 +49,7 @@ def composed_json(orbit: ComposedOrbit, digits: int | None = None) -> dict[str, 
         },
         "unknowns": {name: text(value) for name, value in orbit.unknowns.items()},
         "period": text(orbit.period),
+        **({"shift": shift} if shift else {}),
         "residual": short(orbit.residual),
         "digits": shown,
         "multipliers": multipliers(stability),

@@ -17,6 +17,7 @@ from nonsmooth.runtime.composition.passage import numbers_in
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.routes import with_routes_at
 from nonsmooth.runtime.composition.symmetry import symmetry_of
+from nonsmooth.runtime.composition.translations import projection_along
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.form import Form
 from nonsmooth.runtime.kernels import SystemKernels, load_system
@@ -196,6 +197,7 @@ def _solves(orbit: ComposedOrbit) -> bool:
     size = orbit.states.shape[1]
     flows = orbit.passage.flows
     following = np.roll(orbit.states, -1, axis=0)
+    projection = projection_along(orbit.translations)
     for place, (start, end_start) in enumerate(zip(orbit.states, following, strict=True)):
         flow, row = flows[place], numbers.rows[cycle.rows[place]]
         reset = numbers.resets[cycle.transitions[place].reset]
@@ -207,6 +209,8 @@ def _solves(orbit: ComposedOrbit) -> bool:
         moved = reach + abs(speed) * max(1, abs(orbit.dwell_times[place]))
         gap, terms = row[:size] @ end + row[size], abs(row[:size]) @ moved + abs(row[size])
         jump = reset[:, :size] @ end + reset[:, size] - end_start
+        if place == len(cycle) - 1:
+            jump = projection @ jump
         sizes = abs(reset[:, :size]) @ moved + abs(reset[:, size]) + np.maximum(1, abs(end_start))
         if not missed <= _MOST_MISSED * max(terms, max(sizes)):
             return False

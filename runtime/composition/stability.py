@@ -16,6 +16,7 @@ import numpy as np
 
 from nonsmooth.runtime.composition.newton import LEAST, sizes
 from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage
+from nonsmooth.runtime.composition.translations import projection_along
 from nonsmooth.runtime.stability import Multiplier
 
 __all__ = [
@@ -206,12 +207,23 @@ def _orthonormal(columns: Any, lib: Any) -> Any:
 
 
 def assess(
-    cycle: Cycle, numbers: Numbers, now: Passage, dwell: Any, family: bool, lib: Any, error: Any
+    cycle: Cycle,
+    numbers: Numbers,
+    now: Passage,
+    dwell: Any,
+    translations: np.ndarray,
+    family: bool,
+    lib: Any,
+    error: Any,
 ) -> ComposedStability:
     """Multipliers and verdict of an orbit.
 
     Parameters
     ----------
+    cycle, numbers, now, dwell
+        Of the orbit as it closes.
+    translations : array (m, N)
+        Directions along which the system does not change: each has a multiplier 1.
     family : bool
         Whether the orbit is one of a family: then one multiplier is 1.
     lib : arithmetic of single numbers
@@ -226,7 +238,10 @@ def assess(
         dimension = section_dimension(cycle, numbers, size_of, lib)
     else:
         maps, size_of = _timed_maps(cycle, numbers, now, driven), size_of[driven]
-        dimension = len(driven)
+        dimension = len(driven) - len(translations)
+        translations = translations[:, driven]
+    if len(translations):
+        maps[-1] = projection_along(translations) @ maps[-1]
     bases = _remaining(maps, size_of, lib)
     rank = bases[0].shape[1]
     dimension = max(rank, dimension)
@@ -234,13 +249,14 @@ def assess(
     for local, before, after in zip(maps, bases, [*bases[1:], bases[0]], strict=True):
         matrix = after.T @ _scaled(local, size_of) @ before @ matrix
     precise = maps[0].dtype == object
-    zero = lib.zero if precise else 0.0
+    zero, shifts = lib.zero if precise else 0.0, len(translations)
     trace = sum((matrix[k, k] for k in range(rank)), zero)
     trace = trace if precise else float(trace)
     found = _eigenvalues(matrix, trace, lib)
     if family and found:
         found = _family(matrix, found, trace, lib)
     found += [Multiplier(zero, zero)] * (dimension - rank)
+    found += [Multiplier(zero + 1, zero, trivial=True)] * shifts
     found.sort(key=lambda m: -round(float(_modulus(m, lib)), 12))
     largest = max((_modulus(m, lib) for m in found if not m.trivial), default=zero)
     margin = 1 - largest if precise else float(1 - largest)
@@ -256,9 +272,8 @@ def assess(
         verdict = "neutral" if family else "stable"
     if _grazes(cycle, numbers, now, error):
         verdict = "undecided"
-    return ComposedStability(
-        tuple(found), trace, rank, zero if verdict == "neutral" else margin, verdict
-    )
+    margin = zero if verdict == "neutral" else margin
+    return ComposedStability(tuple(found), trace + shifts, rank + shifts, margin, verdict)
 
 
 def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:

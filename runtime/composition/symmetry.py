@@ -13,7 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.composition.passage import Cycle, cycle_of
+from nonsmooth.runtime.composition.passage import Cycle, cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.composition.translations import (
+    directions_of,
+    gauges_of,
+    projection_along,
+    translations_of,
+)
 from nonsmooth.runtime.errors import InputError, unknown_name
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.structure import Structure, TransitionShape
@@ -21,7 +27,9 @@ from nonsmooth.runtime.values import Value, as_value, parse
 
 __all__ = [
     "Symmetry",
+    "closed_cycle",
     "closing",
+    "closing_matrix",
     "images_of",
     "matrix_of",
     "part_of",
@@ -175,7 +183,8 @@ def closing(
 ) -> tuple[PiecewiseLinear, Cycle]:
     """The part of a cycle that the symmetry closes, in a system with one reset more.
 
-    The last reset of the part is followed by the symmetry.
+    The last reset of the part is followed by the symmetry, and by the projection along the
+    translations of the system, where it has any.
 
     Parameters
     ----------
@@ -183,19 +192,36 @@ def closing(
     cycle : Cycle
         The whole one, of that system.
     symmetry : Symmetry or None
-        None leaves both as they are.
+        Where it is None, and there is no translation, both stay as they are.
     """
-    if symmetry is None:
+    matrix = closing_matrix(system.structure, *system.numbers, symmetry)
+    if matrix is None:
         return system, cycle
-    structure, count = system.structure, len(cycle) // symmetry.order
+    count = len(cycle) if symmetry is None else len(cycle) // symmetry.order
+    part = closed_cycle(cycle, count)
+    reset = matrix @ system.resets[cycle.transitions[count - 1].reset]
+    resets = np.concatenate([system.resets, reset[None]])
+    return replace(system, structure=part.structure, resets=resets), part
+
+
+def closing_matrix(
+    structure: Structure, fields: Any, rows: Any, resets: Any, symmetry: Symmetry | None
+) -> np.ndarray | None:
+    """What follows the last reset where an orbit closes; None for nothing."""
+    directions = directions_of(structure, fields, rows, resets)
+    matrix = None if symmetry is None else symmetry.matrix
+    if not len(directions):
+        return matrix
+    projection = projection_along(directions)
+    return projection if matrix is None else projection @ matrix
+
+
+def closed_cycle(cycle: Cycle, count: int) -> Cycle:
+    """The first phases of a cycle, the last of them followed by a reset that is added."""
+    structure = _with_one_reset_more(cycle.structure)
     last = cycle.transitions[count - 1]
-    reset = symmetry.matrix @ system.resets[last.reset]
-    structure = _with_one_reset_more(structure)
-    closed = replace(
-        system, structure=structure, resets=np.concatenate([system.resets, reset[None]])
-    )
     turned = replace(last, reset=structure.resets - 1, target=cycle.configurations[0])
-    part = replace(
+    return replace(
         cycle,
         structure=structure,
         itinerary=cycle.itinerary[:count],
@@ -203,7 +229,6 @@ def closing(
         boundaries=cycle.boundaries[:count],
         transitions=(*cycle.transitions[: count - 1], turned),
     )
-    return closed, part
 
 
 @lru_cache(maxsize=1024)  # what is kept for a structure serves again
@@ -232,14 +257,41 @@ def whole_cycle(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Cycle
 
 
 def whole_orbit(
-    symmetry: Symmetry | None, dwell: np.ndarray, states: np.ndarray
+    system: PiecewiseLinear,
+    cycle: Cycle,
+    symmetry: Symmetry | None,
+    dwell: np.ndarray,
+    states: np.ndarray,
+    lib: Any,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Dwell times and states of the whole orbit from those (p,), (p, N) of its first part."""
+    """Dwell times and states of the whole orbit from those (p,), (p, N) of its first part.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    cycle : Cycle
+        The whole one, of that system.
+    lib : arithmetic with `sin`, `cos` and `exp` of arrays
+    """
     if symmetry is None:
         return dwell, states
+    directions = translations_of(system)
+    shift = np.zeros_like(states[0])
+    if len(directions):  # by how much the image of the part's end is moved from its start
+        first = len(states) - 1
+        last = replace(
+            cycle,
+            itinerary=cycle.itinerary[first : first + 1],
+            configurations=cycle.configurations[first : first + 1],
+            boundaries=cycle.boundaries[first : first + 1],
+            transitions=cycle.transitions[first : first + 1],
+        )
+        end = pass_through(last, numbers_in(system), dwell[-1:], states[-1], lib).starts[-1]
+        image = symmetry.matrix @ end
+        shift = image[gauges_of(directions)] @ directions
     parts = [states]
     for _ in range(symmetry.order - 1):
-        parts.append(parts[-1] @ symmetry.matrix)  # its inverse from the left
+        parts.append((parts[-1] + shift) @ symmetry.matrix)  # its inverse from the left
     return np.tile(dwell, symmetry.order), np.concatenate(parts)
 
 

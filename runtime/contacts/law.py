@@ -26,6 +26,13 @@ class ContactRows(NamedTuple):
     overshooting: int
 
     @property
+    def rows(self) -> tuple[int, ...]:
+        """Rows of its functions."""
+        return (
+            self.relative, self.gap, self.static, self.kinetic, self.slipping, self.overshooting,
+        )  # fmt: skip
+
+    @property
     def regimes(self) -> Regimes:
         """What it may do at rest."""
         return ("slip", "stick", "overshoot") if self.friction else ("free", "contact")

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +24,7 @@ from nonsmooth.runtime.composition.newton import sizes as sizes_along
 from nonsmooth.runtime.composition.passage import Cycle, Numbers, Passage, numbers_in, pass_through
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.stability import mechanical_states, stroboscopic_maps
-from nonsmooth.runtime.composition.symmetry import closing, whole_orbit
+from nonsmooth.runtime.composition.symmetry import closing, closing_matrix
 from nonsmooth.runtime.continuation.matrices import (
     eigenvalues,
     exponentials,
@@ -67,7 +68,9 @@ class ComposedCurve:
         waits = np.full(count, dwell.sum())
         self.sizes = np.concatenate([waits, sizes_along(now, dwell), [length]])
         stability = orbit.stability if orbit.symmetry is None else orbit.part_stability
-        self._rank, self._family = stability.rank, orbit.family
+        shifts = len(orbit.translations)
+        self._rank, self._family = stability.rank - shifts, orbit.family
+        self._trivial = shifts + orbit.family
         self._driven = mechanical_states(self._cycle)
         # a forcing, or no family, determines the period by itself
         self._timed = orbit.given_period is not None and orbit.family
@@ -187,7 +190,7 @@ class ComposedCurve:
     def traces(self, z: np.ndarray) -> np.ndarray:
         """See `Curve`."""
         powers = self.multipliers(z) ** self.order
-        return np.asarray(powers.sum(axis=-1).real + self._family)
+        return np.asarray(powers.sum(axis=-1).real + self._trivial)
 
     @property
     def conservative(self) -> bool:
@@ -204,7 +207,7 @@ class ComposedCurve:
         system = piecewise_at(self.orbit.kernels, self._point(z[-1]))
         cycle = self.orbit.cycle.at(system.structure)
         dwell, start = self._unknowns(z)
-        times, _ = whole_orbit(self.orbit.symmetry, dwell, start[None])
+        times = np.tile(dwell, self.order)
         now = pass_through(cycle, numbers_in(system), times, start, np)
         return bool(assess_cycle(cycle, system, now, times).verdict)
 
@@ -234,9 +237,10 @@ class ComposedCurve:
         system = piecewise_at(self.orbit.kernels, self._point(z[-1]))
         cycle = self.orbit.cycle.at(system.structure)
         dwell, start = self._unknowns(z)
-        times, _ = whole_orbit(self.orbit.symmetry, np.maximum(dwell, 0.0), start[None])
+        times = np.tile(np.maximum(dwell, 0.0), self.order)
         now = pass_through(cycle, numbers_in(system), times, start, np)
-        return motion_along(system, cycle, times, now.starts[:-1], now.ends, 1)
+        shift = now.starts[-1] - start
+        return motion_along(system, cycle, times, now.starts[:-1], now.ends, shift, 1)
 
     def moved(self, name: str, value: float) -> ComposedCurve:
         """See `Curve`."""
@@ -269,11 +273,18 @@ class ComposedCurve:
             for name in ("fields", "rows", "resets")
         )
         resets = resets.reshape(-1, size, size + 1)
-        if self.orbit.symmetry is not None:
-            last = self.orbit.cycle.transitions[len(self._cycle) - 1].reset
-            closing_reset = self.orbit.symmetry.matrix @ resets[last]
-            resets = np.concatenate([resets, closing_reset[None]])
-        return fields.reshape(-1, size, size + 1), rows.reshape(-1, size + 1), resets
+        fields, rows = fields.reshape(-1, size, size + 1), rows.reshape(-1, size + 1)
+        if self._cycle.structure is not self.orbit.cycle.structure:
+            resets = self._closed_resets(fields, rows, resets)
+        return fields, rows, resets
+
+    def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
+        """The resets, and the one behind which the part closes."""
+        orbit, cycle = self.orbit, self.orbit.cycle
+        matrix = closing_matrix(cycle.structure, fields, rows, resets, orbit.symmetry)
+        last = resets[cycle.transitions[len(self._cycle) - 1].reset]
+        found = last if matrix is None else matrix @ last
+        return np.concatenate([resets, found[None]])
 
     def _groups(self, z: np.ndarray) -> list[tuple[np.ndarray, Cycle, Numbers]]:
         """Numbers of the system at many points, grouped by the modes that they have."""
@@ -288,10 +299,9 @@ class ComposedCurve:
         for group in numbers_at(self.orbit.kernels, points):
             numbers = numbers_in(group.structure, group.flat)
             cycle = self._cycle
-            if self.orbit.symmetry is not None:
-                last = self.orbit.cycle.transitions[len(cycle) - 1].reset
-                closing_reset = self.orbit.symmetry.matrix @ numbers.resets[:, last]
-                resets = np.concatenate([numbers.resets, closing_reset[:, None]], axis=1)
+            if cycle.structure is not self.orbit.cycle.structure:
+                arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
+                resets = np.stack([self._closed_resets(*each) for each in arrays])
                 numbers = numbers._replace(resets=resets)
             modes = group.structure.shapes
             here = cycle.at(cycle.structure.with_modes(modes))

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from nonsmooth.runtime.composition.composed import ComposedOrbit
 from nonsmooth.runtime.composition.symmetry import Symmetry
+from nonsmooth.runtime.composition.translations import translations_of, up_to_shift
 from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.finding.mirrors import mirror_places, mirrors
 from nonsmooth.runtime.finding.neighbours import short_cycles
@@ -232,10 +233,13 @@ def find_orbits(
     checked_count("seed", seed, 0)
     values = {name: float(value) for name, value in point.parameters.items()}
 
+    directions = translations_of(point)
+
     def follow(starts: np.ndarray, number: int, keep: int) -> Trajectories:
-        return simulate_many(
+        motions = simulate_many(
             kernels, values, starts, transitions=number, keep=keep, threads=threads
         )
+        return replace(motions, last_states=up_to_shift(motions.last_states, directions))
 
     progress(f"following {count} starts")
     starts, motions = _legal_starts(follow, point, limits, count, seed, length)

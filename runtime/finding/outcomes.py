@@ -9,6 +9,7 @@ from enum import IntEnum
 import numpy as np
 
 from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.composition.translations import up_to_shift
 from nonsmooth.runtime.finding.primitive import admissible, orbit_scale
 from nonsmooth.runtime.finding.recurrence import scales_of
 from nonsmooth.runtime.finding.steady import Equilibrium, equilibria, forcing_turns, responses
@@ -177,7 +178,8 @@ def _arrivals(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndar
     for index, orbit in enumerate(orbits):
         if orbit.stability.verdict not in ("stable", "undecided") or orbit.cycle.uninterrupted:
             continue
-        scale = orbit_scale(orbit)
+        scale, states = orbit_scale(orbit), orbit.states_up_to_shift
+        ends = up_to_shift(motions.last_states[:, -1], orbit.translations)
         for phase, (name, _) in enumerate(orbit.itinerary):
             where = structure.configuration(name)
             before = orbit.cycle.configurations[phase - 1]
@@ -189,7 +191,7 @@ def _arrivals(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndar
                 & (motions.status == Status.TRANSITIONS)
             )
             with np.errstate(invalid="ignore"):
-                distance = np.abs(motions.last_states[:, -1] - orbit.states[phase])
+                distance = np.abs(ends - states[phase])
                 miss = (distance / scale).max(axis=1)
             better = here & (miss < nearest)
             labels[better], nearest[better] = index, miss[better]

@@ -10,6 +10,7 @@ import numpy as np
 from nonsmooth.runtime.composition.composed import compose, compose_many
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.composition.symmetry import Symmetry
+from nonsmooth.runtime.composition.translations import up_to_shift
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding.recurrence import Candidate, Itinerary, canonical, variation
 from nonsmooth.runtime.kernels import SystemKernels
@@ -62,7 +63,7 @@ def admissible(orbit: ComposedOrbit) -> bool:
 def orbit_scale(orbit: ComposedOrbit) -> np.ndarray:
     """Scale (N,) of each state along an orbit."""
     now = orbit.passage
-    states = np.concatenate([now.starts, now.ends])
+    states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.translations)
     before = [
         np.append(start, 1.0) @ orbit.piecewise.fields[c].T
         for start, c in zip(now.starts, orbit.cycle.configurations, strict=False)
@@ -84,7 +85,7 @@ def same_orbit(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
     return any(
         orbit.itinerary == other.itinerary[turn:] + other.itinerary[:turn]
         and (np.abs(orbit.dwell_times - np.roll(other.dwell_times, -turn)) <= near).all()
-        and (np.abs(orbit.states[-turn] - start) <= scale).all()
+        and (np.abs(orbit.states_up_to_shift[-turn] - start) <= scale).all()
         for turn in range(len(other.itinerary))
     )
 
@@ -176,7 +177,7 @@ def _part(orbit: ComposedOrbit) -> Candidate | None:
         if rest or orbit.itinerary != orbit.itinerary[:length] * turns:
             continue
         dwell = orbit.dwell_times.reshape(turns, length)
-        states = orbit.states.reshape(turns, length, -1)
+        states = orbit.states_up_to_shift.reshape(turns, length, -1)
         if (np.abs(dwell - dwell[0]) <= near * orbit.period).all() and (
             np.abs(states - states[0]) <= near * scale
         ).all():

@@ -64,6 +64,11 @@ class PiecewiseLinear:
     exponents: tuple[np.ndarray, ...]
     flows: tuple[np.ndarray, ...]
 
+    @property
+    def numbers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Fields, rows and resets."""
+        return self.fields, self.rows, self.resets
+
 
 def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
     """All parameters of a system, checked, in its order.

@@ -29,6 +29,7 @@ from nonsmooth.runtime.certification.subject import (
     period_name,
     physical_values,
     subject_near,
+    translations_in,
 )
 from nonsmooth.runtime.certification.tables import Tables, rational_of, tables_over
 from nonsmooth.runtime.composition.passage import Cycle
@@ -236,7 +237,7 @@ def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, In
     constants, entries = entries_over(box, numbers)
     period = entries.pop(PERIOD, None)
     tables = tables_over(subject.kernels, list(entries.values()))
-    known = known_of(tables, subject.cycle)
+    known = known_of(tables, subject.cycle, translations_in(subject, tables))
     region = Region(
         subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
         plan_of(tables, subject.cycle, known), tuple(at), (),

@@ -132,7 +132,7 @@ def equations_over(region: Region, number: Number) -> Equations:
     """The equations of a region's orbit in numbers."""
     closing = region.closing
     period = None if closing.period is None else number(closing.period)
-    chain = chain_of(region.tables, region.cycle, number)
+    chain = chain_of(region.tables, region.cycle, number, closing.translations)
     return equations_in(chain, closing, number, period)
 
 
@@ -170,7 +170,8 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
     stability = {True: "proved", False: "refuted", None: "undecided"}[inside]
     judgement = judge([plan.at(number) for plan in region.plans], chain, now, dwell)
     subject = region.subject
-    named = {"trace": total, "period": sum(dwell[1:], dwell[0])}
+    shown = total + len(closing.translations)
+    named = {"trace": shown, "period": sum(dwell[1:], dwell[0])}
     named |= dict(zip(subject.dwell_names, dwell, strict=True))
     named |= dict(zip(subject.start_names, now.starts[0].entries()[:-1], strict=True))
     enclosures = {name: _wider(number) for name, number in named.items()}

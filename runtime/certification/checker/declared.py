@@ -25,7 +25,7 @@ from nonsmooth.runtime.certification.checker.exact import (
 )
 from nonsmooth.runtime.certification.quotients import Quotient
 
-__all__ = ["Declared", "Phase", "Step", "Transition", "Watched"]
+__all__ = ["Declared", "Phase", "Step", "Transition", "Watched", "gauge_of"]
 
 _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
 
@@ -41,13 +41,17 @@ class Transition(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A phase of the itinerary: its field, the row that ends it, the transition behind that."""
+    """A phase of the itinerary: its field, the row that ends it, the transition behind that.
+
+    The reset is the transition's, at the end of the cycle projected along what it closes up to.
+    """
 
     name: str
     field: Any
     exit: Any
     taken: Transition
     target: str
+    reset: Any
 
 
 class Watched(NamedTuple):
@@ -138,9 +142,12 @@ class Declared:
             leads = ways == (taken.begins, taken.target)
             demand(leads, "a transition does not lead from phase to phase")
             row = self.configurations[name][0][phase["boundaries"][0]]
-            self.steps.append(Step(name, self.fields[name], row, taken, target))
+            self.steps.append(Step(name, self.fields[name], row, taken, target, taken.reset))
         self.forced = [k for pair in self.forcing for k in pair]
         self.free = [k for k in range(self.size) if k not in self.forced]
+        self.translations = [self.row(row) for row in self.closing.get("translations", [])]
+        for direction in self.translations:
+            self._close_along(direction)
         self.alone = all(len(phase["boundaries"]) == 1 for phase in self.itinerary)
         self.omega: list[Any] = []
         timed = self.closing["kind"] == "period"
@@ -194,7 +201,7 @@ class Declared:
             tuple(fmpq(int(j == k)) for j in range(self.size + 1)) for k in range(self.size + 1)
         ]
         staying = Transition((name, _FORCING_PHASE), [], identity, name)
-        return Step(name, self.fields[name], row, staying, name)
+        return Step(name, self.fields[name], row, staying, name, identity)
 
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
@@ -242,9 +249,9 @@ class Declared:
             demand(symmetric, "a field is not the energy's")
             energies[step.name] = energy
         for step in self.steps:
-            linear = [row[:-1] for row in step.taken.reset[:-1]]
+            linear = [row[:-1] for row in step.reset[:-1]]
             for kept, before, reset, normal in (
-                (energies[step.target], energies[step.name], step.taken.reset, step.exit),
+                (energies[step.target], energies[step.name], step.reset, step.exit),
                 (omega, omega, linear, step.exit[:-1]),
             ):
                 on = self.exactly.left_kernel([[x] for x in normal])
@@ -252,6 +259,35 @@ class Declared:
                 same = _seen(kept, moved) == _seen(before, on)
                 demand(same, "a reset keeps neither energy nor form")
         return energies
+
+    def _close_along(self, direction: tuple[Any, ...]) -> None:
+        """Close up to a translation of all that is declared: y + s d is a motion when y is.
+
+        Behind the last phase the state is moved along it until its first coordinate is zero.
+        """
+        rows = [row for field in self.fields.values() for row in field]
+        for boundaries, held in self.configurations.values():
+            rows += [*boundaries.values(), *held]
+        for transition in self.transitions:
+            rows += [row for row, _, _ in transition.conditions]
+            rows += [
+                tuple(x - int(i == j) for j, x in enumerate(row))
+                for i, row in enumerate(transition.reset)
+            ]
+        along = [[x] for x in (*direction, fmpq(0))]
+        demand(len(direction) == self.size and self.rational and any(direction),
+               "no direction to close along")  # fmt: skip
+        demand(not any(product(row, along)[0] for row in rows), "no translation of the system")
+        gauge = gauge_of(direction)
+        others = sum(1 for other in self.translations if other[gauge])
+        demand(others == 1, "directions that are not independent")
+        last = self.steps[-1]
+        share = [x / direction[gauge] for x in last.reset[gauge]]
+        reset = [
+            tuple(x - d * y for x, y in zip(row, share, strict=True))
+            for row, d in zip(last.reset, (*direction, fmpq(0)), strict=True)
+        ]
+        self.steps[-1] = last._replace(reset=reset)
 
     def _returns(self) -> None:
         (c0, s0), turns = self.forcing[0], self.closing["turns"]
@@ -264,9 +300,7 @@ class Declared:
                 keep = [int(j == k) for j in range(self.size + 1)]
                 even = all(list(step.field[k]) == turns_as for step in self.steps)
                 demand(even, "an uneven forcing")
-                demand(
-                    all(list(step.taken.reset[k]) == keep for step in self.steps), "a reset forcing"
-                )
+                demand(all(list(step.reset[k]) == keep for step in self.steps), "a reset forcing")
 
     @cached_property
     def known(self) -> list[tuple[Any, Any, Any]]:
@@ -281,7 +315,7 @@ class Declared:
                 end = self.exactly.echelon([*kept, step.exit])
                 found.append((facts, kept, end))
                 facts = self.exactly.echelon(
-                    self.exactly.left_kernel([reduced(r, end) for r in step.taken.reset])
+                    self.exactly.left_kernel([reduced(r, end) for r in step.reset])
                 )
         return found
 
@@ -301,7 +335,9 @@ class Declared:
         forced = [[fmpq(int(j == k)) for j in range(self.size)] for k in self.forced]
         for place in range(len(self.steps) if self.rational else 1):
             facts = self.known[place][1 if self.forcing else 0] if self.rational else []
-            rows = self.exactly.echelon([*forced, *(row[:-1] for row in facts)])
+            gauges = [gauge_of(direction) for direction in self.translations if not place]
+            still = [[fmpq(int(j == k)) for j in range(self.size)] for k in gauges]
+            rows = self.exactly.echelon([*forced, *still, *(row[:-1] for row in facts)])
             pivots = {next(j for j, x in enumerate(row) if x): row for row in rows}
             free = [k for k in range(self.size) if k not in pivots]
             basis = [
@@ -342,6 +378,11 @@ class Declared:
                 decided &= not any(reduced(moved, end))
         lawful = any(t.early is not None for t in self.transitions if t.begins == step.taken.begins)
         return Phase([reduced(row, begin) for row in held], watched, ways, lawful, decided)
+
+
+def gauge_of(direction: Any) -> int:
+    """The first coordinate of a direction: zero where the cycle begins."""
+    return next(k for k, x in enumerate(direction) if x)
 
 
 def _seen(form: Any, rows: Any) -> list[Any]:

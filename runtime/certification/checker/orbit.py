@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
 
-from nonsmooth.runtime.certification.checker.declared import Declared
+from nonsmooth.runtime.certification.checker.declared import Declared, gauge_of
 from nonsmooth.runtime.certification.checker.exact import Failure, demand
 from nonsmooth.runtime.certification.models import Model, matrix, range_of, space_of
 
@@ -56,7 +56,7 @@ class Orbit:
         self.count = self.first + len(declared.steps)
         fields = [self.numbers(step.field) for step in declared.steps]
         rows = [self.numbers([step.exit]) for step in declared.steps]
-        resets = [self.numbers(step.taken.reset) for step in declared.steps]
+        resets = [self.numbers(step.reset) for step in declared.steps]
         period = None if declared.period is None else number(declared.period)
         if declared.forcing:
             c, s = declared.forcing[0]
@@ -221,7 +221,12 @@ class Orbit:
             rate = chain.fields[place] * now.ends[place]
             jump = chain.resets[place] * rate
             if self.declared.forcing:
-                jump = jump - chain.fields[(place + 1) % count] * now.starts[place + 1]
+                behind = chain.fields[(place + 1) % count] * now.starts[place + 1]
+                for along in self.declared.translations if place + 1 == count else ():
+                    gauge, column = gauge_of(along), [[x] for x in (*along, 0 * along[0])]
+                    share = behind[gauge, 0] / self.number(along[gauge])
+                    behind = behind - self.numbers(column) * share
+                jump = jump - behind
             moved, n = self.flows[place] * found, chain.rows[place]
             found = chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
         return matrix([[found[i, j] for j in range(len(free))] for i in free])
@@ -233,7 +238,7 @@ class Orbit:
         found |= dict(zip(declared.dwell, self.dwell, strict=True))
         period = self.chain.period
         found["period"] = sum(self.dwell, arb(0)) if period is None else period
-        found["trace"] = trace_of(self.section)
+        found["trace"] = trace_of(self.section) + len(self.declared.translations)
         return found
 
 

@@ -73,19 +73,19 @@ _DECLARATION = {
         {"configuration": str, "boundaries": [str], "transition": int, "dwell_time": str},
     ],
 }
-_CLOSING = Either(
-    (
-        {"kind": re.compile("state")},
-        {"kind": re.compile("forcing"), "turns": int},
-        {
-            "kind": re.compile("period"),
-            "period": str,
-            "dropped": int,
-            "form": [_ROW],
-            "constants": Named(_NUMBER),
-        },
-    )
+_CLOSINGS = (
+    {"kind": re.compile("state")},
+    {"kind": re.compile("forcing"), "turns": int},
+    {
+        "kind": re.compile("period"),
+        "period": str,
+        "dropped": int,
+        "form": [_ROW],
+        "constants": Named(_NUMBER),
+    },
 )
+_UP_TO_SHIFT = {"translations": [[NUMBER]]}
+_CLOSING = Either((*_CLOSINGS, *({**closing, **_UP_TO_SHIFT} for closing in _CLOSINGS)))
 _CLAIMS = {"existence": _VERDICT, "admissibility": _VERDICT, "stability": _VERDICT}
 _FILE = {"format": str, "version": int, "package": str, "sha256": str}
 _ORBIT = {

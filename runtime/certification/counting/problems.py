@@ -13,7 +13,10 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.certification.closing import forcing_speeds, symplectic_form
+from nonsmooth.runtime.certification.closing import (
+    forcing_speeds,
+    symplectic_form,
+)
 from nonsmooth.runtime.certification.counting.dwell import (
     DwellProblem,
     Given,
@@ -26,11 +29,13 @@ from nonsmooth.runtime.certification.counting.sides import Side
 from nonsmooth.runtime.certification.tables import Tables, tables_of
 from nonsmooth.runtime.composition.passage import Cycle
 from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.composition.translations import translations_of
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.newton import CONVERGED
 from nonsmooth.runtime.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.parameters import Point
+from nonsmooth.runtime.simulation.piecewise import piecewise
 from nonsmooth.runtime.solve import solve_derived
 from nonsmooth.runtime.values import Value
 
@@ -290,6 +295,11 @@ def dwell_question(
         it turns evenly.
     """
     tables = tables_of(kernels, tuple(values.values()), bits)
+    if len(translations_of(piecewise(kernels, values))):
+        raise InputError(
+            f"{label or kernels.name} does not depend on where it is: its orbits are periodic up to"
+            " a shift, and not counted"
+        )
     setting = setting_of(tables, cycle)
     bounds = [side.floats for side in sides]
     turned = bounds[setting.rotation :] + bounds[: setting.rotation]
