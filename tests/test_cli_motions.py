@@ -47,7 +47,7 @@ def test_json_of_simulate_is_the_motion(backend, monkeypatch):
     motion = simulate("dry-friction", values(A), [0, 0, 0, 0], transitions=12)
     assert list(found) == [
         *("system", "parameters", "names", "times", "configurations", "boundaries", "states"),
-        *("transitions", "end", "status", "message", "grazings", "files"),
+        *("transitions", "end", "status", "message", "options", "grazings", "files"),
     ]
     # one entry for the start and one behind each transition, every digit in a decimal string
     assert found["transitions"] == 12
@@ -229,7 +229,7 @@ def test_json_of_find(found):
     document = told(*FIND.split())
     assert list(document) == [
         *("system", "parameters", "starts", "transitions", "complete", "box", "orbits"),
-        *("equilibria", "outcomes", "resting", "unclassified", "files", "itineraries"),
+        *("equilibria", "outcomes", "resting", "unclassified", "files"),
     ]
     assert (document["starts"], document["transitions"]) == (12, 400)
     assert document["parameters"] == values(B)
@@ -257,7 +257,8 @@ def test_find_shows_saves_and_maps(found, tmp_path):
         "--from", "x2=1/2", "--plot", str(picture),
     )  # fmt: skip
     assert code == 0
-    assert out.endswith(f"{kept} written\n{picture} written\n")
+    assert f"{kept} written\n{picture} written\n" in out
+    assert f"take {kept}:1 and so on" in out
     assert f"{len(found.orbits)} periodic orbits and 1 equilibrium from 12 starts" in out
     assert "unstable" in out
     assert "Traceback" not in err

@@ -21,7 +21,7 @@ from nonsmooth.runtime.certification.closing import exact_translations
 from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.translations import projection_along, translations_of
 from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.saved import checksum_of
+from nonsmooth.runtime.form import checksum_of
 from nonsmooth.runtime.simulation.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.simulation.structure import structure_of
 
