@@ -95,7 +95,7 @@ def _show_events(out: Console, events: Sequence[EventCertificate], *, compared: 
         _show_values(out, dict(values))
         table = listing("event", "where", "parameter")
         for event in group:
-            where = "" if event.phase is None else f"phase {event.phase} {event.configuration}"
+            where = "" if event.phase is None else f"phase {event.phase + 1} {event.configuration}"
             where += f": {event.boundary}" if event.boundary else ""
             table.add_row(event.kind, where, f"{event.parameter} = {event.value}")
         show_table(table, out)

@@ -25,7 +25,7 @@ def admissibility(orbit: Orbit, margins: list[Any]) -> str:
     stated = {(m["phase"] - 1, m["boundary"], m["quantity"]): exact(m["least"]) for m in margins}
     demand(len(stated) == len(margins), "a margin is stated twice")
     for margin in margins:
-        place = margin["phase"]
+        place = margin["phase"] - 1
         there = 0 <= place < len(orbit.declared.steps)
         there = there and margin["configuration"] == orbit.declared.steps[place].name
         demand(there, "a margin is stated of another phase")
