@@ -47,7 +47,7 @@ def test_json_of_simulate_is_the_motion(backend, monkeypatch):
     motion = simulate("dry-friction", values(A), [0, 0, 0, 0], transitions=12)
     assert list(found) == [
         *("system", "parameters", "names", "times", "configurations", "boundaries", "states"),
-        *("transitions", "end", "status", "message", "grazings", "files"),
+        *("transitions", "end", "status", "message", "options", "grazings", "files"),
     ]
     # one entry for the start and one behind each transition, every digit in a decimal string
     assert found["transitions"] == 12
@@ -257,7 +257,7 @@ def test_find_shows_saves_and_maps(found, tmp_path):
         "--from", "x2=1/2", "--plot", str(picture),
     )  # fmt: skip
     assert code == 0
-    assert out.endswith(f"{kept} written\n{picture} written\n")
+    assert f"\n{kept} written\n{picture} written\n" in out
     assert f"{len(found.orbits)} periodic orbits and 1 equilibrium from 12 starts" in out
     assert "unstable" in out
     assert "Traceback" not in err
@@ -384,6 +384,28 @@ def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
     assert line.startswith("nonsmooth: error: ")
     assert part in line
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("command", "drawer"),
+    [
+        (f"{FRICTION} --plot", "scenes.trajectory_figure"),
+        (f"{FIND} --basins x1=-1:1:2,v2=-1:1:2 --plot", "maps.draw_basins"),
+        (f"{SWEEP} --out", "maps.draw_sweep"),
+    ],
+)
+def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypatch):
+    def fail(*_):
+        raise nonsmooth.InputError("no colours")
+
+    monkeypatch.setattr(f"nonsmooth.runtime.pictures.{drawer}", fail)
+    kept = tmp_path / ("kept.npz" if command.startswith("simulate") else "kept.json")
+    words = [*command.split(), str(tmp_path / "a.png"), "--save", str(kept)]
+    code, out, err = run(*words)
+    assert code == 2
+    assert f"{kept} written" in out.replace("\n", "")
+    assert err == "nonsmooth: error: no picture: no colours\n"
+    assert kept.exists()
 
 
 def test_no_traceback_for_usage():
