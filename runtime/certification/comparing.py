@@ -15,6 +15,7 @@ from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.named import whole_names
 from nonsmooth.runtime.composition.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.composition.passage import Cycle, cycle_of
+from nonsmooth.runtime.composition.routes import with_routes
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.saved import given_value
@@ -79,8 +80,11 @@ def named_in(content: Mapping[str, Any], folder: Path) -> Named | None:
         kernels = load_system(system, folder)
     except InputError:
         return None
-    kernels = kernels_with(kernels, content["declaration"])
     itinerary = [(c, b) for c, b in content["itinerary"]]
+    if "declaration" in content:
+        kernels = kernels_with(kernels, content["declaration"])
+    else:  # of a census each orbit has its own
+        kernels = with_routes(kernels, itinerary)
     cycle = cycle_of(structure_of(kernels), itinerary)
     states, own = kernels.table["states"], {table.name for table in kernels.parameters}
     if label == cycle_label(system, len(itinerary)):
