@@ -387,6 +387,28 @@ def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    ("command", "drawer"),
+    [
+        (f"{FRICTION} --plot", "scenes.trajectory_figure"),
+        (f"{FIND} --basins x1=-1:1:2,v2=-1:1:2 --plot", "maps.draw_basins"),
+        (f"{SWEEP} --out", "maps.draw_sweep"),
+    ],
+)
+def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypatch):
+    def fail(*_):
+        raise nonsmooth.InputError("no colours")
+
+    monkeypatch.setattr(f"nonsmooth.runtime.pictures.{drawer}", fail)
+    kept = tmp_path / ("kept.npz" if command.startswith("simulate") else "kept.json")
+    words = [*command.split(), str(tmp_path / "a.png"), "--save", str(kept)]
+    code, out, err = run(*words)
+    assert code == 2
+    assert f"{kept} written" in out.replace("\n", "")
+    assert err == "nonsmooth: error: no picture: no colours\n"
+    assert kept.exists()
+
+
 def test_no_traceback_for_usage():
     for command in ("simulate", "find", "sweep", "simulate rigid-stop --transitions many"):
         code, out, err = run(*command.split())

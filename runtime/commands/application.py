@@ -11,11 +11,13 @@ import functools
 import json
 import sys
 from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
 from nonsmooth.runtime.commands.keeping import interrupted, same_command
+from nonsmooth.runtime.commands.options import PICTURES
 from nonsmooth.runtime.errors import InputError, NoConvergence, NonsmoothError
 
 if TYPE_CHECKING:
@@ -28,9 +30,12 @@ __all__ = [
     "answering",
     "app",
     "assignments",
+    "check_drawing",
+    "drawn",
     "print_json",
     "ranges",
     "split",
+    "without_picture",
 ]
 
 ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
@@ -133,13 +138,32 @@ def ranges(
     return found
 
 
-def drawn(draw: Callable[[], None]) -> InputError | None:
+def check_drawing(path: Path | None) -> None:
+    """Refuse a picture that could not be drawn, before the work is done."""
+    from nonsmooth.runtime.files import check_ending, check_target
+    from nonsmooth.runtime.pictures.drawing import check_matplotlib
+
+    if path is not None:
+        check_ending(path, PICTURES)
+        check_target(path)
+        check_matplotlib()
+
+
+def drawn(draw: Callable[[], None]) -> NonsmoothError | None:
     """Draw what was computed; a picture that fails is told of when that has been shown."""
     try:
         draw()
-    except InputError as problem:
+    except NonsmoothError as problem:
         return problem
     return None
+
+
+def without_picture(failed: NonsmoothError | None) -> int:
+    """Say on stderr why there is no picture, if there is none; gives the exit code."""
+    if failed is None:
+        return ANSWERED
+    print(f"nonsmooth: error: no picture: {failed}", file=sys.stderr)
+    return WRONG_INPUT
 
 
 def print_json(found: Mapping[str, Any]) -> None:

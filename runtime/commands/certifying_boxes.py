@@ -11,10 +11,12 @@ from nonsmooth.runtime.commands.application import (
     ANSWERED,
     UNANSWERED,
     assignments,
+    check_drawing,
+    drawn,
     print_json,
+    without_picture,
 )
 from nonsmooth.runtime.commands.keeping import check_new, interrupted, same_command, worked
-from nonsmooth.runtime.commands.options import PICTURES
 from nonsmooth.runtime.errors import InputError, NoConvergence
 from nonsmooth.runtime.values import Value, as_value, parse
 
@@ -50,11 +52,8 @@ def certify_over(
     from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
     from nonsmooth.runtime.commands.display import shared, steps
     from nonsmooth.runtime.commands.display_certificates import show_box
-    from nonsmooth.runtime.files import check_ending, check_target
 
-    if plot is not None:
-        check_ending(plot, PICTURES)
-        check_target(plot)
+    check_drawing(plot)
     save = resume if save is None else save
     check_new(save, overwrite, resume, resumes=True)
     known = None if resume is None else load_box_certificate(resume)
@@ -72,7 +71,7 @@ def certify_over(
                 keep=None if save is None else lambda state: state.save(save),
             )
         )
-    written = []
+    written, failed = [], None
     if save is not None:
         found.save(save)
         written.append(save)
@@ -80,8 +79,8 @@ def certify_over(
         from nonsmooth.runtime.certification.boxes.drawing import box_figure
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        save_figure(box_figure(found), plot)
-        written.append(plot)
+        failed = drawn(lambda: save_figure(box_figure(found), plot))
+        written += [] if failed else [plot]
     if as_json:
         undecided = [
             {name: [str(low), str(high)] for name, (low, high) in where.items()}
@@ -93,8 +92,9 @@ def certify_over(
         show_box(found)
         for path in written:
             print(f"\n{path} written")
+    code = without_picture(failed)
     if not stopped:
-        return found, ANSWERED if found.decided >= _ENOUGH else UNANSWERED
+        return found, code or (ANSWERED if found.decided >= _ENOUGH else UNANSWERED)
     done = f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided"
     if save is None:
         return found, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -10,15 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from nonsmooth.runtime.commands.application import (
-    ANSWERED,
-    WRONG_INPUT,
     answering,
     app,
     assignments,
+    check_drawing,
     drawn,
     print_json,
     ranges,
     split,
+    without_picture,
 )
 from nonsmooth.runtime.commands.keeping import (
     Overwrite,
@@ -27,7 +26,7 @@ from nonsmooth.runtime.commands.keeping import (
     same_command,
     worked,
 )
-from nonsmooth.runtime.commands.options import PICTURES, AsJson, OrbitName
+from nonsmooth.runtime.commands.options import AsJson, OrbitName
 from nonsmooth.runtime.continuation.event import KINDS, Event
 from nonsmooth.runtime.errors import InputError, Interrupted, unknown_name
 
@@ -153,12 +152,9 @@ def follow(
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
     from nonsmooth.runtime.commands.display_branches import branch_json, show_branch
     from nonsmooth.runtime.continuation.saved import load_branch
-    from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.solve import solve
 
-    if plot is not None:
-        check_ending(plot, PICTURES)
-        check_target(plot)
+    check_drawing(plot)
     if resume is not None and (switch or follow_event is not None):
         raise InputError("--resume goes on with a branch: leave out --switch and --follow")
     save = resume if save is None else save
@@ -223,10 +219,9 @@ def follow(
     else:
         show_branch(branch, beyond_events)
         _show_written(written)
-    if failed is not None:
-        print(f"no picture: {failed}", file=sys.stderr)
+    code = without_picture(failed)
     if not stopped:
-        return ANSWERED if failed is None else WRONG_INPUT
+        return code
     done = f"{len(branch)} points"
     if save is None or switch:
         where = f"are kept in {save}" if save is not None else "are shown, not saved"
@@ -308,7 +303,7 @@ def _in_the_plane(
                 branch, event, second, interval, step=2 * step, progress=progress
             )
         )
-    written = []
+    written, failed = [], None
     if save is not None:
         locus.save(save)
         written.append(str(save))
@@ -316,18 +311,19 @@ def _in_the_plane(
         from nonsmooth.runtime.continuation.drawing import locus_figure
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        save_figure(locus_figure(locus), plot)
-        written.append(str(plot))
+        failed = drawn(lambda: save_figure(locus_figure(locus), plot))
+        written += [] if failed else [str(plot)]
     if as_json:
         print_json({**locus_json(locus), "files": written})
     else:
         show_locus(locus)
         _show_written(written)
+    code = without_picture(failed)
     if stopped:
         where = "are shown, not saved" if save is None else f"are kept in {save}"
         again = same_command(*["--overwrite"] if save is not None else [])
         return interrupted(f"{len(locus)} points {where}", f"begin again with: {again}")
-    return ANSWERED
+    return code
 
 
 def _beyond(branch: Branch, fixed: Mapping[str, Value]) -> Others:

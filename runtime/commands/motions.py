@@ -15,9 +15,12 @@ from nonsmooth.runtime.commands.application import (
     answering,
     app,
     assignments,
+    check_drawing,
+    drawn,
     print_json,
     ranges,
     split,
+    without_picture,
 )
 from nonsmooth.runtime.commands.keeping import (
     Overwrite,
@@ -26,7 +29,7 @@ from nonsmooth.runtime.commands.keeping import (
     same_command,
     worked,
 )
-from nonsmooth.runtime.commands.options import PICTURES, AsJson, Physical, SystemName
+from nonsmooth.runtime.commands.options import AsJson, Physical, SystemName
 from nonsmooth.runtime.errors import InputError
 
 __all__ = ["find", "simulate", "sweep"]
@@ -89,10 +92,10 @@ def simulate(
     from nonsmooth.runtime.simulation.simulate import simulate as follow
     from nonsmooth.runtime.values import parse
 
-    for path, endings in ((save, (".npz", ".csv")), (plot, PICTURES)):
-        if path is not None:
-            check_target(path)
-            check_ending(path, endings)
+    if save is not None:
+        check_target(save)
+        check_ending(save, (".npz", ".csv"))
+    check_drawing(plot)
     if since is not None and not observe:
         raise InputError("--since says where --observe begins, which is missing")
     if start is None:
@@ -100,6 +103,10 @@ def simulate(
     end = math.inf if until is None else float(parse(until))
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
     motion = follow(system, values, state, configuration, until=end, transitions=transitions)
+    written, failed = [], None
+    if save is not None:
+        motion.save(save)
+        written.append(str(save))
     observed = proof = None
     if observe:
         from nonsmooth.runtime.observing.observables import observe as observe_motion
@@ -114,16 +121,13 @@ def simulate(
                 raise InputError(f"state {name} = {state[name]} is not rational: no proof")
         begin = motion.configurations[0]
         proof = validate(system, values, exact, begin, motion.transitions)
-    written = []
-    if save is not None:
-        motion.save(save)
-        written.append(str(save))
     if plot is not None:
         from nonsmooth.runtime.pictures.plot import save_figure
         from nonsmooth.runtime.pictures.scenes import trajectory_figure
 
-        save_figure(trajectory_figure(motion, "all"), plot)
-        written.append(str(plot))
+        picture = plot
+        failed = drawn(lambda: save_figure(trajectory_figure(motion, "all"), picture))
+        written += [] if failed else [str(plot)]
     if as_json:
         told = motion_json(motion)
         if observed is not None:
@@ -139,7 +143,8 @@ def simulate(
             show_proof(proof)
         for name in written:
             print(f"{name} written")
-    return ANSWERED if proof is None or proof.decided else UNANSWERED
+    code = without_picture(failed)
+    return code or (ANSWERED if proof is None or proof.decided else UNANSWERED)
 
 
 @app.command(
@@ -197,24 +202,27 @@ def find(
     """Find the periodic orbits and equilibria of a system, and where random starts lead."""
     from nonsmooth.runtime.commands.display import counted, steps
     from nonsmooth.runtime.commands.display_motions import show_found
-    from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.finding.declaring import check_declaration, write_itineraries
     from nonsmooth.runtime.finding.find import find_orbits
     from nonsmooth.runtime.finding.saved import found_json, save_found
+    from nonsmooth.runtime.finding.sweep import plane_of_starts
+    from nonsmooth.runtime.kernels import load_system
 
     if (plot is None) != (basins is None):
         raise InputError("--basins says what to map and --plot where to draw it: give both")
     if start and basins is None:
         raise InputError("--from is for the plane of --basins, which is missing")
-    if plot is not None:
-        check_ending(plot, PICTURES)
-        check_target(plot)
+    check_drawing(plot)
     check_new(save, overwrite)
     if write is not None:
         check_declaration(system, write)
     axes = ranges("state", split([basins]), counts=True) if basins else {}
     if basins and len(axes) != 2:
         raise InputError(f"--basins takes two states, not {len(axes)}")
+    others = assignments("state", split(start))
+    if basins:
+        x, y = ((name, *bounds) for name, bounds in axes.items())
+        plane_of_starts(load_system(system), x, y, others)
     values = assignments("parameter", parameters or [])
     limits = {name: (low, high) for name, (low, high, _) in ranges("state", split(box)).items()}
     with steps() as begin:
@@ -229,7 +237,7 @@ def find(
                 progress=begin,
             )
         )
-    written = []
+    written, failed = [], None
     if save is not None:
         save_found(found, save)
         written.append(str(save))
@@ -238,19 +246,22 @@ def find(
         from nonsmooth.runtime.pictures.maps import draw_basins
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        x, y = ((name, *bounds) for name, bounds in axes.items())
-        others = assignments("state", split(start))
-        with counted("mapping basins", y[3]) as progress:
-            plane, stopped = worked(lambda: map_basins(found, x, y, others, progress=progress))
-        save_figure(draw_basins(plane), plot)
-        written.append(str(plot))
+        picture = plot
+
+        def draw() -> None:
+            nonlocal stopped
+            with counted("mapping basins", y[3]) as progress:
+                mapped, stopped = worked(lambda: map_basins(found, x, y, others, progress=progress))
+            save_figure(draw_basins(mapped), picture)
+
+        failed = drawn(draw)
+        written += [] if failed else [str(plot)]
     names: tuple[str, ...] = ()
     if write is not None and found.orbits and _agreed(f"append the orbits to {write}?"):
         names = write_itineraries(found, write)
         written.append(str(write))
     if as_json:
-        appended = {"itineraries": list(names)} if names else {}
-        print_json({**found_json(found), "files": written, **appended})
+        print_json({**found_json(found), "files": written, "itineraries": list(names)})
     else:
         show_found(found)
         for name in written:
@@ -259,11 +270,12 @@ def find(
             print(f"nonsmooth solve, continue, certify, chart and plot take {save}:1 and so on")
         for name in names:
             print(f"{write}:{name}")
+    code = without_picture(failed)
     if stopped:
         where = "shown, not saved" if save is None else f"kept in {save}"
         again = same_command(*[] if save is None else ["--overwrite"])
         return interrupted(f"what was found until then is {where}", f"begin again with: {again}")
-    return ANSWERED
+    return code
 
 
 @app.command(
@@ -337,7 +349,6 @@ def sweep(
     from numpy import linspace
 
     from nonsmooth.runtime.commands.display import counted
-    from nonsmooth.runtime.files import check_ending, check_target
     from nonsmooth.runtime.finding.saved_sweep import load_sweep
     from nonsmooth.runtime.finding.sweep import sweep as follow
     from nonsmooth.runtime.values import parse
@@ -345,9 +356,7 @@ def sweep(
     for option, given in (("--state", state), ("--at", at), ("--from", start)):
         if not given:
             raise InputError(f"{option} is missing")
-    if out is not None:
-        check_target(out)
-        check_ending(out, PICTURES)
+    check_drawing(out)
     strobed = at == _FORCING
     if phase is not None and not strobed:
         raise InputError(f"--phase is for --at {_FORCING}")
@@ -378,7 +387,7 @@ def sweep(
                 progress=progress,
             )
         )
-    written = []
+    written, failed = [], None
     if save is not None:
         diagram.save(save)
         written.append(str(save))
@@ -386,8 +395,9 @@ def sweep(
         from nonsmooth.runtime.pictures.maps import draw_sweep
         from nonsmooth.runtime.pictures.plot import save_figure
 
-        save_figure(draw_sweep(diagram), out)
-        written.append(str(out))
+        picture = out
+        failed = drawn(lambda: save_figure(draw_sweep(diagram), picture))
+        written += [] if failed else [str(out)]
     if as_json:
         from nonsmooth.runtime.commands.report_motions import sweep_json
 
@@ -398,13 +408,14 @@ def sweep(
         show_sweep(diagram)
         for path in written:
             print(f"{path} written")
+    code = without_picture(failed)
     if stopped:
         done = f"{diagram.done} of {count} values are done"
         if save is None:
             return interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
         goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
         return interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
-    return ANSWERED
+    return code
 
 
 def _agreed(question: str) -> bool:

@@ -328,20 +328,8 @@ def basins(
     Interrupted
         By Ctrl-C; the rest of its `partial` is not classified.
     """
-    axes = []
-    for name, low, high, count in (x, y):
-        if name not in found.names:
-            raise unknown_name("state", name, found.names)
-        if not (np.isfinite([low, high]).all() and low < high):
-            raise InputError(f"{name}: {low!r} to {high!r} is no interval")
-        axes.append(np.linspace(low, high, checked_count(f"count of {name}", count, 2)))
-    if x[0] == y[0]:
-        raise InputError(f"both axes are {x[0]}")
-    if axes[0].size * axes[1].size > _LARGEST_PLANE:
-        raise InputError(f"more than {_LARGEST_PLANE} starts")
     kernels = load_system(found.system)
-    others: dict[str, object] = {name: 0 for name in found.names} | dict(start or {})
-    base = start_state(structure_of(kernels), others)
+    axes, base = plane_of_starts(kernels, x, y, start)
     attractors = _attractors(found, kernels)
     labels = np.full((axes[1].size, axes[0].size), int(Outcome.UNCLASSIFIED))
     plane = Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
@@ -358,6 +346,34 @@ def basins(
     except KeyboardInterrupt:
         raise Interrupted(plane) from None
     return plane
+
+
+def plane_of_starts(
+    kernels: SystemKernels,
+    x: tuple[str, float, float, int],
+    y: tuple[str, float, float, int],
+    start: Mapping[str, object] | None = None,
+) -> tuple[list[np.ndarray], np.ndarray]:
+    """Both axes of a plane of starts, and the state that holds its other coordinates.
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers.
+    """
+    structure, axes = structure_of(kernels), []
+    for name, low, high, count in (x, y):
+        if name not in structure.states:
+            raise unknown_name("state", name, structure.states)
+        if not (np.isfinite([low, high]).all() and low < high):
+            raise InputError(f"{name}: {low!r} to {high!r} is no interval")
+        axes.append(np.linspace(low, high, checked_count(f"count of {name}", count, 2)))
+    if x[0] == y[0]:
+        raise InputError(f"both axes are {x[0]}")
+    if axes[0].size * axes[1].size > _LARGEST_PLANE:
+        raise InputError(f"more than {_LARGEST_PLANE} starts")
+    others: dict[str, object] = {name: 0 for name in structure.states} | dict(start or {})
+    return axes, start_state(structure, others)
 
 
 def _attractors(found: Found, kernels: SystemKernels) -> Attractors:

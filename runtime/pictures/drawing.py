@@ -49,6 +49,11 @@ def check_picture(kind: str, kinds: Sequence[str]) -> None:
     """Refuse an unknown kind of picture, and say so if matplotlib is not installed."""
     if kind not in kinds:
         raise unknown_name("kind of picture", kind, kinds)
+    check_matplotlib()
+
+
+def check_matplotlib() -> None:
+    """Say so if matplotlib is not installed."""
     try:
         import matplotlib  # noqa: F401 (is it there?)
     except ImportError:
