@@ -21,7 +21,7 @@ from nonsmooth.runtime.certification.closing import exact_translations
 from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.translations import projection_along, translations_of
 from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.saved import checksum_of
+from nonsmooth.runtime.form import checksum_of
 from nonsmooth.runtime.simulation.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.simulation.structure import structure_of
 
@@ -316,9 +316,12 @@ def test_another_direction_is_refused(tmp_path, change):
     assert ns.check_certificate(path).certificate is None
 
 
-def test_a_box_of_parameters_is_proved():
+def test_a_box_of_parameters_is_proved_and_proved_again(tmp_path):
+    # the spring's end moves at V, whatever V is: its speed spans an interval and does not change
     found = ns.certify_box(sled(), {"V": ("0.499", "0.501")}, tiles=20)
     assert found.proved
+    found.save(path := tmp_path / "box.json")
+    assert ns.check_certificate(path).certificate is not None
     assert found.enclosures["tau1"].lower < sled().dwell_times[0] < found.enclosures["tau1"].upper
 
 
