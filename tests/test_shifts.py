@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -20,8 +21,9 @@ from nonsmooth.runtime.arithmetic import Mpmath
 from nonsmooth.runtime.certification.closing import exact_translations
 from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.translations import projection_along, translations_of
-from nonsmooth.runtime.kernels import load_system
+from nonsmooth.runtime.finding.outcomes import Outcome
 from nonsmooth.runtime.form import checksum_of
+from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.simulation.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.simulation.structure import structure_of
 
@@ -219,6 +221,33 @@ def test_orbits_are_found_up_to_their_shift():
     (entry,) = found.orbits
     assert entry.period == pytest.approx(sled().period, abs=1e-12)
     assert entry.starts > 5
+
+
+@pytest.mark.parametrize(("damper", "outcome"), [("0", Outcome.FAMILY), ("0.3", Outcome.DRIFTING)])
+def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outcome):
+    dragged = replace(SLED, name="dragged")
+    if damper != "0":
+        dragged = oscillator(
+            "dragged",
+            ["x", "y"],
+            mass=[[1, 0], [0, 1]],
+            stiffness=[[1, -1], [0, 0]],
+            damping=[[c, -c], [0, 1]],
+            load=[0, V],
+            elements=[Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")],
+        )
+    data = PULLED if damper == "0" else {**PULLED, "c": damper}
+    found = ns.find_orbits(dragged, data, 30, transitions=100, seed=0)
+    sliding = found.starts[found.labels == outcome]
+    assert set(found.outcomes) == {outcome}
+    assert len(sliding) == 30 - sum(entry.starts for entry in found.orbits) > 0
+    speeds = []
+    for start in sliding:
+        later = ns.simulate(dragged, data, start, until=400)(np.linspace(200, 400, 500))[:, 2]
+        assert later.min() > 0
+        assert later.mean() == pytest.approx(0.5, abs=0.02)
+        speeds.append(np.ptp(later))
+    assert (max(speeds) > 0.1) == (outcome == Outcome.FAMILY)
 
 
 def test_many_points_at_once_give_the_same():
