@@ -203,6 +203,21 @@ def test_multipliers_are_those_of_one_turn(seed):
         assert np.prod(entry.orbit.multipliers) == pytest.approx(area, abs=1e-9 * max(1, largest))
 
 
+@pytest.mark.parametrize("zeta", ["0", "1e-14", "1e-6"])
+def test_more_digits_confirm_a_verdict(zeta):
+    data = {"zeta": zeta, "r": "1", "Omega": "2.6", "gap": "0.5"}
+    found = find_orbits(stopped(), data, 15, transitions=300, seed=1)
+    regular = [entry.orbit for entry in found.orbits if entry.verdict != "unstable"]
+    assert len(regular) > 4
+    verdicts = {orbit.stability.verdict for orbit in regular}
+    assert verdicts <= {"neutral" if zeta == "0" else "stable", "undecided"}
+    assert (verdicts == {"undecided"}) == (zeta == "1e-14")
+    for orbit in sorted(regular, key=lambda orbit: len(orbit.itinerary))[:3]:
+        truth = orbit.refined(40).stability
+        assert truth.verdict == ("neutral" if zeta == "0" else "stable")
+        assert abs(truth.margin - orbit.stability.margin) < 1e-12
+
+
 def test_a_position_that_is_zero_by_declaration_is_no_return():
     data = {"zeta": "0.05", "Omega": "2.6", "gap": 0, "r": "0.8"}
     found = found_at(stopped(), data, 20)

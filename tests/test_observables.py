@@ -261,6 +261,14 @@ def test_a_wrong_beginning(since: object) -> None:
             function(friction(), since)
 
 
+def test_a_motion_that_never_reaches_a_boundary_is_followed_until_a_time() -> None:
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
+    with pytest.raises(InputError, match="no boundary is reached any more: follow it until a time"):
+        observe(simulate("elastic-stop", data, [0.1, 0, 0, 0], transitions=10))
+    found = observe(simulate("elastic-stop", data, [0.1, 0, 0, 0], until=50))
+    assert found.fractions["free"] == 1
+
+
 def test_unknown_contacts_and_times() -> None:
     found = observe(friction())
     with pytest.raises(InputError, match=r"unknown contact 'first'; .*first-friction"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -20,8 +21,9 @@ from nonsmooth.runtime.arithmetic import Mpmath
 from nonsmooth.runtime.certification.closing import exact_translations
 from nonsmooth.runtime.certification.tables import exact_tables
 from nonsmooth.runtime.composition.translations import projection_along, translations_of
-from nonsmooth.runtime.kernels import load_system
+from nonsmooth.runtime.finding.outcomes import Outcome
 from nonsmooth.runtime.form import checksum_of
+from nonsmooth.runtime.kernels import load_system
 from nonsmooth.runtime.simulation.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.simulation.structure import structure_of
 
@@ -221,6 +223,33 @@ def test_orbits_are_found_up_to_their_shift():
     assert entry.starts > 5
 
 
+@pytest.mark.parametrize(("damper", "outcome"), [("0", Outcome.FAMILY), ("0.3", Outcome.DRIFTING)])
+def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outcome):
+    dragged = replace(SLED, name="dragged")
+    if damper != "0":
+        dragged = oscillator(
+            "dragged",
+            ["x", "y"],
+            mass=[[1, 0], [0, 1]],
+            stiffness=[[1, -1], [0, 0]],
+            damping=[[c, -c], [0, 1]],
+            load=[0, V],
+            elements=[Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")],
+        )
+    data = PULLED if damper == "0" else {**PULLED, "c": damper}
+    found = ns.find_orbits(dragged, data, 30, transitions=100, seed=0)
+    sliding = found.starts[found.labels == outcome]
+    assert set(found.outcomes) == {outcome}
+    assert len(sliding) == 30 - sum(entry.starts for entry in found.orbits) > 0
+    speeds = []
+    for start in sliding:
+        later = ns.simulate(dragged, data, start, until=400)(np.linspace(200, 400, 500))[:, 2]
+        assert later.min() > 0
+        assert later.mean() == pytest.approx(0.5, abs=0.02)
+        speeds.append(np.ptp(later))
+    assert (max(speeds) > 0.1) == (outcome == Outcome.FAMILY)
+
+
 def test_many_points_at_once_give_the_same():
     orbit = gear()
     data = {name: float(value) for name, value in orbit.parameters.items()}
@@ -316,9 +345,12 @@ def test_another_direction_is_refused(tmp_path, change):
     assert ns.check_certificate(path).certificate is None
 
 
-def test_a_box_of_parameters_is_proved():
+def test_a_box_of_parameters_is_proved_and_proved_again(tmp_path):
+    # the spring's end moves at V, whatever V is: its speed spans an interval and does not change
     found = ns.certify_box(sled(), {"V": ("0.499", "0.501")}, tiles=20)
     assert found.proved
+    found.save(path := tmp_path / "box.json")
+    assert ns.check_certificate(path).certificate is not None
     assert found.enclosures["tau1"].lower < sled().dwell_times[0] < found.enclosures["tau1"].upper
 
 

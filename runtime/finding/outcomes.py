@@ -9,7 +9,7 @@ from enum import IntEnum
 import numpy as np
 
 from nonsmooth.runtime.composition.record import ComposedOrbit
-from nonsmooth.runtime.composition.translations import up_to_shift
+from nonsmooth.runtime.composition.translations import translations_of, up_to_shift
 from nonsmooth.runtime.finding.primitive import admissible, orbit_scale
 from nonsmooth.runtime.finding.recurrence import scales_of
 from nonsmooth.runtime.finding.steady import Equilibrium, equilibria, forcing_turns, responses
@@ -40,6 +40,7 @@ class Outcome(IntEnum):
     QUASIPERIODIC = -6
     CHAOTIC = -7
     DIVERGENT = -8
+    DRIFTING = -9
 
     @property
     def text(self) -> str:
@@ -56,6 +57,7 @@ _TEXTS = {
     Outcome.QUASIPERIODIC: "quasi-periodic",
     Outcome.CHAOTIC: "chaotic",
     Outcome.DIVERGENT: "divergent",
+    Outcome.DRIFTING: "moves on steadily",
 }
 
 
@@ -207,6 +209,8 @@ def quiet_outcomes(
 ) -> np.ndarray:
     """How motions go on that do not leave a configuration any more, by the modes of its flow.
 
+    What moves along a translation of the system alone does not grow: it drifts.
+
     Parameters
     ----------
     states : array (n, N)
@@ -220,19 +224,22 @@ def quiet_outcomes(
     forced = [state for pair in structure.forcing for state in pair]
     own = [state for state in range(states.shape[1]) if state not in forced]
     extended = np.concatenate([states, np.ones((len(states), 1))], axis=1)
-    parts = np.abs(np.einsum("fij,nj->nfi", system.flows[configuration][:, own], extended))
+    parts = np.einsum("fij,nj->nfi", system.flows[configuration], extended)
+    within = np.abs(up_to_shift(parts, translations_of(system))[:, :, own])
+    parts = np.abs(parts[:, :, own])
     sizes = np.maximum(parts.max(axis=1), _NOTHING * parts.max(axis=(0, 1)))
-    present = (parts > _NOTHING * sizes[:, None]).any(axis=2)
+    shifted, present = ((part > _NOTHING * sizes[:, None]).any(axis=2) for part in (parts, within))
     exponents = system.exponents[configuration]
     slow = _SLOW * float(np.abs(exponents).max(initial=0.0))
     speeds = np.abs([system.fields[0, s, c] for c, s in structure.forcing])
-    moving, free, grows = np.zeros((3, len(states)), dtype=bool)
+    moving, free, grows, drifts = np.zeros((4, len(states)), dtype=bool)
     for mode, (rate, frequency) in zip(structure.shapes[configuration], exponents, strict=True):
         if rate < -slow:
             continue
         lowest = 2 if mode.oscillates else 1  # functions without a power of time
         places = list(mode.places)
         grows |= present[:, places if rate > slow else places[lowest:]].any(axis=1)
+        drifts |= shifted[:, places[lowest:]].any(axis=1)
         if mode.oscillates:
             here = present[:, places[:lowest]].any(axis=1)
             moving |= here
@@ -243,7 +250,8 @@ def quiet_outcomes(
         staying = Outcome.INCOMMENSURATE
     elif response is not None and response.status == SINGULAR:
         staying = Outcome.FAMILY
-    labels = np.where(moving, int(staying), int(Outcome.RESTING))
+    labels = np.where(drifts, int(Outcome.DRIFTING), int(Outcome.RESTING))
+    labels[moving] = staying
     if steady is not None:
         labels[:] = steady
     labels[free] = Outcome.FAMILY

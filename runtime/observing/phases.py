@@ -46,14 +46,18 @@ def phases_of(trajectory: Trajectory, since: float = 0.0) -> Phases:
     Raises
     ------
     InputError
-        If the time is not between the start and the end of the motion, or the motion is not
-        finite.
+        If the time is not between the start and the end of the motion, or the motion takes no
+        time or is not finite.
     """
     end = trajectory.end
     try:
         begin = float(since)
     except (TypeError, ValueError):
         raise InputError(f"since = {since!r} is not a real number") from None
+    if end == 0:
+        raise InputError(
+            f"the motion ends where it starts, as {trajectory.message}: follow it until a time"
+        )
     if not 0 <= begin < end:
         raise InputError(f"since = {begin!r} is not between 0 and the end of the motion, {end!r}")
     if not (math.isfinite(end) and np.isfinite(trajectory.states).all()):

@@ -145,7 +145,9 @@ class Declared:
             self.steps.append(Step(name, self.fields[name], row, taken, target, taken.reset))
         self.forced = [k for pair in self.forcing for k in pair]
         self.free = [k for k in range(self.size) if k not in self.forced]
-        self.translations = [self.row(row) for row in self.closing.get("translations", [])]
+        self.translations = [
+            tuple(map(self.number, row)) for row in self.closing.get("translations", [])
+        ]
         for direction in self.translations:
             self._close_along(direction)
         self.alone = all(len(phase["boundaries"]) == 1 for phase in self.itinerary)

@@ -12,11 +12,12 @@ from flint import arb, fmpq
 from nonsmooth.runtime.certification.checker.declared import Phase, Watched
 from nonsmooth.runtime.certification.checker.exact import demand, exact
 from nonsmooth.runtime.certification.checker.orbit import Orbit, lower
-from nonsmooth.runtime.certification.models import range_of
+from nonsmooth.runtime.certification.models import matrix, range_of
 
 __all__ = ["admissibility"]
 
 _DEEPEST = 60  # halvings of a window of time
+_MOST = 10_000  # windows
 _SMALL = 5  # halvings behind which the exponential of a field is that of a small matrix
 
 
@@ -99,14 +100,17 @@ def _below(orbit: Orbit, place: int, waves: list[tuple[Watched, Any]]) -> int | 
     """-1 if the functions are negative inside the phase, 1 if one is positive there.
 
     Time runs from 0 to 1: the field b is the phase's times its dwell time. In a window of times
-    c - r ... c + r the motion stays in a box Z that contains Y(c) + [-r, r] b Z, by Picard and
-    Lindelof. So g stays below g(c) + [-r, r] g'(c) + [0, r r / 2] n b b Z. A window in which g
+    c - r ... c + r the motion stays within r exp(r |b|) |b Y(c)| of Y(c), by Gronwall, so its
+    rate b Y within b Y(c) + b times that. That depends on b Y(c) as a whole: what does not move
+    stays, whatever it is. And g stays below g(c) + [-r, r] g'(c) + [0, r r / 2] n b b Y. A
+    window in which g
     rises is left to the one behind it, or to the end where g is zero; one in which it falls to
     the one before it, or to the start, where g is not positive: both cannot meet. Where more
     derivatives vanish at the start the first that does not decides.
     """
     b = lower(orbit.chain.fields[place] * orbit.dwell[place])
     wide = range_of(b)
+    size = matrix([[abs(x) for x in row] for row in wide.tolist()])
     rows = [lower(orbit.numbers([watched.row])) for watched, _ in waves]
 
     @cache
@@ -116,20 +120,24 @@ def _below(orbit: Orbit, place: int, waves: list[tuple[Watched, Any]]) -> int | 
             return (b * arb(2) ** -level).exp()
         return ahead(level + 1) * ahead(level + 1)
 
+    @cache
+    def reach(level: int) -> Any:
+        """How far rates carry a motion to both sides in 2^-level."""
+        r = arb(2) ** -level
+        return (size * r).exp() * arb(0, r)
+
     windows = [(lower(orbit.now.starts[place]), 0, list(range(len(waves))), True, True)]
+    count = 0
     while windows:
         begin, depth, left, first, last = windows.pop()
         r = arb(2) ** -(depth + 1)
         around, rest = arb(0, r), []
         y = ahead(depth + 1) * begin
         rate = b * y
-        here, fast = range_of(y), range_of(rate)
-        z = here + (fast + wide * (fast * (2 * around))) * (2 * around)
-        image = here + wide * z * around
-        if not all(p.contains(q) for p, q in zip(z.entries(), image.entries(), strict=True)):
-            rest = left
-        bent = wide * (wide * z)
-        for i in () if rest else left:
+        fast = range_of(rate)
+        rates = fast + wide * (reach(depth + 1) * matrix([[abs(x)] for x in fast.entries()]))
+        bent = wide * rates
+        for i in left:
             (watched, least), n = waves[i], rows[i]
             value, slope = range_of((n * y)[0, 0]), range_of((n * rate)[0, 0])
             if value > 0:
@@ -139,10 +147,11 @@ def _below(orbit: Orbit, place: int, waves: list[tuple[Watched, Any]]) -> int | 
             top = value + least + slope * around + curve * arb(0).union(r * r / 2)
             done = top < 0 or change < 0 or (change > 0 and (watched.ends_it or not last))
             if first and watched.order > 1:
-                done = _turns_down(n, b, wide, rate, wide * z, watched.order, around)
+                done = _turns_down(n, b, wide, rate, rates, watched.order, around)
             if not done:
                 rest.append(i)
-        if rest and depth == _DEEPEST:
+        count += 1
+        if rest and (depth == _DEEPEST or count > _MOST):
             return None
         if rest:
             windows.append((y, depth + 1, rest, False, last))
