@@ -14,6 +14,7 @@ from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.saltation import saltation_matrix
 from nonsmooth.derive.system import Boundary, System, Transition
+from nonsmooth.derive.translation import translations
 
 __all__ = ["Cycle", "Harmonic", "Passing", "harmonics_of"]
 
@@ -166,6 +167,11 @@ class Cycle:
     def harmonics(self) -> tuple[Harmonic, ...]:
         """Oscillations that nothing else acts on."""
         return harmonics_of(self.itinerary, self.system)
+
+    @cached_property
+    def directions(self) -> sp.Matrix:
+        """Directions of the state that nothing depends on, as columns."""
+        return translations(self.system)
 
     def _passing(self, phases: tuple[int, ...]) -> Passing:
         system, states = self.system, self.system.states

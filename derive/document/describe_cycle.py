@@ -16,7 +16,10 @@ __all__ = ["elimination_section", "equation_section", "phase_section"]
 
 def phase_section(cycle: Cycle) -> list[Block]:
     """Phases, start and unknowns."""
-    return [*_phases(cycle), *_symmetry(cycle), *_start(cycle), *_unknowns(cycle)]
+    return [
+        *_phases(cycle), *_symmetry(cycle), *_start(cycle), *_translations(cycle),
+        *_unknowns(cycle),
+    ]  # fmt: skip
 
 
 def _phases(cycle: Cycle) -> list[Block]:
@@ -124,6 +127,24 @@ def _start(cycle: Cycle) -> list[Block]:
     ]
 
 
+def _translations(cycle: Cycle) -> list[Block]:
+    """Along which directions the orbit need not come back."""
+    naming, letters, directions = cycle.naming, cycle.letters, cycle.directions
+    if not directions.cols:
+        return []
+    along, shift, state = letters.directions, letters.shift, naming.state
+    one = directions.cols == 1
+    written = transposed(naming, directions) if one else naming.notation.latex(directions)
+    return [
+        Paragraph(
+            f"Nothing depends on where along ${along} = {written}$ the motion takes place: with a"
+            f" motion ${state}(t)$ every ${state}(t) + {along} {shift}$ is one. The orbit returns"
+            f" up to such a shift ${shift}$, and"
+            f" {count(directions.cols, 'coordinate')} of the start, changed by it, may be chosen."
+        )
+    ]
+
+
 def _unknowns(cycle: Cycle) -> list[Block]:
     naming, itinerary = cycle.naming, cycle.itinerary
     free = [p.dwell_time for p in itinerary.phases if p.dwell_time not in itinerary.vanishing]
@@ -132,8 +153,10 @@ def _unknowns(cycle: Cycle) -> list[Block]:
     dwell = [dwell_symbol(name) for name in free]
     total = len(dwell) + cycle.start.dimension + len(itinerary.solved_for)
     times = f"{number(len(dwell))} dwell time{'' if len(dwell) == 1 else 's'}"
-    coordinates = f"{count(cycle.start.dimension, 'coordinate')} of the start"
-    parts = [part for part, some in ((times, dwell), (coordinates, cycle.start.dimension)) if some]
+    left = cycle.start.dimension - cycle.directions.cols
+    coordinates = f"{count(left, 'coordinate')} of the start"
+    parts = [part for part, some in ((times, dwell), (coordinates, left)) if some]
+    parts += [f"the shift ${cycle.letters.shift}$"] if cycle.directions.cols else []
     plural = "" if len(itinerary.solved_for) == 1 else "s"
     parts += [f"the parameter{plural} {_parameters(cycle)}"] if itinerary.solved_for else []
     given = [p.symbol for p in naming.system.parameters if p.name not in itinerary.solved_for]
@@ -186,12 +209,14 @@ def equation_section(cycle: Cycle) -> list[Block]:
     if not unknown:
         blocks.append(Paragraph("The end of the last phase closes the orbit of itself."))
         return blocks
-    closure = Line("", "", (rf"{inverse} {ends} - {letters.coordinates} = 0",))
+    returned = rf"\left({ends} - {_shift(cycle)}\right)" if cycle.directions.cols else ends
+    closure = Line("", "", (rf"{inverse} {returned} - {letters.coordinates} = 0",))
     total = count(p + unknown, "equation")
     return [
         *blocks,
         Paragraph(
-            f"and the orbit closes. With ${inverse}$, which takes the coordinates"
+            f"and the orbit closes{' up to the shift' if cycle.directions.cols else ''}. With"
+            f" ${inverse}$, which takes the coordinates"
             f" ${letters.coordinates}$ of a state on the section,"
         ),
         Formula((closure,), label="3"),
@@ -206,6 +231,11 @@ def equation_section(cycle: Cycle) -> list[Block]:
             )
         ),
     ]
+
+
+def _shift(cycle: Cycle) -> str:
+    """What the state has moved along the directions that nothing depends on."""
+    return f"{cycle.letters.directions} {cycle.letters.shift}"
 
 
 def _all_phases(phases: int) -> str:
@@ -232,8 +262,10 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         added = rf"\left({added}\right)" if cycle.resets else added
         factors = rf"\left(\prod_{{i={p}}}^{{k+1}} {inner}\Phi^{{(i)}}\right)"
         later = rf"\sum_{{k=1}}^{{{p}}} {factors} {added}"
-    shift = "" if cycle.start.constant.is_zero_matrix else f"{n} {letters.base} + "
-    right = rf"\left({shift}{m}\right)" if shift else m
+    base = "" if cycle.start.constant.is_zero_matrix else f"{n} {letters.base} + "
+    moved = f" - {_shift(cycle)}" if cycle.directions.cols else ""
+    right = rf"\left({base}{m}{moved}\right)" if base or moved else m
+    determined = f"it and ${letters.shift}$" if moved else "it"
     blocks: list[Block] = [
         Paragraph(
             "Given the dwell times, one passage is an affine map of the start,"
@@ -248,7 +280,7 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         Paragraph(
             ("the factors of later phases standing on the left. " if p > 1 else "so that ")
             + ("The" if p > 1 else "the")
-            + " closure is linear in the start and determines it,"
+            + f" closure is linear in the start and determines {determined},"
         ),
         Formula(
             (Line(rf"\left(I - {inverse} {n} {e}\right) {q}", "=", (f"{inverse} {right}.",)),),

@@ -160,7 +160,8 @@ def stability_section(cycle: Cycle) -> list[Block]:
     blocks: list[Block] = [
         Paragraph(
             "On the section at the start, the dwell times follow a perturbation of the start: each"
-            " phase carries it along and projects it along the vector field onto the boundary. The"
+            " phase carries it along and projects it along the vector field onto the boundary."
+            f"{_taken(cycle)} The"
             " Jacobian of the Poincaré map is the product of these local maps, and over equal"
             " times the monodromy matrix is that of flows and saltation matrices,"
         ),
@@ -181,10 +182,32 @@ def stability_section(cycle: Cycle) -> list[Block]:
             rf" multiplier 1, and zeros, it has the multipliers of ${letters.jacobian}$, and"
             rf" $\operatorname{{tr}} \mathcal{{M}} = 1 + \operatorname{{tr}} {letters.jacobian}$."
             " The orbit is stable where every multiplier that is not trivial lies inside the unit"
-            f" circle.{_trivial(cycle)}"
+            f" circle.{_trivial(cycle)}{_unmoved(cycle)}"
         ),
     ]
     return blocks
+
+
+def _taken(cycle: Cycle) -> str:
+    """Where the letters of a transition that is behind several phases are taken."""
+    if cycle.distinct:
+        return ""
+    letters, k = cycle.letters, cycle.index
+    return (
+        f" At phase $k$ the field ${letters.field}_{{{k}}}$ and the matrix"
+        f" ${letters.saltation}_{{{k}}}$ are those at ${cycle.naming.state}^{{(k)}}$."
+    )
+
+
+def _unmoved(cycle: Cycle) -> str:
+    """Multipliers that are 1 since nothing depends on a shift."""
+    many = cycle.directions.cols
+    if not many:
+        return ""
+    letters = cycle.letters
+    along = f"{letters.embedding}^{{+}} {letters.directions}"
+    more = f"{number(many).capitalize()} more {'is' if many == 1 else 'are'} 1 and trivial"
+    return f" {more}, since nothing depends on a shift: ${letters.jacobian} {along} = {along}$."
 
 
 def _trivial(cycle: Cycle) -> str:

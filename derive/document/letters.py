@@ -33,6 +33,8 @@ _CHOICES = {
     "base": ("p", "a", r"\mathsf{p}"),
     "coordinates": ("q", r"\xi", r"\mathsf{q}"),
     "jacobian": ("J", r"\mathsf{J}"),
+    "directions": ("L", r"\mathsf{L}"),
+    "shift": (r"\sigma", r"\mathsf{z}"),
 }
 _KEPT = ("I", "M", "C", "K", r"\ell", r"\Phi", "t", "k", "j")
 
@@ -63,6 +65,8 @@ class Letters:
         The section at the start, E q + p.
     jacobian : str
         Of the Poincaré map.
+    directions, shift : str
+        Directions of the state that nothing depends on, and how far an orbit moves along them.
     """
 
     matrix: str
@@ -85,6 +89,8 @@ class Letters:
     base: str
     coordinates: str
     jacobian: str
+    directions: str
+    shift: str
 
 
 def letters_of(naming: Naming, symbols: Iterable[sp.Symbol]) -> Letters:

@@ -16,6 +16,7 @@ from formulas.values import Reading, name_of
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
 from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.itinerary import dwell_symbol
+from nonsmooth.runtime.composition.record import ComposedOrbit
 
 __all__ = ["CycleLaw", "Orbit"]
 
@@ -26,38 +27,16 @@ SECTIONS = (
 
 
 class Orbit:
-    """A periodic orbit by Newton's method on exponentials: of dwell times and a whole state."""
+    """A periodic orbit that a solver found, made exact by Newton's method on exponentials."""
 
-    def __init__(self, cycle: Cycle, facts: Facts) -> None:
+    def __init__(self, cycle: Cycle, facts: Facts, solved: ComposedOrbit) -> None:
         self.cycle, self.facts = cycle, facts
         self.phases = cycle.itinerary.phases
         self.passings = [cycle.passings[cycle.number(k) - 1] for k in range(1, cycle.count + 1)]
-        reference = cycle.itinerary.reference
-        assert reference is not None
-        guess = {n: float(v) for n, v in reference.guess.items()}
-        size = len(facts.system.states)
-        times = [guess[p.dwell_time] for p in self.phases]
-        matrix, end = np.eye(size), np.zeros((size, 1))
-        for k, time in enumerate(times):
-            phi, forcing = facts.flow(self.phases[k].configuration, time)
-            reset, jump = self.reset(k)
-            matrix, end = reset @ phi @ matrix, reset @ (phi @ end + forcing) + jump
-        states = list(facts.system.states)
-        known = {i: guess[f"{s}0"] for i, s in enumerate(states) if f"{s}0" in guess}
-        tried = []
-        # of a forcing the phase at the start is not known
-        for angle in np.linspace(0, 2 * np.pi, 36, endpoint=False):
-            given = dict(known)
-            for h in cycle.harmonics:
-                given.setdefault(states.index(h.first), np.cos(angle))
-                given.setdefault(states.index(h.second), np.sin(angle))
-            rows = np.vstack([np.eye(size) - matrix, np.eye(size)[list(given)]])
-            values = np.vstack([end, np.array([list(given.values())]).reshape(-1, 1)])
-            start = np.linalg.lstsq(rows, values, rcond=None)[0][:, 0]
-            unknown = np.array([*times, *start])
-            tried.append((np.abs(self.missed(unknown)).max(), tuple(unknown)))
-        unknown = np.array(min(tried)[1])
-        for _ in range(12):
+        self.resets = [(self.number(p.reset), self.number(p.jump)) for p in self.passings]
+        self.directions = self.number(cycle.directions)
+        unknown = np.array([*solved.dwell_times, *solved.states[0]], dtype=float)
+        for _ in range(2):
             missed = self.missed(unknown)
             steps = 1e-7 * np.eye(len(unknown))
             slope = np.array(
@@ -66,15 +45,11 @@ class Orbit:
             unknown = unknown - np.linalg.lstsq(slope, missed, rcond=1e-7)[0]
         if np.abs(self.missed(unknown)).max() > 1e-10:
             raise Broken(f"{cycle.itinerary.name}: no orbit")
-        self.times, self.start = unknown[: len(times)], unknown[len(times) :, None]
+        self.times, self.start = unknown[: cycle.count], unknown[cycle.count :, None]
         self.ends, self.behind = self.run(unknown)
 
     def number(self, matrix: Any) -> np.ndarray:
-        return np.array(matrix.xreplace(self.facts.given).tolist(), dtype=float)
-
-    def reset(self, k: int) -> tuple[np.ndarray, np.ndarray]:
-        passing = self.passings[k]
-        return self.number(passing.reset), self.number(passing.jump)
+        return np.array(matrix.xreplace(self.facts.given), dtype=float)
 
     def run(self, unknown: np.ndarray) -> tuple[list[np.ndarray], list[np.ndarray]]:
         """States at the ends of the phases, in front of the transitions and behind them."""
@@ -82,7 +57,7 @@ class Orbit:
         for k, phase in enumerate(self.phases):
             phi, forcing = self.facts.flow(phase.configuration, unknown[k])
             ends.append(phi @ behind[-1] + forcing)
-            reset, jump = self.reset(k)
+            reset, jump = self.resets[k]
             behind.append(reset @ ends[-1] + jump)
         return ends, behind
 
@@ -93,7 +68,12 @@ class Orbit:
         kept = [
             float(h.invariant.subs(start).subs(self.facts.given)) - 1 for h in self.cycle.harmonics
         ]
-        return np.array([*switching, *(behind[-1] - behind[0])[:, 0], *kept])
+        moved = behind[-1] - behind[0]
+        return np.array([*switching, *(moved - self.directions @ self.shift(moved))[:, 0], *kept])
+
+    def shift(self, moved: np.ndarray) -> np.ndarray:
+        """How far the orbit does not come back, along directions that nothing depends on."""
+        return np.asarray(np.linalg.lstsq(self.directions, moved, rcond=None)[0])
 
     def gap(self, k: int, state: np.ndarray) -> float:
         passing = self.passings[k]
@@ -104,9 +84,9 @@ class Orbit:
 class CycleLaw(SystemLaw):
     """Every formula is a name, or true on an orbit."""
 
-    def __init__(self, document: Document, facts: Facts, cycle: Cycle) -> None:
+    def __init__(self, document: Document, facts: Facts, cycle: Cycle, orbit: Orbit) -> None:
         super().__init__(document, facts)
-        self.cycle, self.orbit = cycle, Orbit(cycle, facts)
+        self.cycle, self.orbit = cycle, orbit
         self.transition: int | None = None
 
     def whole(self) -> int:
@@ -168,7 +148,7 @@ class CycleLaw(SystemLaw):
         local = monodromy = np.eye(size)
         for k, phase in enumerate(orbit.phases):
             time, passing = orbit.times[k], orbit.passings[k]
-            j, (reset, jump) = cycle.number(k + 1), orbit.reset(k)
+            j, (reset, jump) = cycle.number(k + 1), orbit.resets[k]
             phi, forcing = facts.flow(phase.configuration, time)
             say(rf"\Phi^{{({k + 1})}}", phi)
             say(f"{letters.forcing}^{{({k + 1})}}", forcing)
@@ -184,15 +164,18 @@ class CycleLaw(SystemLaw):
             saltation = reset + (after - reset @ before) @ normal / rate
             local = reset @ (np.eye(size) - before @ normal / rate) @ phi @ local
             monodromy = saltation @ phi @ monodromy
-            if k + 1 != passing.phases[0]:
-                continue
-            for letter, value in (
-                (letters.reset, reset), (letters.jump, jump), (letters.normal, normal),
-                (letters.constant, float(passing.constant.xreplace(facts.given))),
-                (letters.field, before), (letters.saltation, saltation),
-            ):  # fmt: skip
-                say(f"{letter}_{{{j}}}", value)
-            say(f"{letters.field}_{{{j}}}^{{+}}", after)
+            # one transition is behind several phases, each with a state of its own in front of it
+            first = [str(j)] if k + 1 == passing.phases[0] else []
+            for place in (f"j({k + 1})", *first):
+                for letter, value in (
+                    (letters.reset, reset), (letters.jump, jump), (letters.normal, normal),
+                    (letters.constant, float(passing.constant.xreplace(facts.given))),
+                    (letters.field, before), (letters.saltation, saltation),
+                ):  # fmt: skip
+                    say(f"{letter}_{{{place}}}", value)
+                say(f"{letters.field}_{{{place}}}^{{+}}", after)
+        say(letters.directions, orbit.directions)
+        say(letters.shift, orbit.shift(orbit.behind[-1] - orbit.start))
         say(letters.passage, passage)
         say(letters.remainder, remainder)
         say(letters.jacobian, inverse @ local @ embedding)
@@ -215,14 +198,13 @@ class CycleLaw(SystemLaw):
             super().statement(row, condition)
             return
         known, count = self.indices, self.count
-        behind = {k: cycle.number(k) for k in range(1, cycle.count + 1)}
         if re.search(r"_\{j\}", text):
             for j in range(1, len(cycle.passings) + 1):
                 self.indices = {"j": j}
                 super().statement(row, condition)
         else:
             for k in range(1, cycle.count + 1):
-                self.indices, self.phase = {"k": k, "j": behind}, k
+                self.indices, self.phase = {"k": k}, k
                 super().statement(row, condition)
         self.indices, self.count, self.phase = known, count + 1, 0
 

@@ -106,9 +106,17 @@ class Facts:
     def state(self) -> np.ndarray:
         return np.array([self.given[s] for s in self.system.states])
 
+    @cached_property
+    def fields(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+        """Matrix and offset of every configuration."""
+        found = {c.name: c.dynamics.field(self.system.states) for c in self.system.configurations}
+        return {
+            name: (array(matrix, self.given), array(offset, self.given))
+            for name, (matrix, offset) in found.items()
+        }
+
     def field(self, name: str) -> tuple[np.ndarray, np.ndarray]:
-        matrix, offset = self.system.configuration(name).dynamics.field(self.system.states)
-        return array(matrix, self.given), array(offset, self.given)
+        return self.fields[name]
 
     def flow(self, name: str, time: float) -> tuple[np.ndarray, np.ndarray]:
         """Phi and what does not depend on the state."""

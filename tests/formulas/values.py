@@ -62,7 +62,8 @@ class Reading:
     ----------
     names : mapping of name to value
         Numbers, matrices (columns are N x 1) and functions.
-    indices : mapping of letter to int, or to what maps one index to another
+    indices : mapping of letter to int
+        In ``f_{j(k)}`` at ``k = 3`` the name is ``f_{j(3)}``.
     ranges : mapping of letter to numbers
         Of sums that do not say from where to where.
     columns : int
@@ -72,7 +73,7 @@ class Reading:
     """
 
     names: Mapping[str, Any]
-    indices: Mapping[str, Any] = field(default_factory=dict)
+    indices: Mapping[str, int] = field(default_factory=dict)
     ranges: Mapping[str, Sequence[int]] = field(default_factory=dict)
     columns: int = 0
     branch: int = 1
@@ -94,13 +95,12 @@ class Reading:
         """Text of an index, its letters replaced by their numbers."""
 
         def number(match: re.Match[str]) -> str:
-            known = self.indices.get(match[1])
-            if known is None or (match[2] and match[2] not in self.indices):
+            letter = match[2] or match[1]
+            value = self.indices.get(letter)
+            if value is None:
                 return match[0]
-            value = known[self.indices[match[2]]] if match[2] else known
-            if not isinstance(value, int):
-                return match[0]
-            return str(value + int(match[3] or 0))
+            found = str(value + int(match[3] or 0))
+            return f"{match[1]}({found})" if match[2] else found
 
         return _INDEX.sub(number, plain(row)) if self.indices else plain(row)
 
