@@ -4,7 +4,9 @@ from functools import cache
 
 import numpy as np
 import pytest
+import sympy as sp
 
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.composition.composed import compose_many
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding.find import find_orbits
@@ -210,3 +212,25 @@ def test_equilibria_and_no_configuration_have_labels():
 def test_bad_planes(x, y, start, match):
     with pytest.raises(InputError, match=match):
         basins(found(), x, y, start)
+
+
+@pytest.mark.parametrize("phase", [0.0, 2.0, 4.0])
+def test_a_stroboscope_goes_on_from_a_mass_that_rests_on_a_stop(phase):
+    """Impacts accumulate; the stop that is swept reaches the resting mass or leaves it behind."""
+    gap, w = Parameter("gap", "place", lower=-sp.oo), sp.Rational(1, 2)
+    system = oscillator(
+        "resting",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[sp.Rational(1, 10)]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[RigidStop("x", at=gap.symbol, restitution=sp.Rational(1, 5))],
+        parameters=[gap],
+    )
+    places, start = np.linspace(0, -0.4, 3), {"x": -1, "v": 0}
+    given = {"state": "x", "phase": phase, "transient": 30, "samples": 4}
+    diagram = sweep(system, {}, "gap", places, start, **given)
+    assert (diagram.outcomes >= 0).all()
+    alone = sweep(system, {}, "gap", places, start, follow=False, **given)
+    np.testing.assert_allclose(diagram.samples, alone.samples, rtol=0, atol=1e-9)
