@@ -1,10 +1,15 @@
 """Diagrams and maps by brute force, against orbits and against single motions."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
+import sympy as sp
 
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.commands.display_motions import show_sweep
+from nonsmooth.runtime.commands.report_motions import sweep_json
 from nonsmooth.runtime.composition.composed import compose_many
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.finding.find import find_orbits
@@ -210,3 +215,36 @@ def test_equilibria_and_no_configuration_have_labels():
 def test_bad_planes(x, y, start, match):
     with pytest.raises(InputError, match=match):
         basins(found(), x, y, start)
+
+
+@pytest.mark.parametrize("phase", [0.0, 2.0, 4.0])
+def test_a_stroboscope_goes_on_from_a_mass_that_rests_on_a_stop(phase):
+    """Impacts accumulate; the stop that is swept reaches the resting mass or leaves it behind."""
+    gap, w = Parameter("gap", "place", lower=-sp.oo), sp.Rational(1, 2)
+    system = oscillator(
+        "resting",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[sp.Rational(1, 10)]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[RigidStop("x", at=gap.symbol, restitution=sp.Rational(1, 5))],
+        parameters=[gap],
+    )
+    places, start = np.linspace(0, -0.4, 3), {"x": -1, "v": 0}
+    given = {"state": "x", "phase": phase, "transient": 30, "samples": 4}
+    diagram = sweep(system, {}, "gap", places, start, **given)
+    assert (diagram.outcomes >= 0).all()
+    alone = sweep(system, {}, "gap", places, start, follow=False, **given)
+    np.testing.assert_allclose(diagram.samples, alone.samples, rtol=0, atol=1e-9)
+
+
+def test_values_that_an_interrupted_sweep_has_not_looked_at_have_no_outcome(capsys):
+    whole = swept(transient=100)
+    left = whole.outcomes.copy()
+    left[3:] = int(Outcome.UNCLASSIFIED)
+    show_sweep(replace(whole, outcomes=left, done=3))
+    counts = [line.split(": ")[1] for line in capsys.readouterr().out.splitlines()[1:]]
+    assert sum(int(text.split()[0]) for text in counts) == 3
+    told = sweep_json(replace(whole, outcomes=left, done=3))["outcomes"]
+    assert [text is None for text in told] == [False] * 3 + [True] * 2

@@ -212,7 +212,7 @@ def show_sweep(diagram: Sweep) -> None:
         f"{shown_name(diagram.system)}: {points} points of {diagram.state} {diagram.when},"
         f" {diagram.parameter} from {_number(low)} to {_number(high)}"
     )
-    numbers, counts = np.unique(diagram.outcomes, return_counts=True)
+    numbers, counts = np.unique(diagram.outcomes[: diagram.done], return_counts=True)
     texts = settled_texts()
     for number, count in zip(numbers[::-1].tolist(), counts[::-1].tolist(), strict=True):
         print(f"{texts[number]}: {_count(count, 'value')} of {diagram.parameter}")

@@ -60,7 +60,10 @@ def sweep_json(diagram: Sweep) -> dict[str, Any]:
         "phase": None if diagram.phase is None else repr(diagram.phase),
         "values": [repr(value) for value in diagram.values.tolist()],
         "samples": [[repr(x) for x in row if x == x] for _, row in rows],
-        "outcomes": [texts[number] for number in diagram.outcomes.tolist()],
+        "outcomes": [
+            texts[number] if place < diagram.done else None  # an interrupted one has not looked
+            for place, number in enumerate(diagram.outcomes.tolist())
+        ],
     }
 
 

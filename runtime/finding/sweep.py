@@ -16,7 +16,7 @@ from nonsmooth.runtime.finding.settled import settled
 from nonsmooth.runtime.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.loading.declared import DeclaredSystem
 from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import piecewise
+from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.run import Status
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.simulate import follow as follow_motion
@@ -267,13 +267,13 @@ def _at_entries(kernels: SystemKernels, diagram: Sweep, here: slice, threads: in
 
 def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
     """Samples at a phase of the forcing, for one value: the motion as a stroboscope shows it."""
-    taken, start = diagram.samples.shape[1], diagram.next_start
+    taken, first = diagram.samples.shape[1], diagram.start
     illegal = np.array([int(Outcome.ILLEGAL)])
-    nothing = np.full((1, taken), np.nan), illegal, np.full(len(start), np.nan), False
+    nothing = np.full((1, taken), np.nan), illegal, np.full(len(first), np.nan), False
     point = {**diagram.parameters, diagram.parameter: float(diagram.values[here][0])}
     try:
         system = piecewise(kernels, point)
-        chosen = configuration_of(system, start)
+        start, chosen = _beginning(system, diagram.next_start, first)
     except InputError:
         return nothing
     (cosine, sine), *_ = system.structure.forcing
@@ -292,13 +292,28 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
         where = int(run.configurations[entry])
         states[place] = flow_states(system, where, since, run.states[entry])[0]
     column = system.structure.states.index(diagram.state)
-    outcomes = illegal
-    if np.isfinite(states[-1]).all():
-        goes_on = simulate_many(
-            kernels, point, states[-1:], transitions=_KEPT, keep=_KEPT, threads=threads
-        )
-        outcomes = settled(kernels, point, goes_on, threads).outcomes
-    return states[None, :, column], outcomes, states[-1], True
+    if not np.isfinite(states[-1]).all():
+        return states[None, :, column], illegal, states[-1], True
+    # what is at rest has moved by rounding, as no start may; the entry into its phase is exact
+    try:
+        last, _ = _beginning(system, states[-1], run.states[phases[-1]])
+    except InputError:
+        return states[None, :, column], illegal, states[-1], True
+    goes_on = simulate_many(
+        kernels, point, last[None], transitions=_KEPT, keep=_KEPT, threads=threads
+    )
+    outcomes = settled(kernels, point, goes_on, threads).outcomes
+    return states[None, :, column], outcomes, last, True
+
+
+def _beginning(
+    system: PiecewiseLinear, wanted: np.ndarray, other: np.ndarray
+) -> tuple[np.ndarray, int]:
+    """The first of two states that a motion may start at, and its configuration."""
+    try:
+        return wanted, configuration_of(system, wanted)
+    except InputError:
+        return other, configuration_of(system, other)
 
 
 def basins(
