@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -230,6 +231,28 @@ def test_stops_at_one_instant_are_ambiguous_without_a_law(reverse: bool) -> None
     assert motion.options == ("free-free",)
     assert motion.run.options == second.options
     assert motion.message.endswith("free-free")
+
+
+STRUCK = """
+import sympy as sp
+from nonsmooth.derive import RigidStop, oscillator
+pair = [RigidStop("x1", 1, "1/2"), RigidStop({"x2": 1, "x1": -1}, 1, "1/2")]
+system = oscillator("struck", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2), elements=pair)
+"""
+
+
+@pytest.mark.parametrize("ending", ["csv", "npz"])
+def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path) -> None:
+    (tmp_path / "struck.py").write_text(STRUCK)
+    motion = ns.simulate(str(tmp_path / "struck.py"), {}, [0, 0, 1, 2], until=1.5)
+    motion.save(tmp_path / f"motion.{ending}")
+    again = ns.load_trajectory(tmp_path / f"motion.{ending}")
+    assert again.status == Status.AMBIGUOUS
+    assert again.options == motion.options == ("free-free",)
+    other = replace(motion.run, status=Status.UNTIL)
+    replace(motion, run=other).save(tmp_path / f"other.{ending}")
+    with pytest.raises(InputError, match="it holds options, though it ended as 'until'"):
+        ns.load_trajectory(tmp_path / f"other.{ending}")
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from nonsmooth.runtime.kernel_records import SystemKernels
 from nonsmooth.runtime.simulation.deciding import Decider
 from nonsmooth.runtime.simulation.flows import flow_states
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.structure import Structure, structure_of
+from nonsmooth.runtime.simulation.structure import FORCING_PHASE, Structure, structure_of
 
 __all__ = ["with_routes", "with_routes_at"]
 
@@ -97,6 +97,9 @@ def _missing(structure: Structure, itinerary: Itinerary) -> bool:
 
 
 def _steps(itinerary: Itinerary) -> list[tuple[str, tuple[str, ...], str]]:
+    """Source, boundaries and target of each transition; none where no boundary is reached."""
+    if [boundary for _, boundary in itinerary] == [FORCING_PHASE]:
+        return []
     names = [tuple(b.split("+")) if isinstance(b, str) else tuple(b) for _, b in itinerary]
     sources = [str(c) for c, _ in itinerary]
     return list(zip(sources, names, [*sources[1:], *sources[:1]], strict=True))

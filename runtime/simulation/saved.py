@@ -45,8 +45,10 @@ MOTION = Form(
         "states": list,
         "status": str,
         "end": str,
+        "options": list,
         "grazings": list,
     },
+    version=2,
     # also of what an archive unpacks to
 )
 ENDINGS = (".npz", ".csv")
@@ -96,6 +98,7 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
         "states": list(trajectory.names),
         "status": run.status.name.lower(),
         "end": repr(float(run.end)),
+        "options": list(trajectory.options),
         "grazings": [_grazing_texts(structure, grazing) for grazing in run.grazings],
     }
     header = MOTION.content(entries, *_numbers(table))
@@ -254,7 +257,7 @@ def _checked(entries: Any) -> dict[str, Any]:
     """Header of a file, complete and of the right types."""
     MOTION.check_entries(entries)
     header: dict[str, Any] = entries
-    texts = [*entries["parameters"].values(), *entries["states"]]
+    texts = [*entries["parameters"].values(), *entries["states"], *entries["options"]]
     grazings = entries["grazings"]
     if not all(isinstance(entry, list) and len(entry) == 4 for entry in grazings):
         raise InputError("'grazings' holds something else than four texts each")
@@ -285,7 +288,10 @@ def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Traje
         tuple(_grazing(structure, texts) for texts in header["grazings"]),
         known[header["status"]],
         _number("end", header["end"]),
+        tuple(map(structure.configuration, header["options"])),
     )
+    if run.options and run.status != Status.AMBIGUOUS:
+        raise InputError(f"it holds options, though it ended as {header['status']!r}")
     if not (run.times[0] == 0 and (np.diff(run.times) >= 0).all() and run.end >= run.times[-1]):
         raise InputError("its times do not increase from 0 to its end")
     derivation = kernels.module.DERIVATION
