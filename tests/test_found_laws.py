@@ -11,6 +11,7 @@ from scipy.linalg import expm
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.finding import outcomes
 from nonsmooth.runtime.finding.find import find_orbits
 from nonsmooth.runtime.finding.mirrors import mirrors
 from nonsmooth.runtime.finding.outcomes import Outcome
@@ -21,6 +22,7 @@ from nonsmooth.runtime.finding.settled import (
     UNINTERRUPTED,
     settled,
 )
+from nonsmooth.runtime.finding.stretching import Stretching
 from nonsmooth.runtime.kernels import kernels_of
 from nonsmooth.runtime.simulation.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import simulate_many
@@ -344,6 +346,19 @@ def test_steady_sliding_that_is_unstable_is_listed():
 def test_outcomes_have_names(system, data, outcome):
     box = {"x": (-1, 1), "v": (-1, 1)}
     assert found_at(system(), data, 4, box=box).share(outcome) == 1
+
+
+def test_a_long_transient_is_no_chaos(monkeypatch):
+    kernels, data = kernels_of("rigid-stop"), {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
+    # it strikes the stop nearly a thousand times more, gently, and then never again
+    start = [[1.0, 0.22202226193837551, -0.0003265565473231795, 9.956807746317763e-05]]
+    motions = simulate_many(kernels, data, start, transitions=20, keep=20)
+    attractors = outcomes.attractors_of(kernels, piecewise(kernels, data), ())
+    labels = attractors.labels(motions)
+    assert labels.tolist() == [Outcome.UNCLASSIFIED]
+    grown = Stretching(np.array([1e-4]), np.array([1e-6]), np.array([False]))
+    monkeypatch.setattr(outcomes, "stretching", lambda *given: grown)
+    assert attractors.measured(motions, labels).tolist() == [Outcome.FAMILY]
 
 
 def test_one_motion_at_each_point_is_named_alike():

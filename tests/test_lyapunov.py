@@ -10,11 +10,14 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.finding.recurrence import scales_of
+from nonsmooth.runtime.finding.stretching import stretching
+from nonsmooth.runtime.kernels import kernels_of
 from nonsmooth.runtime.observing.lyapunov import lyapunov, lyapunov_spectrum
 from nonsmooth.runtime.observing.tangent import tangent_map
 from nonsmooth.runtime.simulation.flows import flow_states
 from nonsmooth.runtime.simulation.piecewise import piecewise
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
@@ -136,6 +139,23 @@ def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do() -> None:
     rate = (motion.times > motion.end / 5).sum() / (0.8 * motion.end)
     errors = found[0].error + found[1].error
     assert sum(e.value for e in found) == pytest.approx(2 * math.log(0.62) * rate, abs=errors)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize(
+    "data",
+    [{"sigma": "0.1", "w": "7.57", "r": "0.62"}, {"sigma": "0.2", "w": "3.7", "r": "0.8"}],
+)
+def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None:
+    motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
+    one = lyapunov(motion, motion.end / 5)
+    kernels = kernels_of(IMPACT)
+    values = {name: float(value) for name, value in motion.system.parameters.items()}
+    many = simulate_many(kernels, values, motion.states[-1:], transitions=200, keep=129)
+    found = stretching(kernels, values, many, scales_of(motion.system, many))
+    errors = 3 * (one.error + found.errors[0])
+    assert found.exponents[0] == pytest.approx(one.value, abs=errors)
+    assert errors < abs(one.value)
 
 
 @pytest.mark.parametrize("since", [0, 0.1, 0.5])

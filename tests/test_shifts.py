@@ -306,6 +306,30 @@ def test_the_report_tells_the_shift():
     assert "shift" not in ns.solve("dry-friction/global-stick").to_json()
 
 
+def test_a_symmetry_closes_half_of_a_motion_on_open_ground():
+    shaken = oscillator(
+        "shaken",
+        ["x", "y"],
+        mass=[[2, 0], [0, 1]],
+        stiffness=[[k, -k], [-k, k]],
+        damping=[[c, -c], [-c, c]],
+        forcing=[Harmonic(w, cosine=[-A, A])],
+        elements=[Friction("x", kinetic=u, static=u, velocity=0, name="ground")],
+    )
+    data = {name: SHAKEN[name] for name in ("A", "w", "u", "k", "c")}
+    motion = ns.simulate(shaken, data, [0, 0, 0, 0, 1, 0], transitions=400)
+    phases, dwell, start = ns.itinerary_of(motion)
+    whole = ns.compose(shaken, data, phases, dwell, start)
+    mirror = {name: f"-{name}" for name in ("x", "y", "v", "v_y", "c1", "s1")}
+    half = ns.compose(shaken, data, phases[:1], dwell[:1], start, symmetry=mirror)
+    assert whole.converged
+    assert half.converged
+    assert list(half.shift.values()) == pytest.approx([0] * 6, abs=1e-12)
+    np.testing.assert_allclose(half.dwell_times, whole.dwell_times, atol=1e-11)
+    np.testing.assert_allclose(half.states[:, 1:], whole.states[:, 1:], atol=1e-9)
+    np.testing.assert_allclose(half.multipliers, whole.multipliers, atol=1e-9)
+
+
 # --- proofs
 
 

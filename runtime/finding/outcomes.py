@@ -18,7 +18,7 @@ from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.newton import SINGULAR
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.run import Status
-from nonsmooth.runtime.simulation.simulate import Trajectories
+from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
 
 __all__ = ["Attractors", "Outcome", "attractors_of", "quiet_outcomes", "stretched_outcomes"]
 
@@ -26,6 +26,7 @@ _ARRIVED = 1e-3  # how near to an attractor a motion has to end, relative to its
 _NOTHING = 1e-9  # of a state's size: a part of a motion that is none
 _SLOW = 1e-12  # rate of a motion that neither decays nor grows, in units of the fastest
 _EQUAL = 1e-9  # relative difference of a frequency from the forcing's
+_ENDURING = 4096  # transitions for which chaos has to go on
 _CERTAIN = 3.0  # standard errors of an exponent
 
 
@@ -104,13 +105,16 @@ class Attractors:
     def measured(
         self, motions: Trajectories, labels: np.ndarray, threads: int | None = None
     ) -> np.ndarray:
-        """The same labels, where those that are not classified are told by their exponents."""
+        """The same labels, where those that are not classified are told by their exponents.
+
+        Chaos goes on: a motion that ends within many more transitions is labelled by its end.
+        """
         places = np.flatnonzero(
             (labels == Outcome.UNCLASSIFIED) & (motions.status == Status.TRANSITIONS)
         )
         found = labels.copy()
+        values = {name: float(value) for name, value in self.system.parameters.items()}
         if places.size:
-            values = {name: float(value) for name, value in self.system.parameters.items()}
             part = motions.at(places)
             scales = scales_of(self.system, part)
             common = forcing_turns(self.system) is not None
@@ -118,6 +122,19 @@ class Attractors:
                 stretching(self.kernels, values, part, scales, threads),
                 np.full(len(places), common),
             )
+        chaotic = np.flatnonzero(found == Outcome.CHAOTIC)
+        if chaotic.size:
+            longer = simulate_many(
+                self.kernels,
+                values,
+                motions.last_states[chaotic, -1],
+                motions.last_configurations[chaotic, -1],
+                transitions=_ENDURING,
+                keep=2,
+                threads=threads,
+            )
+            ended = longer.status != Status.TRANSITIONS
+            found[chaotic[ended]] = self.labels(longer)[ended]
         return found
 
     def _steady(self, configuration: int) -> int | None:

@@ -7,7 +7,7 @@ transition lie on one section, so that the direction of the motion does not coun
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -89,12 +89,23 @@ def stretching(
         escaped[going] |= ends.status[0] == Status.OVERFLOW
         back = np.where(distance > _LOST, _APART / np.maximum(distance, _LOST), 1.0)
         nearer = ends.states[0] + apart * back[:, None] * scales[going]
+        _as_strong(nearer, ends.states[0], motions.structure.forcing)
         now = np.stack([ends.states[0], nearer])[:, together]
         going, where = going[together], ends.configurations[:, together]
         if not going.size:
             break
     found = _measured(growths[_TURNING:], lengths[_TURNING:], highest, lowest)
     return found._replace(grows=found.grows | escaped)
+
+
+def _as_strong(states: np.ndarray, others: np.ndarray, forcing: Sequence[tuple[int, int]]) -> None:
+    """Give every forcing in states (n, N) the amplitude that it has in others.
+
+    A rounding of it would neither grow nor decay, and outlast what decays.
+    """
+    for pair in map(list, forcing):
+        sizes = np.hypot(*others[:, pair].T) / np.hypot(*states[:, pair].T)
+        states[:, pair] *= sizes[:, None]
 
 
 def _measured(
