@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
-from latex_reader import ORBITS, written_of
+from latex_reader import ORBITS, Written, written_of
 
 from nonsmooth.derive.document.blocks import Document
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
@@ -50,11 +50,17 @@ def document_of(name: str) -> tuple[Document, EquationSystem | None]:
         return describe_system(declared), None
     if "/" not in name:
         return describe_orbit(declared), None
+    written = derived(name)
+    return (written.document, written.equations) if written else (describe_orbit(declared), None)
+
+
+@cache
+def derived(name: str) -> Written | None:
+    """A declared itinerary whose equations have a closed form."""
     try:
-        equations = derive_equations(declared)
+        return Written(derive_equations(declarations()[name]))
     except DerivationError:
-        return describe_orbit(declared), None
-    return describe_orbit(equations), equations
+        return None
 
 
 def names(kind: type[System] | type[Itinerary]) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 import re
 from collections.abc import Mapping
@@ -19,6 +20,7 @@ from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.symbols import Notation
 from nonsmooth.derive.document.view import view_of
 from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.explicit import Angle
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
@@ -88,7 +90,22 @@ class Written:
         parameters = [s for s in self.notation.constants if s not in self.centres.values]
         settled = {*self.equations.spectrum.symbols, *self.notation.functions}
         names = {*dwell_times, *shown, *parameters} - settled
-        return self.complete({s: draw.uniform(0.2, 0.9) for s in sorted(names, key=str)})
+        known = {s: draw.uniform(0.2, 0.9) for s in sorted(names, key=str)}
+        for cosine, sine in self.angles.values():
+            angle = draw.uniform(0, 2 * math.pi)
+            known |= {cosine: math.cos(angle), sine: math.sin(angle)}
+        return self.complete(known)
+
+    @property
+    def angles(self) -> dict[str, tuple[sp.Symbol, sp.Symbol]]:
+        """Angles that are written, by the symbols of their cosines and sines."""
+        subjects = [line.subject for line in self.lines if isinstance(line.subject, sp.Symbol)]
+        written = {self.notation.symbol(s): s for s in subjects}
+        return {
+            text.removeprefix(r"\cos "): (cosine, written[text.replace(r"\cos", r"\sin", 1)])
+            for text, cosine in written.items()
+            if text.startswith(r"\cos ")
+        }
 
     def at(self, orbit: Orbit) -> Numbers:
         """The numbers of a solved orbit, all stages included."""
@@ -116,6 +133,9 @@ class Written:
             if symbol in self.notation.functions:
                 continue
             names[self.notation.symbol(symbol)] = float(value)
+        for angle, (cosine, sine) in self.angles.items():
+            names[angle] = math.atan2(numbers[sine], numbers[cosine])
+        names |= {r"\mathrm{i}": 1j} if self.angles else {}
         for line in self.lines:
             if line.shows is None or not line.shows.free_symbols <= {*numbers}:
                 continue
@@ -146,7 +166,8 @@ class _Both(float):
 def value_of(line: Line, numbers: Numbers) -> Any:
     """What the derivation computes for a line."""
     assert line.shows is not None
-    found = line.shows.xreplace(numbers)
+    found = sp.sympify(line.shows.xreplace(numbers))
+    found = found.replace(Angle, lambda s, c: math.atan2(s, c) % (2 * math.pi))
     return np.array(found.tolist(), dtype=float) if line.shows.is_Matrix else float(found)
 
 
