@@ -12,6 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth.runtime.charting.classes import title_of
 from nonsmooth.runtime.cli import app
 
 GALLERY = Path(__file__).resolve().parents[1] / "docs" / "gallery"
@@ -83,6 +84,7 @@ def test_every_command_takes_one_of_the_orbits(folder):
     assert answered("certify", "--check", "proof.json")["same"]
     chart = answered("chart", "found.json:2", "d=0.49:0.5:2", "w=1.5:1.51:2", "--out", "c.zarr")
     assert chart["points"]["stable"] == 4
+    assert title_of(ns.load_chart("c.zarr")) == "two-stops"
     assert answered("plot", "found.json:2", "--kind", "phase")["file"] == "found-2.png"
     assert (folder / "found-2.png").is_file()
 

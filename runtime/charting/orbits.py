@@ -69,7 +69,7 @@ class OrbitProblem:
         kernels = self.kernels
         return {
             "kind": "orbit",
-            "orbit": f"{kernels.system.table['name']}/{kernels.orbit}",
+            "orbit": "/".join(filter(None, (kernels.system.table["name"], kernels.orbit))),
             "derivation": str(kernels.system.module.DERIVATION),
             "table": table_hash(kernels.table),
             "kernels": "numpy" if kernels.system.compiled is None else "c",
