@@ -5,6 +5,8 @@ of those that have reached the limit of their force, and the static one of the o
 accelerations minimise ``|a - a_free|^2 / 2 + sum L |w a|`` in the norm of the mass matrix, stops
 letting nothing through. All that slip there get their kinetic limit, until none is added. What is
 at its limit, or slips without acceleration, is decided by the first derivative that is not zero.
+A contact whose direction stops hold bears what it can before they are pressed. The law says
+nothing of systems in which stops alone hold one whose belt's velocity may or may not be zero.
 """
 
 from __future__ import annotations

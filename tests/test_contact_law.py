@@ -141,6 +141,45 @@ def test_neither_order_nor_direction_of_a_declaration_matters(seed: int, count: 
         np.testing.assert_allclose(end, ends[0][1], atol=1e-9)
 
 
+def stopped(seed: int, order: list[int], sign: int) -> System:
+    """Two coupled contacts and a stop that alone holds the direction of one of them."""
+    rng = np.random.default_rng(seed)
+    names, mass, contacts, loads = drawn(seed, 2)
+    for contact in contacts:
+        contact["velocity"] = 0
+    upper = sign * (-1) ** int(rng.integers(2))
+    place, restitution = (sp.Rational(int(rng.integers(2, 12)), n) for n in (32, 16))
+    struck = contacts[int(rng.integers(2))]["coordinate"]
+    side = "upper" if upper == 1 else "lower"
+    elements = [*(Friction(**contact) for contact in contacts),
+                RigidStop(struck, upper * place, restitution, side=side, name="stop")]  # fmt: skip
+    return oscillator(
+        "stopped", names, mass, [[3, -1], [-1, 3]], load=[sign * x for x in loads[:2]],
+        forcing=[Harmonic("7/8", sine=[3 * sign * x for x in loads[2:]])],
+        elements=[elements[i] for i in order],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", [11, 14, 15])
+def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> None:
+    ends, touched = [], False
+    for order, sign in (([0, 1, 2], 1), ([2, 1, 0], -1), ([1, 2, 0], 1)):
+        system = stopped(seed, order, sign)
+        assert system.law is not None
+        first, second = both(system, {}, [0, 0, 0, sign * 0.5, 1, 0], 12.0)
+        assert first.status == second.status == Status.UNTIL
+        # where bounces accumulate, rounding tells how many there are
+        np.testing.assert_allclose(
+            first(second.times[-1])[:2], second.states[-1][:2], rtol=0, atol=1e-7
+        )
+        ends.append((first.transitions, sign * first(12.0)[:4]))
+        touched |= any("contact" in name for name in first.configurations)
+    assert touched
+    for count, end in ends[1:]:
+        assert count == ends[0][0]
+        np.testing.assert_allclose(end, ends[0][1], atol=1e-7)
+
+
 def least(point: PiecewiseLinear, state: np.ndarray, reached: set[int]) -> list[str]:
     """What each contact of a system at rest does, by minima of the primal problem."""
     law = point.structure.law

@@ -19,16 +19,18 @@ __all__ = ["contact_law", "coupled"]
 def coupled(assembly: Assembly) -> bool:
     """Whether a law decides: the mass matrix couples friction to what may hold beside it.
 
-    Not where stops alone hold the direction of friction, which takes whatever force there.
+    Friction whose direction stops alone hold needs no law with stops: it takes whatever force
+    there. Nor can it have one while the belt's velocity may or may not be zero.
     """
     rubbing = [i for i in assembly.holders if isinstance(assembly.parts[i], FrictionPart)]
     stops = assembly.rows([i for i in assembly.holders if i not in rubbing])
-    if any(stops.col_join(assembly.rows([i])).rank() == stops.rank() for i in rubbing):
+    stopped = [i for i in rubbing if stops.col_join(assembly.rows([i])).rank() == stops.rank()]
+    if any(assembly.frame.sign(assembly.friction(i).speed) is None for i in stopped):
         return False
     return any(
         assembly.coupling(i, j) != 0
         for i, j in combinations(assembly.holders, 2)
-        if i in rubbing or j in rubbing
+        if {i, j} <= {*rubbing} or {i, j} & ({*rubbing} - {*stopped})
     )
 
 

@@ -104,6 +104,21 @@ class Law:
         """The configuration of these regimes; None if they do not go together."""
         return self._places.get((others, regimes))
 
+    def idling(self, event: Event, regimes: Regimes) -> tuple[int, ...]:
+        """Contacts of an event that slide in name only among these regimes."""
+        found = self.configuration(regimes, event.others)
+        return () if found is None else self.idle[found]
+
+    def untouched(self, event: Event, regimes: Regimes) -> tuple[int, ...]:
+        """Stops of an event that are free because friction holds their directions at rest."""
+        return tuple(
+            i
+            for i in event.resting
+            if regimes[i] == "free"
+            and self.configuration((*regimes[:i], "contact", *regimes[i + 1 :]), event.others)
+            is None
+        )
+
     def beginning(self, configuration: int, resting: Iterable[int]) -> Event:
         """A start at rest, as an event: nothing has reached its limit."""
         regimes, others = self.regimes[configuration], self.others[configuration]

@@ -2,8 +2,8 @@
 
 A step takes what each contact at rest does: those that hold bear whatever force keeps them at
 rest, the others that of their limit. It is right where no force is above its limit, no stop
-pulls, and all that slips accelerates its way: signs of affine functions, which are combinations
-of the declared ones.
+pulls, and all that slips accelerates its way, or would do so if the stops that hold it let go:
+signs of affine functions, which are combinations of the declared ones.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Requirement(NamedTuple):
 def signs(law: Law, event: Event, stage: Stage) -> list[bool]:
     """Which of the functions of a step are to be positive; the others are not."""
     found: list[bool] = []
-    for i in event.resting:
+    for i in _judged(law, event, stage):
         kept = stage.regimes[i] in HOLDING
         found += [not kept] * (2 if kept and law.contacts[i].friction else 1)
     return found
@@ -75,9 +75,12 @@ def requirements(
         i: _sum([(1, {free[i]: 1}), *((_coupling(law, i, j, entry), f) for j, f in given.items())])
         for i in resting
     }
-    reactions = dict(zip(kept, _solved(law, kept, accelerations, entry), strict=True))
+    reactions = _reactions(law, kept, accelerations, entry)
+    rubbing = [i for i in kept if law.contacts[i].friction]
+    idle = law.idling(event, regimes)
+    released = _reactions(law, rubbing, accelerations, entry) if idle else {}
     found = []
-    for i in resting:
+    for i in _judged(law, event, stage):
         contact = law.contacts[i]
         if i in kept:
             reaction = reactions[i]
@@ -88,11 +91,18 @@ def requirements(
                 backward = _sum([(-1, reaction), (-1, limit)])
                 found[-1:] = [Requirement(forward, False, i), Requirement(backward, False, i)]
         else:
-            parts = ((_coupling(law, i, k, entry), reactions[k]) for k in kept)
+            bearing = released if i in idle else reactions
+            parts = ((_coupling(law, i, k, entry), force) for k, force in bearing.items())
             sign = 1 if regimes[i] == "overshoot" else -1
             moves = _sum([(1, accelerations[i]), *parts])
             found.append(Requirement(_sum([(sign, moves)]), True, i))
     return found
+
+
+def _judged(law: Law, event: Event, stage: Stage) -> list[int]:
+    """Contacts of which something is required."""
+    untouched = law.untouched(event, stage.regimes)
+    return [i for i in event.resting if i not in untouched]
 
 
 def _coupling(law: Law, i: int, j: int, entry: Callable[[int], Any]) -> Any:
@@ -109,12 +119,12 @@ def _force(law: Law, index: int, regime: str, kinetic: bool) -> Combination:
     return {}
 
 
-def _solved(
+def _reactions(
     law: Law,
     kept: Sequence[int],
     accelerations: dict[int, Combination],
     entry: Callable[[int], Any],
-) -> list[Combination]:
+) -> dict[int, Combination]:
     """Reactions that leave what holds without acceleration: elimination without exchanges."""
     matrix = [[_coupling(law, i, j, entry) for j in kept] for i in kept]
     right = [_sum([(-1, accelerations[i])]) for i in kept]
@@ -127,7 +137,7 @@ def _solved(
     for k in reversed(range(count)):
         known = ((-matrix[k][j], right[j]) for j in range(k + 1, count))
         right[k] = _sum([(1 / matrix[k][k], _sum([(1, right[k]), *known]))])
-    return right
+    return dict(zip(kept, right, strict=True))
 
 
 def _sum(terms: Sequence[tuple[Any, Combination]]) -> Combination:

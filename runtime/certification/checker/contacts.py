@@ -93,14 +93,8 @@ class ContactLaw:
             elif regime == "overshoot":
                 forces[i] = own["overshooting"] if full else tuple(-x for x in own["static"])
         held = [i for i in resting if regimes[i] in ("stick", "contact")]
-        lines = [
-            (*(self.coupling[i][j] for j in held), *(-x for x in self._moves(others, i, forces)))
-            for i in held
-        ]
-        for solved in self.exactly.echelon(lines):
-            place = next(k for k, x in enumerate(solved) if x)
-            demand(place < len(held), "directions that hold depend on each other")
-            forces[held[place]] = solved[len(held) :]
+        sliding, rubbing = forces, [i for i in held if self.contacts[i]["friction"]]
+        forces = self._balanced(others, held, sliding)
         found: list[tuple[Any, bool]] = []
         for i in resting:
             force, limit = forces[i], self.limits[i]["kinetic" if i in kinetic else "static"]
@@ -109,10 +103,39 @@ class ContactLaw:
                 found.append((tuple(-f - x for f, x in zip(force, limit, strict=True)), False))
             elif i in held:
                 found.append((force, False))
-            else:
+            elif self.contacts[i]["friction"] or not self._bound(i, held):
                 sign = 1 if regimes[i] == "overshoot" else -1
-                found.append((tuple(sign * x for x in self._moves(others, i, forces)), True))
+                bearing = forces
+                if self._bound(i, held):  # it slides where it would if the stops let go
+                    bearing = self._balanced(others, rubbing, sliding)
+                found.append((tuple(sign * x for x in self._moves(others, i, bearing)), True))
         return found
+
+    def _balanced(self, others: str, held: list[int], forces: list[Any]) -> list[Any]:
+        """Forces with those that leave the directions that hold without acceleration."""
+        right = {i: [-x for x in self._moves(others, i, forces)] for i in held}
+        found = list(forces)
+        for i, solved in zip(held, self._solved(held, right), strict=True):
+            found[i] = solved
+        return found
+
+    def _solved(self, held: list[int], right: dict[int, list[Any]]) -> list[Any]:
+        """Forces along the directions that hold, by the accelerations that they are to give."""
+        lines = [(*(self.coupling[i][j] for j in held), *right[i]) for i in held]
+        found: list[Any] = [None] * len(held)
+        for solved in self.exactly.echelon(lines):
+            place = next(k for k, x in enumerate(solved) if x)
+            demand(place < len(held), "directions that hold depend on each other")
+            found[place] = solved[len(held) :]
+        return found
+
+    def _bound(self, i: int, held: list[int]) -> bool:
+        """Whether what holds leaves a contact's direction no acceleration."""
+        answers = self._solved(held, {j: [self.coupling[j][i]] for j in held})
+        left = self.coupling[i][i]
+        for j, (answer,) in zip(held, answers, strict=True):
+            left = left - self.coupling[i][j] * answer
+        return not left
 
     def _moves(self, others: str, i: int, forces: list[Any]) -> list[Any]:
         """Acceleration along a direction by these forces."""
