@@ -32,8 +32,7 @@ def compare_census(content: Mapping[str, Any], folder: Path) -> bool:
     """
     orbits = [orbit["certificate"] for orbit in content["orbits"]]
     certified = [found for found in orbits if found is not None]
-    declaration = certified[0]["declaration"] if certified else {"transitions": []}
-    named = named_in({**content, "declaration": declaration}, folder)
+    named = named_in(content, folder)
     if named is None:
         return False
     given = given_values(content["parameters"])
