@@ -90,9 +90,11 @@ def _events(assembly: Assembly) -> tuple[dict[str, int], dict[str, int]]:
     limits: dict[str, int] = {}
     for place, index in enumerate(assembly.holders):
         part = assembly.holder(index)
-        for regime in part.regimes:
+        for regime in part.outcomes:
             found = limits if regime == "stick" else arrivals
             found |= dict.fromkeys(part.names(regime), place)
+        if isinstance(part, FrictionPart) and part.lifts:  # those that slide there are listed
+            arrivals[f"{part.name}-lands"] = place
     return arrivals, limits
 
 

@@ -194,6 +194,20 @@ choose(const tables *t, const int n, int source, uint32_t set, uint32_t located,
     return -1;
 }
 
+/* Boundaries of a configuration whose functions are those of a set of another one's. */
+static inline uint32_t same_functions(const layout *l, int source, uint32_t set, int target)
+{
+    const int32_t *row = l->boundary_row + l->boundary_start[target];
+    const int count = l->boundary_start[target + 1] - l->boundary_start[target];
+    uint32_t found = 0;
+    for (; set; set &= set - 1) {
+        const int32_t located = l->boundary_row[l->boundary_start[source] + __builtin_ctz(set)];
+        for (int b = 0; b < count; ++b)
+            found |= (uint32_t)(row[b] == located) << b;
+    }
+    return found;
+}
+
 static void keep(const record *r, int64_t entry, int n, double time, int configuration,
                  const double *before, const double *state, uint32_t set)
 {
@@ -257,6 +271,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
         return result;
     }
     p.start = 0.0;
+    p.known = 0;
     while (result.transitions < limit) {
         const configuration *c = &t->configuration[here];
         const double left = (until - now.high) - now.low;
@@ -268,6 +283,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             event.time = 0.0;
             event.time_error = p.start;
             located = event.set & p.zero;
+            p.known |= located;
             if (++immediate > MOST_IMMEDIATE + 1) {
                 result.status = STATUS_IMMEDIATE;
                 break;
@@ -309,6 +325,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                 flow(c, n, event.functions, state, magnitude);
                 now = later(now, step);
                 p.start = 4.0 * DBL_EPSILON * step;
+                p.known = 0;
                 if (!is_finite(n, state)) {
                     result.status = STATUS_OVERFLOW;
                     break;
@@ -321,7 +338,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                 continue;
             }
             immediate = 0;
-            located = event.set;
+            located = p.known = event.set;
             flow(c, n, event.functions, state, magnitude);
             now = later(now, event.time);
             event.time_error = fmax(event.time_error, RESOLUTION * now.high);
@@ -348,6 +365,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
         }
         if (taken != 0)
             reset(t->resets + (size_t)taken * n * (n + 1), n, state, magnitude);
+        p.known = same_functions(l, here, p.known, target);
         here = target;
         p.start = event.time_error;
         waited = 0.0;

@@ -3,6 +3,10 @@
 #include "sums.h"
 #include "support.h"
 
+/* Impacts that accumulate leave the state where rounding puts it: each adds to what a function that
+ * was located is off zero. */
+static const double LOCATED = 1024.0;
+
 /* Sine and cosine of a product w t with the rounding error of the product taken in. */
 static inline void turn(double w, double t, double *sine, double *cosine)
 {
@@ -52,7 +56,8 @@ beginning phase_beginning(const phase *p, int b)
     for (int order = 0; order <= n; ++order) {
         differentiate(c, value, next);
         const double following = at_start(c, next);
-        if (fabs(d) > START * at_start(c, size) + p->start * fabs(following))
+        const int is_zero = order == 0 && (p->zero >> b & 1);
+        if (!is_zero && fabs(d) > START * at_start(c, size) + p->start * fabs(following))
             return (beginning){order, d > 0.0 ? 1 : -1};
         differentiate_sizes(c, size, above);
         for (int f = 0; f < c->functions; ++f) {
@@ -93,7 +98,8 @@ uint32_t phase_begin(phase *p)
         p->fourth[b] = fourth;
         const double g = at_start(c, value);
         const double rate = at_start(c, slope_of(p, b));
-        if (fabs(g) <= START * p->size[b] + p->start * fabs(rate)) {
+        const double slack = p->known & bit ? LOCATED : 1.0;
+        if (fabs(g) <= slack * START * p->size[b] + p->start * fabs(rate)) {
             p->zero |= bit;
             /* the first derivative decides if it exceeds generous bounds on its error */
             const double rough = START * p->size[b] * (c->fastest + 1.0) + p->start * second;

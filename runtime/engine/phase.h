@@ -31,6 +31,7 @@ typedef struct {
     double fourth[MOST_BOUNDARIES];
     uint32_t watched; /* boundaries that can be crossed */
     uint32_t zero;    /* those that hold at the start within its error */
+    uint32_t known;   /* those that were located at the instant of the start */
     uint32_t leaving; /* those that hold at the start and are left at once */
     uint32_t slow;    /* those left more slowly than in proportion to the time */
     int touches;
