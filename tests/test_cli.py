@@ -7,6 +7,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 from dataclasses import replace
 from decimal import Decimal, localcontext
 from functools import cache
@@ -116,6 +117,19 @@ def test_every_command_has_help_with_examples_and_json(name: str) -> None:
         assert example in " ".join(out.split())
 
 
+@cache
+def _found_in_readme() -> dict[str, bytes]:
+    """README's own oscillator, and the orbits that are found in it."""
+    blocks = re.findall(r"```python\n(.*?)```", (CHECKOUT / "README.md").read_text(), re.DOTALL)
+    declared = next(block for block in blocks if "# my_oscillator.py" in block)
+    with tempfile.TemporaryDirectory() as folder:
+        file, kept = Path(folder) / "my_oscillator.py", Path(folder) / "found.json"
+        file.write_text(declared)
+        data = {"zeta": "0.05", "Omega": "2.6", "gap": 0, "r": "0.8"}
+        nonsmooth.find_orbits(str(file), data, 20).save(kept)
+        return {path.name: path.read_bytes() for path in (file, kept)}
+
+
 def engine_needed(example: str) -> bool:
     """Thousands of motions or orbits, which take minutes in Python."""
     return example.startswith(("nonsmooth chart", "nonsmooth find", "nonsmooth sweep"))
@@ -137,6 +151,9 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
             nonsmooth.chart(ORBIT, V=[0.9, 1.0, 1.1], eta=[0.9, 1.0], store="F.zarr")
     if "pdf" in example:
         monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
+    if "found.json" in example:
+        for name, content in _found_in_readme().items():
+            (tmp_path / name).write_bytes(content)
     if "--check certificate.json" in example:
         nonsmooth.certify(nonsmooth.solve(ORBIT)).save("certificate.json")
     if "impact_oscillator.py" in example:
@@ -423,7 +440,7 @@ def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
     missing = tmp_path / "missing" / "orbit.png"
     for arguments, part in (
         ((cut,), f"{cut}: cut, or not JSON"),
-        ((tmp_path / "none.json",), "none.json: cannot be read: no such file or directory"),
+        ((tmp_path / "none.json",), "there is no file"),
         ((tmp_path,), "cannot be read: "),
         ((picture,), f"cannot write {picture}: it is the saved file"),
         ((saved, "--out", saved), f"cannot write {saved}: it is the saved file"),

@@ -229,7 +229,7 @@ def test_json_of_find(found):
     document = told(*FIND.split())
     assert list(document) == [
         *("system", "parameters", "starts", "transitions", "complete", "box", "orbits"),
-        *("equilibria", "outcomes", "resting", "unclassified", "files"),
+        *("equilibria", "outcomes", "resting", "unclassified", "files", "itineraries"),
     ]
     assert (document["starts"], document["transitions"]) == (12, 400)
     assert document["parameters"] == values(B)
