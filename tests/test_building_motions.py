@@ -245,3 +245,25 @@ def test_friction_with_stops_never_leaves_its_rules() -> None:
                 relative = state[2 + i] - (0, 0.1)[i]
                 assert relative * {"slip": 1, "stick": 0, "overshoot": -1}[regime] < 1e-9
                 assert regime != "stick" or abs(relative) < 1e-9
+
+
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def test_impacts_that_accumulate_never_pass_the_stop(
+    backend: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each impact leaves the mass where rounding puts it: the next is found all the same."""
+    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+    w, r = sp.symbols("w r", positive=True)
+    stop = RigidStop("x", at=0, restitution=r, name="stop")
+    force = Harmonic(w, cosine=[1])
+    system = kernels_of(
+        oscillator("accumulating", ["x"], [[1]], [[1]], [[0.1]], forcing=[force], elements=[stop])
+    )
+    phase = 0.6481012572874046, 0.7615541742401863
+    starts = [([1.3e-18, -0.3584489936144315, *phase], 2.847457627118644)]
+    random = np.random.default_rng(5)
+    starts += [([0, -random.random(), 1, 0], random.uniform(2.7, 3.0)) for _ in range(6)]
+    for start, frequency in starts:
+        motion = ns.simulate(system, {"w": frequency, "r": 0.8}, start, until=400.0)
+        assert motion.end == 400.0
+        assert motion.states[:, 0].max() < 1e-12
