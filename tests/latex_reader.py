@@ -134,7 +134,8 @@ class Written:
                 continue
             names[self.notation.symbol(symbol)] = float(value)
         for angle, (cosine, sine) in self.angles.items():
-            names[angle] = math.atan2(numbers[sine], numbers[cosine])
+            if {cosine, sine} <= numbers.keys():
+                names[angle] = math.atan2(numbers[sine], numbers[cosine])
         names |= {r"\mathrm{i}": 1j} if self.angles else {}
         for line in self.lines:
             if line.shows is None or not line.shows.free_symbols <= {*numbers}:
