@@ -149,7 +149,7 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
             "1 of 2 events are done, kept in events.json; go on with: ",
         ),
         (
-            "certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20 --save census.json",
+            "certify dry-friction/global-stick --all tau=0:200 tau1=0:200 --save census.json",
             "searching",
             "census.json",
             "what was found until then is kept in census.json; begin again with: ",
