@@ -9,6 +9,7 @@ import shlex
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -33,8 +34,8 @@ class Ended(NamedTuple):
     goes_on: list[str]  # arguments of the command that it names
 
 
-def interrupted(arguments: str, when: str, folder: Path) -> Ended:
-    """A command that gets SIGINT as soon as its progress shows something."""
+def interrupted(arguments: str, when: str, folder: Path, later: float = 0.0) -> Ended:
+    """A command that gets SIGINT as soon as its progress shows something, or so much later."""
     terminal, its = pty.openpty()
     environment = {**os.environ, "TERM": "xterm", "COLUMNS": "300"}
     process = subprocess.Popen(
@@ -48,6 +49,7 @@ def interrupted(arguments: str, when: str, folder: Path) -> Ended:
             text += os.read(terminal, 1 << 16).decode()
             if not sent and re.search(when, text):
                 sent = True
+                time.sleep(later)
                 process.send_signal(signal.SIGINT)
     except OSError:  # the other end is closed
         pass
@@ -167,7 +169,8 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
 def test_each_long_command_keeps_what_it_has(
     arguments: str, when: str, file: str, told: str, tmp_path: Path
 ) -> None:
-    ended = interrupted(arguments, when, tmp_path)
+    later = 0.5 if when == "searching" else 0.0  # it is told before the search begins
+    ended = interrupted(arguments, when, tmp_path, later)
     assert ended.code == 130
     assert ended.said.startswith("nonsmooth: interrupted: ")
     assert told in ended.said
