@@ -9,7 +9,7 @@ from formulas.latex import read_latex
 from formulas.layout import Unreadable
 from formulas.mathml import read_mathml
 from formulas.values import Reading, name_of
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.document.arrange import by_function, signed
@@ -110,6 +110,7 @@ def joined(sign: int, text: str) -> str:
 
 
 @settings(max_examples=250, derandomize=True, deadline=None)
+@example(sp.sin(STATES[0] * sp.cos(1)))
 @given(EXPRESSIONS)
 def test_what_is_printed_is_the_expression(expression: sp.Expr) -> None:
     """Alone, cut into pieces, as a term, as a factor, as an exponent and below a root."""

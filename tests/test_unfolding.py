@@ -23,6 +23,7 @@ from nonsmooth.derive.document.describe import describe_itinerary
 from nonsmooth.derive.document.markdown import to_markdown
 from nonsmooth.derive.unfolding import unfolded
 from nonsmooth.runtime.errors import InputError
+from nonsmooth.runtime.finding.outcomes import Outcome
 from nonsmooth.runtime.kernels import load_orbit
 
 HALF = [("free-free", "right-reaches-stop", "T")]
@@ -156,7 +157,8 @@ def test_a_declaration_in_numbers_alone() -> None:
     belt = oscillator("belt", ["x"], [[1]], [[1]], elements=[Friction("x", 1, "1.3", "0.5")])
     found = ns.find_orbits(belt, {}, 20, transitions=100)
     (entry,) = found.orbits
-    assert entry.share + found.resting == 1  # the rest oscillates below the velocity of the belt
+    # the rest oscillates below the velocity of the belt
+    assert entry.share + found.share(Outcome.FAMILY) == 1
     many = ns.compose_many(belt, entry.itinerary, {}, [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]])
     assert many.dwell_times.shape == (3, 2)
     np.testing.assert_allclose(many.period, entry.period, rtol=1e-12)

@@ -268,7 +268,7 @@ class Printer(LatexPrinter):
     def place(self, factor: sp.Expr) -> tuple[int, str]:
         """Place of a factor in a product."""
         base = factor.as_base_exp()[0]
-        if base.is_number:
+        if base.is_number and not isinstance(base, sp.cos | sp.sin):
             return 0, str(factor)
         if base.is_Add:
             moving = any(map(self.notation.is_function, base.free_symbols))
