@@ -132,7 +132,8 @@ def _found_in_readme() -> dict[str, bytes]:
 
 def engine_needed(example: str) -> bool:
     """Thousands of motions or orbits, which take minutes in Python."""
-    return example.startswith(("nonsmooth chart", "nonsmooth find", "nonsmooth sweep"))
+    slow = "nonsmooth chart", "nonsmooth find", "nonsmooth sweep"
+    return example.startswith(slow) or "found.json" in example
 
 
 @pytest.mark.parametrize(
