@@ -161,7 +161,8 @@ def store_end(ends: Ends, place: int, system: PiecewiseLinear, run: Run) -> None
     kept, last = ends.kept_times.shape[1], len(run.times) - 1
     where = int(run.configurations[-1])
     since = np.array([run.end - run.times[-1]])
-    ends.states[place] = flow_states(system, where, since, run.states[-1])[0]
+    with np.errstate(over="ignore", invalid="ignore"):  # of a motion that has escaped
+        ends.states[place] = flow_states(system, where, since, run.states[-1])[0]
     ends.configurations[place], ends.times[place] = where, run.end
     ends.transitions[place], ends.grazings[place] = last, len(run.grazings)
     ends.status[place] = run.status
