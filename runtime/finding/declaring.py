@@ -83,6 +83,7 @@ def _text(names: Sequence[str], orbits: Sequence[ComposedOrbit], more: bool) -> 
         _entry(name, declared_table(orbit)) for name, orbit in zip(names, orbits, strict=True)
     )
     before = "    *orbits,\n" if more else ""
+    # appended text cannot stand among the imports: E402 is of the user's file
     return (
         "\nfrom nonsmooth.derive import Itinerary, Reference  # noqa: E402\n\n"
         f"# appended by `nonsmooth find`\norbits = [\n{before}{entries}]\n"

@@ -280,6 +280,7 @@ class SystemLaw:
                 for j in range(2):
                     rows, columns = (slice(k * half, (k + 1) * half) for k in (i, j))
 
+                    # defaults bind what the loop changes; they need no types of their own
                     def block_of(t: float, phi=phi, place=(rows, columns)) -> Any:  # type: ignore[no-untyped-def]
                         return phi(t)[place]
 

@@ -80,6 +80,7 @@ class Reading:
 
     def at(self, **indices: Any) -> Reading:
         """The same names at other indices."""
+        # only the first mapping is ever written to
         names = ChainMap(indices, self.names)  # type: ignore[arg-type]
         return replace(self, names=names, indices={**self.indices, **indices})
 
