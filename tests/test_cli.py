@@ -152,7 +152,7 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
             nonsmooth.chart(ORBIT, V=[0.9, 1.0, 1.1], eta=[0.9, 1.0], store="F.zarr")
     if "pdf" in example:
         monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
-    if "found.json" in example:
+    if "found.json" in example and "--save found.json" not in example:
         for name, content in _found_in_readme().items():
             (tmp_path / name).write_bytes(content)
     if "--check certificate.json" in example:
