@@ -171,7 +171,7 @@ def load_chart(path: str | Path) -> Dataset:
         )
     except (OSError, ValueError, KeyError) as problem:
         raise InputError(f"{folder} cannot be read: {problem}") from None
-    return found
+    return found[sorted(found.data_vars)]  # a folder lists its files in no order
 
 
 def chart_problem(

@@ -1,0 +1,1 @@
+"""What the commands answer: recorded once, compared after every change."""

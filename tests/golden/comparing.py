@@ -1,0 +1,57 @@
+"""Where two answers differ by more than rounding."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+# what changes from run to run, or with every digit of what stands beside it
+UNTOLD = {"seconds", "checksum", "sha256", "elapsed"}
+
+
+def differences(old: Any, new: Any, relative: float, place: str = "") -> Iterator[str]:
+    """Give the places at which two JSON values differ.
+
+    Parameters
+    ----------
+    old, new : JSON values
+    relative : float
+        Numbers, also those in strings, that differ by less than this much of the larger one
+        (of 1, if that is smaller) are the same; 0 asks for the same digits.
+    place : str
+        Where the values stand, for the messages.
+    """
+    if isinstance(old, dict) and isinstance(new, dict):
+        for key in [*old, *(key for key in new if key not in old)]:
+            if key not in UNTOLD:
+                missing = f"no {key}"
+                yield from differences(
+                    old.get(key, missing), new.get(key, missing), relative, f"{place}/{key}"
+                )
+    elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        for index, (one, other) in enumerate(zip(old, new, strict=True)):
+            yield from differences(one, other, relative, f"{place}/{index}")
+    elif not _same(old, new, relative):
+        yield f"{place}: {_short(old)} became {_short(new)}"
+
+
+def _same(old: Any, new: Any, relative: float) -> bool:
+    if type(old) is type(new) and old == new:
+        return True
+    one, other = _number(old), _number(new)
+    if relative == 0 or one is None or other is None:
+        return False
+    return math.isclose(one, other, rel_tol=relative, abs_tol=relative)
+
+
+def _number(value: Any) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        return None
+    try:
+        return float(value)
+    except ValueError:
+        return None
+
+
+def _short(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) < 100 else text[:97] + "..."
