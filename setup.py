@@ -1,10 +1,10 @@
-"""The compiled kernels and engine; everything else is declared in pyproject.toml."""
+"""The packages, the compiled kernels and the engine; pyproject.toml declares everything else."""
 
 import os
 from glob import glob
 
 import numpy
-from setuptools import Extension, setup
+from setuptools import Extension, find_packages, setup
 from setuptools.command.build_ext import build_ext
 
 # No contraction into fused multiply-adds: every build gives the same bits.
@@ -43,5 +43,14 @@ engine = Extension(
     include_dirs=["generated", "runtime/engine"],
     optional=True,
 )
+# `runtime/face` is the package `nonsmooth` itself.
+packages = ["nonsmooth"]
+for folder in ("derive", "generated", "runtime"):
+    inside = find_packages(folder, exclude=["face"])
+    packages += [f"nonsmooth.{name}" for name in (folder, *(f"{folder}.{p}" for p in inside))]
 without = os.environ.get("NONSMOOTH_WITHOUT_EXTENSION", "0") not in ("", "0")
-setup(ext_modules=[] if without else [kernels, engine], cmdclass={"build_ext": BuildKernels})
+setup(
+    packages=packages,
+    ext_modules=[] if without else [kernels, engine],
+    cmdclass={"build_ext": BuildKernels},
+)

@@ -101,7 +101,7 @@ def numpy_newton(eta: np.ndarray, evaluate: Callable[..., np.ndarray]) -> Callab
 
 def data_of(eta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Parameters (5, n) and spectrum (7, n) of points that differ in eta."""
-    from nonsmooth.runtime.kernels import load_orbit
+    from nonsmooth.runtime.model.kernels import load_orbit
 
     kernels = load_orbit(NAME)
     points = np.array([np.broadcast_to(POINT[n], eta.shape) for n in kernels.parameter_names])
@@ -115,7 +115,7 @@ def heyoka_newton(eta: np.ndarray) -> Callable[[], object] | None:
         import heyoka
     except ImportError:
         return None
-    from nonsmooth.runtime.kernels import load_orbit
+    from nonsmooth.runtime.model.kernels import load_orbit
 
     symbols = heyoka.make_vars(*(f"v{i}" for i in range(18)))
     residual, jacobian = load_orbit(NAME).source("residual_and_jacobian")(
@@ -166,7 +166,7 @@ def casadi_newton(eta: np.ndarray) -> Callable[[], object] | None:
         import casadi
     except ImportError:
         return None
-    from nonsmooth.runtime.kernels import load_orbit
+    from nonsmooth.runtime.model.kernels import load_orbit
 
     kernels = load_orbit(NAME)
     unknowns, inputs = casadi.SX.sym("x", 6), casadi.SX.sym("p", 12)
@@ -189,7 +189,7 @@ def kernel(quick: bool) -> Iterator[Row]:
     import sympy as sp
 
     from nonsmooth.derive.codegen.c import print_c
-    from nonsmooth.runtime.kernels import load_orbit
+    from nonsmooth.runtime.model.kernels import load_orbit
 
     inputs, unknowns, residual, jacobian = expanded()
     common, reduced = sp.cse([*residual, *jacobian])
@@ -238,8 +238,8 @@ def kernel(quick: bool) -> Iterator[Row]:
 def single(quick: bool) -> Iterator[Row]:
     """One orbit from Python."""
     import nonsmooth as ns
-    from nonsmooth.runtime.kernels import load_orbit
-    from nonsmooth.runtime.newton import solve_reduced
+    from nonsmooth.runtime.model.kernels import load_orbit
+    from nonsmooth.runtime.shooting.newton import solve_reduced
 
     kernels = load_orbit(NAME)
     parameters, guess = list(POINT.values()), [2.0, 1.568]
@@ -260,8 +260,8 @@ def single(quick: bool) -> Iterator[Row]:
 def refine(quick: bool) -> Iterator[Row]:
     """One orbit to many digits."""
     import nonsmooth as ns
-    from nonsmooth.runtime.arithmetic import Mpmath
-    from nonsmooth.runtime.kernels import load_orbit
+    from nonsmooth.runtime.core.arithmetic import Mpmath
+    from nonsmooth.runtime.model.kernels import load_orbit
 
     orbit, kernels = ns.solve(NAME), load_orbit(NAME)
     runs = 3 if quick else 7

@@ -8,20 +8,20 @@ from pathlib import Path
 
 from measuring import Row, timed
 
-from nonsmooth.runtime.certification.boxes.certify import certify_box
-from nonsmooth.runtime.certification.boxes.record import BoxCertificate
-from nonsmooth.runtime.certification.certificate import GUARD
-from nonsmooth.runtime.certification.certify import certify
-from nonsmooth.runtime.certification.checking import check_certificate
-from nonsmooth.runtime.certification.counting.count import certify_all
-from nonsmooth.runtime.certification.events.certify import certify_event
-from nonsmooth.runtime.certification.location import locate
-from nonsmooth.runtime.certification.multipliers import product_of, trace_of
-from nonsmooth.runtime.certification.subject import closing_of, subject_of
-from nonsmooth.runtime.certification.tables import tables_of
-from nonsmooth.runtime.continuation.branch import continue_orbit
-from nonsmooth.runtime.solve import solve
-from nonsmooth.runtime.values import flint_precision
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
+from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.present.checking.check_file import check_certificate
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.boxes.certify_box import certify_box
+from nonsmooth.runtime.proof.certificate import GUARD
+from nonsmooth.runtime.proof.certify_orbit import certify
+from nonsmooth.runtime.proof.counting.certify_all import certify_all
+from nonsmooth.runtime.proof.enclosure import locate
+from nonsmooth.runtime.proof.events.certify_event import certify_event
+from nonsmooth.runtime.proof.exact_tables import tables_of
+from nonsmooth.runtime.proof.multipliers import product_of, trace_of
+from nonsmooth.runtime.proof.orbit_cycle import closing_of, subject_of
 
 __all__ = ["boxed", "certified", "counted"]
 

@@ -22,8 +22,8 @@ MOST_CHUNKS = 100  # that are computed of the largest grid
 _MEASURED = """
 import re, sys, time
 from pathlib import Path
-from nonsmooth.runtime.charting.chart import chart_problem, work_on
-from nonsmooth.runtime.charting.grid import linear_axis
+from nonsmooth.runtime.explore.charting.chart import chart_problem, work_on
+from nonsmooth.runtime.explore.charting.grid import linear_axis
 
 class Enough(Exception):
     pass

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from measuring import Row, timed
 
 import nonsmooth
-from nonsmooth.runtime.continuation.plane import continue_event
+from nonsmooth.runtime.explore.continuation.continue_event import continue_event
 
 STICK = "dry-friction/global-stick"
 DATA = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}

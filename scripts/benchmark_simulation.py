@@ -9,22 +9,22 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from measuring import Row, interleaved
 
-from nonsmooth.runtime.composition.composed import compose_many
-from nonsmooth.runtime.composition.newton import solve_cycle
-from nonsmooth.runtime.composition.passage import cycle_of
-from nonsmooth.runtime.kernels import load_system
-from nonsmooth.runtime.simulation.engine_layout import numbers_of
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
-from nonsmooth.runtime.simulation.piecewise import (
+from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     numbers_at,
     parameter_points,
     piecewise,
 )
-from nonsmooth.runtime.simulation.run import Run
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.compose import compose_many
+from nonsmooth.runtime.shooting.cycle_newton import solve_cycle
+from nonsmooth.runtime.shooting.shooting_map import cycle_of
+from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
 from nonsmooth.runtime.simulation.simulate import follow, simulate_many
 from nonsmooth.runtime.simulation.starting import configuration_of
-from nonsmooth.runtime.simulation.structure import structure_of
 
 DATA = {
     "A": dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831"),

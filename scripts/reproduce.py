@@ -1,6 +1,6 @@
 """Reproduce the source paper: `nonsmooth reproduce`."""
 
-from nonsmooth.runtime.cli import main
+from nonsmooth.runtime.cli.program import main
 
 if __name__ == "__main__":
     main("reproduce")

@@ -7,9 +7,9 @@ import math
 import numpy as np
 from stressing import EPS, Ball, Sums, first_excess, undecided
 
-from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.run import Run
+from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 
 __all__ = ["broken_step"]
 

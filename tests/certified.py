@@ -21,8 +21,8 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
-from nonsmooth.runtime.composition.record import ComposedOrbit
-from nonsmooth.runtime.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 
 __all__ = ["FORCED", "forced", "kicked", "loop", "rooted"]
 

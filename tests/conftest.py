@@ -6,9 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.places import CHECKOUT
+
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-GENERATED = Path(__file__).resolve().parents[1] / "generated"
+GENERATED = CHECKOUT / "generated"
 SUFFIXES = (".c", ".h", ".md", ".py", ".json")
 
 
@@ -41,10 +43,10 @@ def committed_derivation(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
 @pytest.fixture
 def empty_reproduction(monkeypatch: pytest.MonkeyPatch) -> None:
     """A reproduction of the paper that writes one empty file; the whole is a test of its own."""
-    from nonsmooth.runtime.reproduce import writing
+    from nonsmooth.runtime.present.paper import writing
 
     def write(
-        out: Path, begin: Callable[[str], None], *, certified: bool = False
+        out: Path, formulas: object, begin: Callable[[str], None], *, certified: bool = False
     ) -> tuple[Path, ...]:
         begin("report")
         out.mkdir(exist_ok=True)

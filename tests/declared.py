@@ -18,7 +18,7 @@ from scipy.linalg import expm, null_space
 from nonsmooth.derive.dynamics import SecondOrder
 from nonsmooth.derive.itinerary import Itinerary, Phase
 from nonsmooth.derive.systems import declaration
-from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 
 @cache

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
-from latex_reader import ORBITS, Written, written_of
 
 from nonsmooth.derive.document.blocks import Document
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
@@ -17,9 +15,9 @@ from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.system import System
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime.loading.declared import declaration_in
-
-GALLERY = Path(__file__).resolve().parents[1] / "docs" / "gallery"
+from nonsmooth.runtime.model.loading.declared import declaration_in
+from tests.latex_reader import ORBITS, Written, written_of
+from tests.places import GALLERY
 
 
 @cache

@@ -9,7 +9,7 @@ from __future__ import annotations
 from types import ModuleType
 from typing import Any
 
-from nonsmooth.runtime.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 
 __all__ = ["DATA", "MIRROR", "box", "declared", "pair", "two_stops"]
 

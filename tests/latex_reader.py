@@ -24,7 +24,7 @@ from nonsmooth.derive.explicit import Angle
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 REVERSIBLE = ["rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"]
 CONSERVATIVE = ["rigid-stop/one-impact", "elastic-stop/one-contact"]

@@ -6,7 +6,7 @@
 #include "least_squares.h"
 #include "support.h"
 
-/* The numbers of nonsmooth.runtime.composition.newton. */
+/* The numbers of nonsmooth.runtime.shooting.cycle_newton. */
 static const double TOLERANCE = 1e-9; /* of the last step, which Newton's method squares */
 static const double MOST_RESIDUAL = 1e-9;
 static const double SHORTEST = 1e-6; /* in units of the period: on the way to no time at all */

@@ -15,7 +15,7 @@ typedef struct {
     const int32_t *forcing; /* states c and s with c^2 + s^2 = 1, or NULL */
 } cycle;
 
-/* The numbers of nonsmooth.runtime.newton. */
+/* The numbers of nonsmooth.runtime.shooting.newton. */
 enum {
     COMPOSE_CONVERGED = 0,
     COMPOSE_STALLED = 1,

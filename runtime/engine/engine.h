@@ -4,7 +4,7 @@
 
 #include "tables.h"
 
-/* The members of nonsmooth.runtime.simulation.run.Status. */
+/* The members of nonsmooth.runtime.model.engine_run.Status. */
 enum {
     STATUS_TRANSITIONS,
     STATUS_UNTIL,

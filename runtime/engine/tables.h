@@ -1,5 +1,5 @@
 /* A piecewise-linear system as the engine reads it: integers that describe the declaration, and
- * numbers at one parameter point. nonsmooth.runtime.simulation.engine_layout packs both.
+ * numbers at one parameter point. nonsmooth.runtime.model.engine_layout packs both.
  *
  * The flow of a configuration is y(t) = sum_f phi_f(t) (B_f y(0) + beta_f). The functions phi_f
  * come mode by mode: t^k e^(st) cos(wt), then t^k e^(st) sin(wt) where the mode oscillates, for

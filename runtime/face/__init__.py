@@ -7,55 +7,57 @@ The public names, each imported when it is first used. Systems are declared with
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from nonsmooth.runtime.core.registry import register
+
 if TYPE_CHECKING:
-    from nonsmooth.runtime.batch import Orbits, solve_many
-    from nonsmooth.runtime.certification.boxes.certify import certify_box
-    from nonsmooth.runtime.certification.boxes.record import BoxCertificate
-    from nonsmooth.runtime.certification.boxes.saved import load_box_certificate
-    from nonsmooth.runtime.certification.certificate import Certificate
-    from nonsmooth.runtime.certification.certify import certify
-    from nonsmooth.runtime.certification.checking import Check, check_certificate
-    from nonsmooth.runtime.certification.counting.census import Census
-    from nonsmooth.runtime.certification.counting.count import certify_all
-    from nonsmooth.runtime.certification.counting.saved import load_census
-    from nonsmooth.runtime.certification.events.certify import certify_event
-    from nonsmooth.runtime.certification.events.record import EventCertificate
-    from nonsmooth.runtime.certification.events.saved import load_event_certificates
-    from nonsmooth.runtime.certification.saved import load_certificate
-    from nonsmooth.runtime.charting.chart import chart, load_chart
-    from nonsmooth.runtime.composition.composed import ComposedOrbit, compose, compose_many
-    from nonsmooth.runtime.composition.recurring import Recurrence, itinerary_of
-    from nonsmooth.runtime.continuation.branch import continue_orbit
-    from nonsmooth.runtime.continuation.event import Event
-    from nonsmooth.runtime.continuation.locus import Locus
-    from nonsmooth.runtime.continuation.plane import continue_event
-    from nonsmooth.runtime.continuation.record import Branch
-    from nonsmooth.runtime.continuation.saved import load_branch
-    from nonsmooth.runtime.continuation.saved_locus import load_locus
-    from nonsmooth.runtime.errors import (
+    from nonsmooth.runtime.core.errors import (
         InputError,
         Interrupted,
         MissingExtra,
         NoConvergence,
         NonsmoothError,
     )
-    from nonsmooth.runtime.finding.find import Found, find_orbits
-    from nonsmooth.runtime.finding.saved import load_found
-    from nonsmooth.runtime.finding.saved_sweep import load_sweep
-    from nonsmooth.runtime.finding.sweep import Sweep, sweep
-    from nonsmooth.runtime.motion import Motion
-    from nonsmooth.runtime.observing.lyapunov import lyapunov
-    from nonsmooth.runtime.observing.observables import observe
-    from nonsmooth.runtime.orbit import Orbit
-    from nonsmooth.runtime.refine import refine
-    from nonsmooth.runtime.saved import load_orbit_file as load
+    from nonsmooth.runtime.explore.charting.chart import chart, load_chart
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.continue_event import continue_event
+    from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
+    from nonsmooth.runtime.explore.continuation.event import Event
+    from nonsmooth.runtime.explore.continuation.locus import Locus
+    from nonsmooth.runtime.explore.finding.find import Found, find_orbits
+    from nonsmooth.runtime.explore.finding.sweep import Sweep, sweep
+    from nonsmooth.runtime.orbits.compose import ComposedOrbit, compose, compose_many
+    from nonsmooth.runtime.orbits.many import Orbits, solve_many
+    from nonsmooth.runtime.orbits.motion import Motion
+    from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.refine import refine
+    from nonsmooth.runtime.orbits.solve import solve
+    from nonsmooth.runtime.present.checking.check_file import Check, check_certificate
+    from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
+    from nonsmooth.runtime.present.files.branches import load_branch
+    from nonsmooth.runtime.present.files.censuses import load_census
+    from nonsmooth.runtime.present.files.certificates import load_certificate
+    from nonsmooth.runtime.present.files.event_certificates import load_event_certificates
+    from nonsmooth.runtime.present.files.found import load_found
+    from nonsmooth.runtime.present.files.loci import load_locus
+    from nonsmooth.runtime.present.files.motions import load_trajectory
+    from nonsmooth.runtime.present.files.orbits import load_orbit_file as load
+    from nonsmooth.runtime.present.files.sweeps import load_sweep
+    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+    from nonsmooth.runtime.proof.boxes.certify_box import certify_box
+    from nonsmooth.runtime.proof.certificate import Certificate
+    from nonsmooth.runtime.proof.certify_orbit import certify
+    from nonsmooth.runtime.proof.counting.census import Census
+    from nonsmooth.runtime.proof.counting.certify_all import certify_all
+    from nonsmooth.runtime.proof.events.certify_event import certify_event
+    from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+    from nonsmooth.runtime.proof.motion.motion_proof import Proof
+    from nonsmooth.runtime.proof.motion.validate import validate
+    from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
+    from nonsmooth.runtime.simulation.lyapunov import lyapunov
+    from nonsmooth.runtime.simulation.observables import observe
     from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
-    from nonsmooth.runtime.simulation.saved import load_trajectory
     from nonsmooth.runtime.simulation.simulate import Trajectories, simulate, simulate_many
     from nonsmooth.runtime.simulation.trajectory import Trajectory
-    from nonsmooth.runtime.solve import solve
-    from nonsmooth.runtime.validation.proof import Proof
-    from nonsmooth.runtime.validation.validate import validate
 
     __version__: str
 
@@ -121,64 +123,94 @@ __all__ = [
 ]
 
 _HOMES = {
-    "BoxCertificate": "certification.boxes.record",
-    "Census": "certification.counting.census",
-    "Check": "certification.checking",
-    "Certificate": "certification.certificate",
-    "Branch": "continuation.record",
-    "ComposedOrbit": "composition.composed",
-    "Event": "continuation.event",
-    "EventCertificate": "certification.events.record",
-    "Found": "finding.find",
-    "InputError": "errors",
-    "Interrupted": "errors",
-    "Locus": "continuation.locus",
-    "MissingExtra": "errors",
-    "Motion": "motion",
-    "NoConvergence": "errors",
-    "NonsmoothError": "errors",
-    "Orbit": "orbit",
-    "Orbits": "batch",
+    "BoxCertificate": "proof.boxes.box_certificate",
+    "Census": "proof.counting.census",
+    "Check": "present.checking.check_file",
+    "Certificate": "proof.certificate",
+    "Branch": "explore.continuation.branch",
+    "ComposedOrbit": "orbits.compose",
+    "Event": "explore.continuation.event",
+    "EventCertificate": "proof.events.event_certificate",
+    "Found": "explore.finding.find",
+    "InputError": "core.errors",
+    "Interrupted": "core.errors",
+    "Locus": "explore.continuation.locus",
+    "MissingExtra": "core.errors",
+    "Motion": "orbits.motion",
+    "NoConvergence": "core.errors",
+    "NonsmoothError": "core.errors",
+    "Orbit": "orbits.orbit",
+    "Orbits": "orbits.many",
     "PoincareMap": "simulation.returns",
-    "Proof": "validation.proof",
-    "Recurrence": "composition.recurring",
-    "Sweep": "finding.sweep",
+    "Proof": "proof.motion.motion_proof",
+    "Recurrence": "simulation.last_cycle",
+    "Sweep": "explore.finding.sweep",
     "Trajectories": "simulation.simulate",
     "Trajectory": "simulation.trajectory",
-    "certify": "certification.certify",
-    "certify_box": "certification.boxes.certify",
-    "certify_event": "certification.events.certify",
-    "certify_all": "certification.counting.count",
-    "check_certificate": "certification.checking",
-    "chart": "charting.chart",
-    "compose": "composition.composed",
-    "compose_many": "composition.composed",
-    "continue_event": "continuation.plane",
-    "continue_orbit": "continuation.branch",
-    "find_orbits": "finding.find",
-    "itinerary_of": "composition.recurring",
-    "load": "saved:load_orbit_file",
-    "load_box_certificate": "certification.boxes.saved",
-    "load_census": "certification.counting.saved",
-    "load_certificate": "certification.saved",
-    "load_chart": "charting.chart",
-    "load_event_certificates": "certification.events.saved",
-    "load_branch": "continuation.saved",
-    "load_found": "finding.saved",
-    "load_locus": "continuation.saved_locus",
-    "load_sweep": "finding.saved_sweep",
-    "load_trajectory": "simulation.saved",
-    "lyapunov": "observing.lyapunov",
-    "observe": "observing.observables",
+    "certify": "proof.certify_orbit",
+    "certify_box": "proof.boxes.certify_box",
+    "certify_event": "proof.events.certify_event",
+    "certify_all": "proof.counting.certify_all",
+    "check_certificate": "present.checking.check_file",
+    "chart": "explore.charting.chart",
+    "compose": "orbits.compose",
+    "compose_many": "orbits.compose",
+    "continue_event": "explore.continuation.continue_event",
+    "continue_orbit": "explore.continuation.continue_orbit",
+    "find_orbits": "explore.finding.find",
+    "itinerary_of": "simulation.last_cycle",
+    "load": "present.files.orbits:load_orbit_file",
+    "load_box_certificate": "present.files.box_certificates",
+    "load_census": "present.files.censuses",
+    "load_certificate": "present.files.certificates",
+    "load_chart": "explore.charting.chart",
+    "load_event_certificates": "present.files.event_certificates",
+    "load_branch": "present.files.branches",
+    "load_found": "present.files.found",
+    "load_locus": "present.files.loci",
+    "load_sweep": "present.files.sweeps",
+    "load_trajectory": "present.files.motions",
+    "lyapunov": "simulation.lyapunov",
+    "observe": "simulation.observables",
     "poincare_map": "simulation.returns",
-    "refine": "refine",
+    "refine": "orbits.refine",
     "simulate": "simulation.simulate",
     "simulate_many": "simulation.simulate",
-    "solve": "solve",
-    "solve_many": "batch",
-    "sweep": "finding.sweep",
-    "validate": "validation.validate",
+    "solve": "orbits.solve",
+    "solve_many": "orbits.many",
+    "sweep": "explore.finding.sweep",
+    "validate": "proof.motion.validate",
 }
+
+# where the records' `plot`, `save` and displays stand: above them, and imported when asked for
+register(
+    "nonsmooth.runtime",
+    {
+        "composed_json": "present.composed_report",
+        "draw_box": "present.pictures.proven_maps",
+        "draw_branch": "present.pictures.branches",
+        "draw_locus": "present.pictures.branches",
+        "found_html": "present.notebook",
+        "orbit_html": "present.notebook",
+        "orbit_json": "present.report",
+        "orbit_latex": "present.notebook",
+        "plot_composed": "present.pictures.composed",
+        "plot_orbit": "present.pictures.plot",
+        "plot_trajectory": "present.pictures.scenes",
+        "save_box": "present.files.box_certificates",
+        "save_branch": "present.files.branches",
+        "save_census": "present.files.censuses",
+        "save_certificate": "present.files.certificates",
+        "save_composed": "present.files.composed_orbits",
+        "save_events": "present.files.event_certificates",
+        "save_found": "present.files.found",
+        "save_locus": "present.files.loci",
+        "save_orbit": "present.files.orbits",
+        "save_sweep": "present.files.sweeps",
+        "save_trajectory": "present.files.motions",
+        "saved_kernels": "present.files.named_entries",
+    },
+)
 
 
 def __getattr__(name: str) -> object:

@@ -12,14 +12,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import backend
-from nonsmooth.runtime.simulation.deciding import batch_decider
-from nonsmooth.runtime.simulation.engine_layout import layout_of, numbers_of
-from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.run import Grazing, Run, Status
-from nonsmooth.runtime.simulation.structure import Structure
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.events.transition_choice import batch_decider
+from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
+from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import backend
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import Structure
 
 __all__ = ["Ends", "compiled_engine", "no_ends", "run_compiled", "run_motions", "store_end"]
 
@@ -189,7 +189,7 @@ def run_motions(
     Parameters
     ----------
     numbers : array (p, size)
-        Parameter points, as `nonsmooth.runtime.simulation.piecewise.numbers_at` gives them.
+        Parameter points, as `nonsmooth.runtime.model.piecewise.numbers_at` gives them.
     points : array (count,)
         Row of `numbers` of each motion.
     states : array (count, N)

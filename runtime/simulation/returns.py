@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.linalg import null_space, orth
 
-from nonsmooth.runtime.errors import InputError, NoConvergence
-from nonsmooth.runtime.kernels import SystemKernels
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.simulation.simulate import follow
-from nonsmooth.runtime.simulation.structure import TransitionShape
 
 __all__ = ["PoincareMap", "Return", "poincare_map"]
 

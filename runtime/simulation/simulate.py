@@ -12,9 +12,19 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.errors import InputError
-from nonsmooth.runtime.kernels import SystemKernels, kernels_of
-from nonsmooth.runtime.loading.declared import DeclaredSystem
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.piecewise import (
+    PiecewiseLinear,
+    PointGroup,
+    numbers_at,
+    parameter_points,
+    piecewise,
+    piecewise_at,
+)
+from nonsmooth.runtime.model.structure import Structure, structure_of
 from nonsmooth.runtime.simulation.engines import (
     Ends,
     compiled_engine,
@@ -23,15 +33,6 @@ from nonsmooth.runtime.simulation.engines import (
     run_motions,
     store_end,
 )
-from nonsmooth.runtime.simulation.piecewise import (
-    PiecewiseLinear,
-    PointGroup,
-    numbers_at,
-    parameter_points,
-    piecewise,
-    piecewise_at,
-)
-from nonsmooth.runtime.simulation.run import Run
 from nonsmooth.runtime.simulation.starting import (
     check_forcing,
     check_phases,
@@ -39,7 +40,6 @@ from nonsmooth.runtime.simulation.starting import (
     configurations_of,
     start_state,
 )
-from nonsmooth.runtime.simulation.structure import Structure, structure_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
@@ -134,7 +134,7 @@ class Trajectories:
     grazings : array (...) of int64
         How many boundaries were touched and not crossed.
     status : array (...) of int64
-        Members of `nonsmooth.runtime.simulation.run.Status`; -1 where nothing was simulated.
+        Members of `nonsmooth.runtime.model.engine_run.Status`; -1 where nothing was simulated.
     last_times : array (..., kept)
     last_configurations, last_sets : array (..., kept) of int32
     last_states : array (..., kept, N)

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from nonsmooth.runtime.contacts.law import Law
-from nonsmooth.runtime.errors import InputError, unknown_name
-from nonsmooth.runtime.simulation.deciding import Decider
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.structure import Structure
-from nonsmooth.runtime.values import as_value
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.events.transition_choice import Decider
+from nonsmooth.runtime.model.contacts.law import Law
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import Structure
 
 __all__ = [
     "check_forcing",

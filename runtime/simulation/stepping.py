@@ -11,11 +11,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.simulation.crossing import ORDERS, Series, Start, first_crossing
-from nonsmooth.runtime.simulation.deciding import Decider, Decision
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.quasi import UNIT, QuasiPolynomial
-from nonsmooth.runtime.simulation.run import (
+from nonsmooth.runtime.events.first_crossing import ORDERS, Series, Start, first_crossing
+from nonsmooth.runtime.events.phase_numbers import (
+    BoundaryTable,
+    Clock,
+    ConfigurationTable,
+    Row,
+    dot,
+    orders,
+    rows_of,
+)
+from nonsmooth.runtime.events.transition_choice import Decider, Decision
+from nonsmooth.runtime.model.engine_run import (
     FARTHEST,
     GROWTH,
     LARGEST_STATE,
@@ -25,16 +32,9 @@ from nonsmooth.runtime.simulation.run import (
     Run,
     Status,
 )
-from nonsmooth.runtime.simulation.structure import TransitionShape
-from nonsmooth.runtime.simulation.tables import (
-    BoundaryTable,
-    Clock,
-    ConfigurationTable,
-    Row,
-    dot,
-    orders,
-    rows_of,
-)
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.quasi_polynomials import UNIT, QuasiPolynomial
+from nonsmooth.runtime.model.structure import TransitionShape
 
 __all__ = ["run"]
 

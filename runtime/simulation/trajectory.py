@@ -11,15 +11,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.errors import InputError, missing_extra
-from nonsmooth.runtime.simulation.flows import flow_states
-from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.run import Grazing, Run, Status
-from nonsmooth.runtime.simulation.structure import Structure
-from nonsmooth.runtime.values import Value
+from nonsmooth.runtime.core.errors import InputError, missing_extra
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import Structure
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.composition.recurring import Recurrence
+    from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
 __all__ = ["Trajectory"]
 
@@ -226,14 +227,12 @@ class Trajectory:
         masses: Iterable[int] | None = None,
         points: int = 2000,
     ) -> Any:
-        """Draw the motion; see `nonsmooth.runtime.pictures.scenes.plot_trajectory`."""
-        from nonsmooth.runtime.pictures.scenes import plot_trajectory
-
-        return plot_trajectory(self, kind, axes, masses=masses, points=points)
+        """Draw the motion; see `nonsmooth.runtime.present.pictures.scenes.plot_trajectory`."""
+        return registered("plot_trajectory")(self, kind, axes, masses=masses, points=points)
 
     def recurrence(self, since: float = 0.0, period: float | None = None) -> Recurrence:
         """The cycle that the motion repeats at its end: `nonsmooth.itinerary_of`."""
-        from nonsmooth.runtime.composition.recurring import itinerary_of
+        from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 
         return itinerary_of(self, since, period)
 
@@ -245,9 +244,7 @@ class Trajectory:
         InputError
             For another ending, or a file that cannot be written.
         """
-        from nonsmooth.runtime.simulation.saved import save_trajectory
-
-        save_trajectory(self, path)
+        registered("save_trajectory")(self, path)
 
     def _checked(self, times: Any) -> np.ndarray:
         try:

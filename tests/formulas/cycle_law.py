@@ -16,7 +16,7 @@ from formulas.values import Reading, name_of
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
 from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.itinerary import dwell_symbol
-from nonsmooth.runtime.composition.record import ComposedOrbit
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 
 __all__ = ["CycleLaw", "Orbit"]
 

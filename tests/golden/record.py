@@ -13,11 +13,11 @@ from typing import Any
 
 from typer.testing import CliRunner
 
-from nonsmooth.runtime.cli import app
+from nonsmooth.runtime.cli.program import app
 from tests.golden.comparing import differences
+from tests.places import GALLERY
 
 HERE = Path(__file__).parent
-GALLERY = HERE.parents[1] / "docs" / "gallery"
 ANSWERS = HERE / "answers.json"
 
 

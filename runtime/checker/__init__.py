@@ -1,0 +1,30 @@
+"""The check of certificates, from nothing but their files and ball arithmetic.
+
+A certificate holds a declaration, an itinerary, a box of unknowns or tiles of parameters, and
+what is claimed. Here all of it is proved again, of a census each orbit, apart from the program
+that wrote it: of that only the arithmetic is imported, Taylor models and rational functions.
+Read in this order:
+
+    exact      numbers as they are stated, and exact arithmetic of rows
+    shape      what the files hold, entry by entry
+    declared   what is declared, and what follows from it without rounding
+    parameters the values of what the declaration is a function of
+    orbit      existence, enclosures, the Poincare map
+    stability  its multipliers
+    motion     admissibility
+    points     a certificate at one parameter point
+    tiles      a map of tiles in a box of parameters
+    events     bifurcations and limits of admissibility
+    census     orbits that were counted
+
+``python -m nonsmooth.runtime.checker FILE`` checks a file.
+"""
+
+from nonsmooth.runtime.checker.census import check_census
+from nonsmooth.runtime.checker.events import check_events
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.points import check
+from nonsmooth.runtime.checker.shape import Malformed
+from nonsmooth.runtime.checker.tiles import check_tiles
+
+__all__ = ["Failure", "Malformed", "check", "check_census", "check_events", "check_tiles"]

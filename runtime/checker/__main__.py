@@ -1,0 +1,18 @@
+"""Check one file: ``python -m nonsmooth.runtime.checker FILE``."""
+
+import json
+import sys
+
+from nonsmooth.runtime.checker import check, check_census, check_events, check_tiles
+
+with open(sys.argv[1], encoding="utf-8") as file:
+    content = json.load(file)
+if "tiles" in content:
+    check_tiles(content)
+elif "events" in content:
+    check_events(content)
+elif "orbits" in content:
+    check_census(content)
+else:
+    check(content)
+print("every claim is proved")

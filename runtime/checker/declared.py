@@ -1,0 +1,392 @@
+"""What a certificate declares, read exactly, and what follows from it without any rounding.
+
+Of each configuration the affine field y' = A y + b, the rows n y + c of its boundaries (negative
+inside) and of what vanishes in it; of each transition its conditions and its affine reset. States
+carry a last entry 1, so that every affine map is one matrix and every affine function one row.
+"""
+
+import json
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from flint import fmpq
+
+from nonsmooth.runtime.checker.contacts import ContactLaw
+from nonsmooth.runtime.checker.exact import (
+    Elimination,
+    Failure,
+    demand,
+    is_integer,
+    leading,
+    number_of,
+    product,
+    reduced,
+)
+from nonsmooth.runtime.core.rational_functions import Quotient
+
+__all__ = ["Declared", "Phase", "Step", "Transition", "Watched", "gauge_of"]
+
+_FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
+
+
+class Transition(NamedTuple):
+    """What leads from a configuration and boundaries to another: conditions, affine reset."""
+
+    begins: tuple[str, ...]
+    conditions: list[tuple[Any, str, bool]]
+    reset: Any
+    target: str
+    early: int | None = None  # conditions of a law's steps before the last; None: it is listed
+
+
+class Step(NamedTuple):
+    """A phase of the itinerary: its field, the row that ends it, the transition behind that.
+
+    The reset is the transition's, at the end of the cycle projected along what it closes up to.
+    """
+
+    name: str
+    field: Any
+    exit: Any
+    taken: Transition
+    target: str
+    reset: Any
+
+
+class Watched(NamedTuple):
+    """A boundary in a phase; rows are reduced by what is known to be zero there.
+
+    The first derivative where the phase begins that is not zero has the order, and `begins` is
+    its row: None where the function is zero all along.
+    """
+
+    name: str
+    row: Any
+    ends_it: bool
+    order: int
+    begins: Any
+    still: bool
+    end: Any
+    speed: Any
+
+
+class Phase(NamedTuple):
+    """What has to hold in a phase.
+
+    Rows that vanish where it begins; boundaries; transitions up to the itinerary's, which is the
+    last: whether a row's sign, None where that is zero, is positive. Of a law's transition, and
+    whether its steps are decided by their own functions and its reset moves nothing.
+    """
+
+    held: list[Any]
+    watched: list[Watched]
+    ways: list[list[tuple[Any, bool]]]
+    lawful: bool
+    decided: bool
+
+
+class Declared:
+    """The system, itinerary and closing of a certificate.
+
+    Parameters
+    ----------
+    content : dict
+    values : mapping of str to fmpq or Quotient
+        Of all parameters that the file names: the declaration's entries are functions of them.
+        Where it takes roots its entries are numbers, and bound to no names.
+    """
+
+    def __init__(self, content: dict[str, Any], values: Mapping[str, Any]) -> None:
+        declared, self.closing = content["declaration"], content["closing"]
+        names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
+        self.rational = '"mid"' not in json.dumps(declared)
+        self.bound = sorted(names) == sorted(values)
+        demand(self.bound or not names, "the declaration is not over the parameters that are named")
+        self.variables = [values[name] for name in names]
+        self.size, self.forcing = len(declared["states"]), declared["forcing"]
+        self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]
+        self._check_names(declared["states"])
+        told = [k for pair in self.forcing for k in pair]
+        demand({*told} <= {*range(self.size)} and len({*told}) == len(told), "no such forcing")
+        zero = (fmpq(0),) * self.size
+        self.configurations, self.fields = {}, {}
+        for name, entry in declared["configurations"].items():
+            self.fields[name] = [*self.rows(entry["field"]), (*zero, fmpq(0))]
+            rows = {boundary: self.row(row) for boundary, row in entry["boundaries"].items()}
+            self.configurations[name] = rows, [*map(self.row, entry["held"])]
+        self.transitions = [
+            Transition(
+                (entry["source"], *sorted(entry["boundaries"])),
+                [(self.row(row), along, holds) for row, along, holds in entry["conditions"]],
+                [*self.rows(entry["reset"]), (*zero, fmpq(1))],
+                entry["target"],
+            )
+            for entry in declared["transitions"]
+        ]
+        if "law" in declared and self.rational:
+            self._lawful(declared)
+        self.itinerary = declared["phases"]
+        phases = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
+        demand(content["itinerary"] == phases, "the itinerary is not that of the declaration")
+        self.steps = []
+        names = [phase["configuration"] for phase in self.itinerary]
+        for phase, target in zip(self.itinerary, [*names[1:], *names[:1]], strict=True):
+            number, name = phase["transition"], phase["configuration"]
+            if phase["boundaries"] == [_FORCING_PHASE]:
+                self.steps.append(self._whole_turn(name))
+                continue
+            demand(0 <= number < len(self.transitions), "there is no such transition")
+            taken = self.transitions[number]
+            ways = (name, *sorted(phase["boundaries"])), target
+            leads = ways == (taken.begins, taken.target)
+            demand(leads, "a transition does not lead from phase to phase")
+            row = self.configurations[name][0][phase["boundaries"][0]]
+            self.steps.append(Step(name, self.fields[name], row, taken, target, taken.reset))
+        self.forced = [k for pair in self.forcing for k in pair]
+        self.free = [k for k in range(self.size) if k not in self.forced]
+        self.translations = [
+            tuple(map(self.number, row)) for row in self.closing.get("translations", [])
+        ]
+        for direction in self.translations:
+            self._close_along(direction)
+        self.alone = all(len(phase["boundaries"]) == 1 for phase in self.itinerary)
+        self.omega: list[Any] = []
+        timed = self.closing["kind"] == "period"
+        demand(not timed or self.closing["period"] in values, "no period is given")
+        self.period = values[self.closing["period"]] if timed else None
+
+    @property
+    def unknowns(self) -> list[str]:
+        """Names of the unknowns of the orbit's equations."""
+        time = ["forcing time"] if self.forcing else []
+        return [*(self.start[k] for k in self.free), *time, *self.dwell]
+
+    @property
+    def stability(self) -> str:
+        """What can be claimed of the multipliers."""
+        return "neutral" if self.closing["kind"] == "period" else "stable"
+
+    @property
+    def dropped(self) -> int:
+        """The coordinate whose closure follows from the energy; -1 for none."""
+        return int(self.closing.get("dropped", -1))
+
+    def _check_names(self, states: list[str]) -> None:
+        """A state at the start is called as the state, or x10 for x1, or has a name of its own."""
+        demand(len(self.start) == len(states), "every state has a name at the start")
+        demand(len({*states}) == len(states), "two states have one name")
+        named = [*self.start, *self.dwell, "period", "trace"]
+        demand(len({*named}) == len(named), "two unknowns have one name")
+        for place, name in enumerate(self.start):
+            others = [other for k, other in enumerate(states) if k != place]
+            free = all(name not in (other, f"{other}0") for other in others)
+            demand(free or name == f"{states[place]}0", f"{name} is that of another state")
+
+    def _lawful(self, declared: dict[str, Any]) -> None:
+        """Transitions with steps are those of the contact law."""
+        try:
+            law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
+            for place, entry in enumerate(declared["transitions"]):
+                if "steps" in entry:
+                    own = self.transitions[place]
+                    self.transitions[place] = own._replace(early=law.check(entry, own.conditions))
+        except (KeyError, IndexError, TypeError, ValueError) as problem:
+            raise Failure(f"the contact law is malformed: {problem!r}") from None
+
+    def _whole_turn(self, name: str) -> Step:
+        """A phase that ends where the first forcing begins anew, and changes nothing."""
+        demand(bool(self.forcing), "without a forcing there is no phase of it")
+        sine = self.forcing[0][1]
+        row = tuple(fmpq(int(k == sine)) for k in range(self.size + 1))
+        identity = [
+            tuple(fmpq(int(j == k)) for j in range(self.size + 1)) for k in range(self.size + 1)
+        ]
+        staying = Transition((name, _FORCING_PHASE), [], identity, name)
+        return Step(name, self.fields[name], row, staying, name, identity)
+
+    def number(self, entry: Any) -> Any:
+        """A fraction, a ball, or a rational function."""
+        found = number_of(entry, self.variables)
+        if isinstance(found, Quotient) and not found.below.is_one():
+            self.poles.append(found)
+        return found
+
+    def row(self, entries: list[Any]) -> tuple[Any, ...]:
+        """An affine function of the state."""
+        demand(len(entries) == self.size + 1, "a row of another size")
+        return tuple(map(self.number, entries))
+
+    def rows(self, entries: list[Any]) -> list[Any]:
+        """As many of them as there are states."""
+        demand(len(entries) == self.size, "a matrix of another size")
+        return [*map(self.row, entries)]
+
+    def closes(self) -> dict[str, Any]:
+        """What is no equation follows: forcings return; else the energies of a kept form.
+
+        The field is f = Omega^-1 grad E with E = y'H y/2, so each phase keeps E and Omega. At a
+        boundary the reset keeps E, and Omega on its tangents: monodromy is symplectic.
+        """
+        kind = self.closing["kind"]
+        demand((kind == "forcing") == bool(self.forcing), "a forcing is left out")
+        demand(kind == "state" or self.rational, "the declaration is not exact")
+        if kind == "forcing":
+            self._returns()
+        if kind != "period":
+            return {}
+        demand(self.dropped in self.free, "an open coordinate")
+        self.omega = omega = [tuple(map(self.number, row)) for row in self.closing["form"]]
+        demand(len(omega) == self.size, "no symplectic form")
+        demand(omega == [tuple(-x for x in column) for column in zip(*omega, strict=True)],
+               "no symplectic form")  # fmt: skip
+        visited = {step.name for step in self.steps}
+        demand(self.closing["constants"].keys() == visited, "energies of other configurations")
+        energies = {}
+        for step in self.steps:
+            upper = [product(row, step.field[:-1]) for row in omega]
+            last = self.number(self.closing["constants"][step.name])
+            energy = [*upper, (*(row[-1] for row in upper), last)]
+            symmetric = energy == list(zip(*energy, strict=True))
+            demand(symmetric, "a field is not the energy's")
+            energies[step.name] = energy
+        for step in self.steps:
+            linear = [row[:-1] for row in step.reset[:-1]]
+            for kept, before, reset, normal in (
+                (energies[step.target], energies[step.name], step.reset, step.exit),
+                (omega, omega, linear, step.exit[:-1]),
+            ):
+                on = self.exactly.left_kernel([[x] for x in normal])
+                moved = [product(row, list(zip(*reset, strict=True))) for row in on]
+                same = _seen(kept, moved) == _seen(before, on)
+                demand(same, "a reset keeps neither energy nor form")
+        return energies
+
+    def _close_along(self, direction: tuple[Any, ...]) -> None:
+        """Close up to a translation of all that is declared: y + s d is a motion when y is.
+
+        Behind the last phase the state is moved along it until its first coordinate is zero.
+        """
+        rows = [row for field in self.fields.values() for row in field]
+        for boundaries, held in self.configurations.values():
+            rows += [*boundaries.values(), *held]
+        for transition in self.transitions:
+            rows += [row for row, _, _ in transition.conditions]
+            rows += [
+                tuple(x - int(i == j) for j, x in enumerate(row))
+                for i, row in enumerate(transition.reset)
+            ]
+        along = [[x] for x in (*direction, fmpq(0))]
+        demand(len(direction) == self.size and self.rational and any(direction),
+               "no direction to close along")  # fmt: skip
+        demand(not any(product(row, along)[0] for row in rows), "no translation of the system")
+        gauge = gauge_of(direction)
+        others = sum(1 for other in self.translations if other[gauge])
+        demand(others == 1, "directions that are not independent")
+        last = self.steps[-1]
+        share = [x / direction[gauge] for x in last.reset[gauge]]
+        reset = [
+            tuple(x - d * y for x, y in zip(row, share, strict=True))
+            for row, d in zip(last.reset, (*direction, fmpq(0)), strict=True)
+        ]
+        self.steps[-1] = last._replace(reset=reset)
+
+    def _returns(self) -> None:
+        (c0, s0), turns = self.forcing[0], self.closing["turns"]
+        first = self.steps[0].field
+        for c, s in self.forcing:
+            w = first[s][c]
+            demand(is_integer(w * turns / first[s0][c0]), "a forcing does not return")
+            for k, other, rate in ((c, s, -w), (s, c, w)):
+                turns_as = [rate if j == other else 0 for j in range(self.size + 1)]
+                keep = [int(j == k) for j in range(self.size + 1)]
+                even = all(list(step.field[k]) == turns_as for step in self.steps)
+                demand(even, "an uneven forcing")
+                demand(all(list(step.reset[k]) == keep for step in self.steps), "a reset forcing")
+
+    @cached_property
+    def known(self) -> list[tuple[Any, Any, Any]]:
+        """Facts where each phase begins, those of them that last, and where it ends."""
+        found: list[tuple[Any, Any, Any]] = []
+        facts: list[Any] = []
+        count = -1
+        while len(facts) > count:  # from nothing, till nothing is added
+            found, count = [], len(facts)
+            for step in self.steps:
+                kept = self.exactly.lasting(facts, step.field)
+                end = self.exactly.echelon([*kept, step.exit])
+                found.append((facts, kept, end))
+                facts = self.exactly.echelon(
+                    self.exactly.left_kernel([reduced(r, end) for r in step.reset])
+                )
+        return found
+
+    @cached_property
+    def phases(self) -> list[Phase]:
+        """What has to hold in each phase."""
+        demand(self.rational, "the declaration is not exact")
+        return [self._phase(place, *facts) for place, facts in enumerate(self.known)]
+
+    @cached_property
+    def section(self) -> tuple[int, list[int], list[Any]]:
+        """The phase with most facts, coordinates that they leave free, changes by these.
+
+        At fixed times, as those of forced orbits are, only facts that last hold for changes.
+        """
+        found = []
+        forced = [[fmpq(int(j == k)) for j in range(self.size)] for k in self.forced]
+        for place in range(len(self.steps) if self.rational else 1):
+            facts = self.known[place][1 if self.forcing else 0] if self.rational else []
+            gauges = [gauge_of(direction) for direction in self.translations if not place]
+            still = [[fmpq(int(j == k)) for j in range(self.size)] for k in gauges]
+            rows = self.exactly.echelon([*forced, *still, *(row[:-1] for row in facts)])
+            pivots = {next(j for j, x in enumerate(row) if x): row for row in rows}
+            free = [k for k in range(self.size) if k not in pivots]
+            basis = [
+                [-pivots[i][k] if i in pivots else fmpq(int(i == k)) for k in free]
+                for i in range(self.size)
+            ]
+            found.append((place, free, [*basis, [fmpq(0)] * len(free)]))
+        return min(found, key=lambda entry: len(entry[1]))
+
+    def _phase(self, place: int, begin: Any, kept: Any, end: Any) -> Phase:
+        step = self.steps[place]
+        boundaries, held = self.configurations[step.name]
+        ending = self.itinerary[place]["boundaries"]
+        watched = []
+        for name, row in boundaries.items():
+            order, begins = leading(row, step.field, begin, 0)
+            rate = product(row, step.field)
+            still = not any(reduced(rate, kept))
+            ends = reduced(row, end), reduced(rate, end)
+            watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
+        own = [boundaries[name] for name in ending if name != _FORCING_PHASE]
+        ways: list[Any] = [[]] if ending == [_FORCING_PHASE] else []
+        decided = True
+        for other in self.transitions:
+            if other.begins == step.taken.begins:
+                found = [
+                    (*leading(row, self.fields[along], end, int(row in own)), holds)
+                    for row, along, holds in other.conditions
+                ]
+                early = other.early or 0
+                decided &= all(not order and row is not None for order, row, _ in found[:early])
+                ways.append([(row, holds) for _, row, holds in found])
+                if other is step.taken:
+                    break
+        if step.taken.early is not None:  # what begins to hold is in its place already
+            for k, row in enumerate(step.taken.reset):
+                moved = tuple(x - int(j == k) for j, x in enumerate(row))
+                decided &= not any(reduced(moved, end))
+        lawful = any(t.early is not None for t in self.transitions if t.begins == step.taken.begins)
+        return Phase([reduced(row, begin) for row in held], watched, ways, lawful, decided)
+
+
+def gauge_of(direction: Any) -> int:
+    """The first coordinate of a direction: zero where the cycle begins."""
+    return next(k for k, x in enumerate(direction) if x)
+
+
+def _seen(form: Any, rows: Any) -> list[Any]:
+    """A bilinear form between vectors that are given as rows."""
+    return [product(product(row, form), list(zip(*rows, strict=True))) for row in rows]

@@ -1,0 +1,194 @@
+"""Exact arithmetic: numbers as a file states them, and rows of them.
+
+A text is an exact fraction, {mid, rad} any number of a ball, {above, below} a rational function
+of the parameters that the file names: lists of [coefficient, exponents].
+"""
+
+import hashlib
+import json
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb, fmpq, fmpz
+
+from nonsmooth.runtime.core.rational_functions import Quotient
+
+__all__ = [
+    "NUMBER",
+    "Elimination",
+    "Failure",
+    "agreed_claims",
+    "ball",
+    "check_sum",
+    "demand",
+    "exact",
+    "inside",
+    "is_integer",
+    "leading",
+    "number_of",
+    "product",
+    "reduced",
+]
+
+
+NUMBER = re.compile(
+    r"[+-]?\d+/\d+|[+-]?(?=\.?\d)\d*(\.\d*)?(e[+-]?\d{1,6})?", re.ASCII
+)  # a fraction, or a decimal with an exponent
+_HIGHEST = 10_000  # power of a parameter
+
+
+class Failure(Exception):
+    """Something that is claimed could not be proved."""
+
+
+def demand(condition: object, otherwise: str) -> None:
+    """Fail unless a condition holds."""
+    if not condition:
+        raise Failure(otherwise)
+
+
+def check_sum(content: dict[str, Any]) -> None:
+    """The content is as it was written."""
+    covered = {key: value for key, value in content.items() if key != "sha256"}
+    digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
+    demand(content["sha256"] == digest, "edited or damaged: the checksum differs")
+
+
+def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str, str, str]:
+    """Verdicts on existence, admissibility and stability that may go together.
+
+    There is a reason for each that is not proved, and for no other.
+    """
+    exists, *others = (claims[name] for name in ("existence", "admissibility", "stability"))
+    if exists != "proved":
+        demand({*others} == {"undecided"}, "a claim about no orbit")
+    missed = {name for name, verdict in claims.items() if verdict != "proved"}
+    demand(reasons.keys() == missed, "there are reasons for other claims")
+    return exists, others[0], others[1]
+
+
+def exact(text: str) -> Any:
+    """A fraction, or a decimal with an exponent, without rounding."""
+    demand(NUMBER.fullmatch(text), f"{text[:60]!r} is no number")
+    digits, _, exponent = text.partition("e")
+    whole, _, decimals = digits.partition(".")
+    numerator, _, denominator = (whole + decimals).partition("/")
+    below = fmpz(denominator or "1")
+    demand(below != 0, f"{text[:60]!r} is no number")
+    power = fmpq(10) ** (int(exponent or 0) - len(decimals))
+    return fmpq(fmpz(numerator.removeprefix("+")), below) * power
+
+
+def ball(stated: dict[str, str]) -> Any:
+    """The ball of a middle and a radius."""
+    return arb(exact(stated["mid"])) + arb(0, arb(exact(stated["rad"])))
+
+
+def inside(found: Any, stated: dict[str, str]) -> Any:
+    """Whether a number lies inside a ball that is stated."""
+    return abs(found - arb(exact(stated["mid"]))) < arb(exact(stated["rad"]))
+
+
+def number_of(entry: Any, variables: Sequence[Any]) -> Any:
+    """A fraction, a ball, or the value of a rational function of the variables."""
+    if isinstance(entry, str):
+        return exact(entry)
+    if "mid" in entry:
+        return ball(entry)
+    above, below = (_polynomial(entry[part], variables) for part in ("above", "below"))
+    demand(below, "a number of the declaration has a pole")
+    return above / below
+
+
+def _polynomial(terms: list[Any], variables: Sequence[Any]) -> Any:
+    total: Any = fmpq(0)
+    for coefficient, exponents in terms:
+        demand(len(exponents) == len(variables), "a function of other parameters")
+        demand(all(0 <= k <= _HIGHEST for k in exponents), "a power too high")
+        term: Any = exact(coefficient)
+        for variable, exponent in zip(variables, exponents, strict=True):
+            if exponent:
+                term = term * variable**exponent
+        total = total + term
+    return total
+
+
+def is_integer(number: Any) -> bool:
+    """Whether a fraction or a function is one and the same integer."""
+    if isinstance(number, Quotient):
+        if not (number.above.is_constant() and number.below.is_one()):
+            return False
+        number = number.above.leading_coefficient()
+    return bool(number.q == 1)
+
+
+def product(row: Any, rows: Any) -> tuple[Any, ...]:
+    """A row times a matrix: with a field, the row of the derivative."""
+    return tuple(
+        sum((x * y for x, y in zip(row, column, strict=True) if x and y), fmpq(0))
+        for column in zip(*rows, strict=True)
+    )
+
+
+def reduced(row: Any, facts: Any) -> Any:
+    """The same function of a state for which the facts hold."""
+    for fact in facts:
+        if factor := row[next(j for j, x in enumerate(fact) if x)]:
+            row = tuple(x - factor * y if y else x for x, y in zip(row, fact, strict=True))
+    return row
+
+
+def leading(row: Any, field: Any, facts: Any, order: int) -> tuple[int, Any]:
+    """Order and row of the first derivative that is not known to be zero; None if none is."""
+    for k in range(len(row) + 1):
+        if k >= order and any(found := reduced(row, facts)):
+            return k, found
+        row = product(row, field)
+    return 0, None
+
+
+class Elimination:
+    """Gauss and Jordan's; remembers by what was divided.
+
+    Facts are rows that vanish along an orbit. Where numbers are rational functions a fact may
+    be false at parameters at which a divisor is zero; these are nowhere dense, the orbit is
+    continuous, and so it holds at all parameters at which its entries are finite.
+    """
+
+    def __init__(self) -> None:
+        self.divisors: list[Any] = []
+
+    def echelon(self, rows: Any) -> list[Any]:
+        """Independent rows of a span, reduced."""
+        left, found = [list(row) for row in rows], list[list[Any]]()
+        for column in range(len(left[0]) if left else 0):
+            place = next((k for k, row in enumerate(left) if row[column]), None)
+            if place is None:
+                continue
+            taken = left.pop(place)
+            pivot = taken[column]
+            self.divisors.append(pivot)
+            taken = [x / pivot if x else x for x in taken]
+            for row in (*left, *found):
+                if factor := row[column]:
+                    row[:] = [x - factor * y if y else x for x, y in zip(row, taken, strict=True)]
+            found.append(taken)
+        return [tuple(row) for row in found]
+
+    def left_kernel(self, matrix: Any) -> list[Any]:
+        """Rows c with c M = 0."""
+        size, width = len(matrix), len(matrix[0])
+        unit = [[fmpq(int(i == j)) for j in range(size)] for i in range(size)]
+        joined = [[*row, *more] for row, more in zip(matrix, unit, strict=True)]
+        return [row[width:] for row in self.echelon(joined) if not any(row[:width])]
+
+    def lasting(self, facts: Any, field: Any) -> Any:
+        """The facts that stay true along a field: the largest part that it maps into itself."""
+        while facts:
+            rates = [reduced(product(row, field), facts) for row in facts]
+            kept = [product(c, facts) for c in self.left_kernel(rates)]
+            if len(kept) == len(facts):
+                break
+            facts = self.echelon(kept)
+        return facts

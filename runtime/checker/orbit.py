@@ -1,0 +1,269 @@
+"""An orbit of a declared system: that there is one, its enclosures, its Poincare map.
+
+Everything is for one parameter point, in balls, or for all parameters of a tile at once, in
+Taylor models of them: numbers and matrices are arb and arb_mat, or Model.
+
+Existence is one root of the equations in a box, by Krawczyk's theorem.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from flint import arb, arb_mat
+
+from nonsmooth.runtime.checker.declared import Declared, gauge_of
+from nonsmooth.runtime.checker.exact import Failure, demand
+from nonsmooth.runtime.core.taylor_models import Model, matrix, range_of, space_of
+
+__all__ = ["Chain", "Cut", "Orbit", "Passage", "lower", "trace_of"]
+
+Cut = Callable[[Any], Any]
+_LOW = 2  # order of what need not be sharp
+_TRIES = 4  # sizes of Krawczyk's box, where none is given
+
+
+class Chain(NamedTuple):
+    """Numbers of the cycle: of each phase the field, the row that ends it, the reset behind."""
+
+    fields: list[Any]
+    rows: list[Any]
+    resets: list[Any]
+    period: Any
+
+    def each(self, change: Callable[[Any], Any]) -> "Chain":
+        """The same in other numbers."""
+        fields, rows, resets = ([change(m) for m in part] for part in self[:3])
+        period = None if self.period is None else change(self.period)
+        return Chain(fields, rows, resets, period)
+
+
+class Passage(NamedTuple):
+    """One passage of the cycle: what the equations miss, by the unknowns, and how it goes."""
+
+    values: Any
+    slopes: Any
+    starts: list[Any]
+    ends: list[Any]
+
+
+class Orbit:
+    """The orbit of a declaration, in numbers that `number` gives of its exact ones."""
+
+    def __init__(self, declared: Declared, number: Callable[[Any], Any]) -> None:
+        self.declared, self.number = declared, number
+        self.first = len(declared.free) + bool(declared.forcing)  # the dwell times begin there
+        self.count = self.first + len(declared.steps)
+        fields = [self.numbers(step.field) for step in declared.steps]
+        rows = [self.numbers([step.exit]) for step in declared.steps]
+        resets = [self.numbers(step.reset) for step in declared.steps]
+        period = None if declared.period is None else number(declared.period)
+        if declared.forcing:
+            c, s = declared.forcing[0]
+            period = 2 * arb.pi() * declared.closing["turns"] / fields[0][s, c]
+        self.chain = Chain(fields, rows, resets, period)
+        poles = (range_of(number(entry)) for entry in declared.poles)
+        demand(all(x.is_finite() for x in poles), "a number of the declaration has a pole")
+
+    def numbers(self, rows: Any) -> Any:
+        """A matrix of exact entries in numbers."""
+        return matrix([list(map(self.number, row)) for row in rows])
+
+    def passage(
+        self, chain: Chain, unknowns: Sequence[Any], flows: list[Any], slopes: bool = True
+    ) -> Passage:
+        """Switching, closure and how the cycle closes; with derivatives by the unknowns."""
+        free, size, here = self.declared.free, self.declared.size, self.first - 1
+        first: list[Any] = [[0]] * size + [[1]]
+        slope: list[list[Any]] = [[0] * self.count for _ in range(size + 1)]
+        for place, k in enumerate(free):
+            first[k], slope[k][place] = [unknowns[place]], 1
+        for c, s in self.declared.forcing:  # cos(w t), sin(w t) at an unknown time t
+            w = chain.fields[0][s, c]
+            sine, cosine = (w * unknowns[here]).sin_cos()
+            first[s], first[c] = [sine], [cosine]
+            slope[s][here], slope[c][here] = w * cosine, -w * sine
+        y, dy = matrix(first), matrix(slope)
+        starts, ends, values, rows = [y], [], [], []
+        begin, before = y, dy
+        for place, (b, n, r) in enumerate(zip(*chain[:3], strict=True)):
+            y = flows[place] * y
+            values.append((n * y)[0, 0])
+            ends.append(y)
+            if slopes:
+                own = [[int(j == self.first + place) for j in range(self.count)]]
+                dy = flows[place] * dy + (b * y) * arb_mat(own)
+                rows.append((n * dy).entries())
+                dy = r * dy
+            y = r * y
+            starts.append(y)
+        change, closure = y - begin, dy - before
+        for k in free:
+            if k != self.declared.dropped:
+                values.append(change[k, 0])
+                rows.append([closure[k, j] for j in range(self.count)] if slopes else [])
+        if chain.period is not None:
+            values.append(sum(unknowns[self.first :], -chain.period))
+            rows.append([int(j >= self.first) for j in range(self.count)])
+        demand(len(values) == self.count, "as many equations as unknowns are needed")
+        return Passage(
+            matrix([[v] for v in values]), matrix(rows) if slopes else None, starts, ends
+        )
+
+    def _flows(self, near: list[Any], away: Sequence[Any]) -> list[Any]:
+        """Flows for times not far from those of given ones: a wide factor has a small exponent."""
+        found = []
+        for b, flow, time in zip(self.chain.fields, near, map(range_of, away), strict=True):
+            found.append(flow if time.is_zero() else (range_of(b) * time).exp() * flow)
+        return found
+
+    def follow(self, guess: Sequence[Any], cuts: Sequence[Cut], full: Cut) -> tuple[list[Any], Any]:
+        """Polynomials near the orbit by Newton's method, in numbers cut to rising orders.
+
+        And about the inverse of the slopes there. Nothing is proved of both: Krawczyk's test
+        judges.
+        """
+        unknowns, inverse = list(guess), None
+        for cut in (*cuts, full):
+            chain, unknowns = self.chain.each(cut), list(map(cut, unknowns))
+            flows = _exponentials(chain, unknowns[self.first :])
+            now = self.passage(chain, unknowns, flows, slopes=cut is not full)
+            inverse = full(inverse) if cut is full else _inverse(now.slopes)
+            step = (inverse * now.values).entries()
+            unknowns = [(x - d).mid() for x, d in zip(unknowns, step, strict=True)]
+        return unknowns, inverse
+
+    def locate(
+        self, centre: Sequence[Any], radii: Sequence[Any] | None = None, inverse: Any = None
+    ) -> tuple[bool, bool]:
+        """Whether a box has exactly one root, and whether it has none.
+
+        K = x - Y F(x) + (I - Y F'(X)) (X - x) contains all roots of X; inside X, just one. If
+        no radii are given some are tried.
+        """
+        times = [t.mid() for t in centre[self.first :]]
+        near = _exponentials(self.chain, times)
+        low, near_low = self.chain.each(lower), list(map(lower, near))
+        unit = arb_mat([[int(i == j) for j in range(self.count)] for i in range(self.count)])
+
+        def at(point: Sequence[Any], slopes: bool = False) -> Passage:
+            away = [x - t for x, t in zip(point[self.first :], times, strict=True)]
+            return self.passage(self.chain, point, self._flows(near, away), slopes)
+
+        def image(values: Any, point: Sequence[Any], offsets: Sequence[Any]) -> list[Any]:
+            box = [x + d for x, d in zip(point, offsets, strict=True)]
+            away = [x - t for x, t in zip(box[self.first :], times, strict=True)]
+            flows = self._flows(near_low, away)
+            slopes = self.passage(low, list(map(lower, box)), flows).slopes
+            inside = (unit - lower(inverse) * slopes) * arb_mat([[d] for d in offsets])
+            return list((range_of(inside) - inverse * values).entries())
+
+        now = at(centre, slopes=inverse is None)
+        inverse = _inverse(now.slopes) if inverse is None else inverse
+        moved = (inverse * now.values).entries()
+        for _ in range(1 if radii else _TRIES):
+            tried = radii or [(2 * abs(d) + arb(2) ** -50).upper() for d in moved]
+            moved = image(now.values, centre, [arb(0, r) for r in tried])
+            if unique := all(abs(d) < r for d, r in zip(moved, tried, strict=True)):
+                break
+        empty = any(abs(d) > r for d, r in zip(moved, tried, strict=True))
+        if unique:
+            self.centre, self.radii = centre, tried
+            root = [x + d for x, d in zip(centre, moved, strict=True)]
+            if radii:  # from the middle of the image once more: that is sharper
+                points = [x.mid() for x in root]
+                offsets = [x - p for x, p in zip(root, points, strict=True)]
+                moved = image(at(points).values, points, offsets)
+                root = [p + d for p, d in zip(points, moved, strict=True)]
+            self.root, self.dwell = root, root[self.first :]
+            self.now = at(root)
+            away = [x - t for x, t in zip(self.dwell, times, strict=True)]
+            self.flows = self._flows(near, away)
+        return unique, empty
+
+    def along(self, unknowns: Sequence[Any]) -> list[Any]:
+        """Pass with numbers for the unknowns that are roots or not: what the equations miss."""
+        self.dwell = list(unknowns[self.first :])
+        self.flows = _exponentials(self.chain, self.dwell)
+        self.now = self.passage(self.chain, unknowns, self.flows, slopes=False)
+        return list(self.now.values.entries())
+
+    def returns(self, energies: dict[str, Any]) -> None:
+        """The coordinate whose closure was left out is given back by the energy."""
+        if not energies:
+            return
+        omega = range_of(self.numbers(self.declared.omega)).det()
+        demand(omega > 0 or omega < 0, "no symplectic form")
+        first, *_, last = self.now.starts
+        k = self.declared.dropped
+        between = first.entries()
+        between[k] = between[k] + (last[k, 0] - between[k]) * arb("0.5 +/- 0.5")
+        row = energies[self.declared.steps[0].name][k]
+        force = self.value(row, between)
+        demand(force > 0 or force < 0, "the energy does not give the coordinate left out")
+
+    def value(self, row: Any, state: Sequence[Any]) -> Any:
+        """An affine function of a state."""
+        terms = (self.number(x) * y for x, y in zip(row, state, strict=True) if x)
+        return sum(terms, arb(0))
+
+    @cached_property
+    def section(self) -> Any:
+        """The derivative of the Poincare map on the smallest section that is known.
+
+        That is the product of (I - f n / n f) and resets; of forced orbits of the saltations
+        at fixed times. Its other multipliers are zero.
+        """
+        chain, now, count = self.chain, self.now, len(self.chain.fields)
+        begin, free, basis = self.declared.section
+        found = self.numbers(basis)
+        for place in (k % count for k in range(begin, begin + count)):
+            rate = chain.fields[place] * now.ends[place]
+            jump = chain.resets[place] * rate
+            if self.declared.forcing:
+                behind = chain.fields[(place + 1) % count] * now.starts[place + 1]
+                for along in self.declared.translations if place + 1 == count else ():
+                    gauge, column = gauge_of(along), [[x] for x in (*along, 0 * along[0])]
+                    share = behind[gauge, 0] / self.number(along[gauge])
+                    behind = behind - self.numbers(column) * share
+                jump = jump - behind
+            moved, n = self.flows[place] * found, chain.rows[place]
+            found = chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
+        return matrix([[found[i, j] for j in range(len(free))] for i in free])
+
+    def enclosures(self) -> dict[str, Any]:
+        """Of all that is stated by name."""
+        declared = self.declared
+        found = dict(zip(declared.start, self.now.starts[0].entries()[:-1], strict=True))
+        found |= dict(zip(declared.dwell, self.dwell, strict=True))
+        period = self.chain.period
+        found["period"] = sum(self.dwell, arb(0)) if period is None else period
+        found["trace"] = trace_of(self.section) + len(self.declared.translations)
+        return found
+
+
+def lower(number: Any) -> Any:
+    """The same in a lower order: what is beyond it is in the radius of the constant term."""
+    if not isinstance(number, Model) or number.space.order <= _LOW:
+        return number
+    space, parts = space_of(number.space.variables, _LOW), number.parts
+    count = len(space.exponents)
+    rest = Model(number.space, (parts[0], *(None,) * (count - 1), *parts[count:]))
+    return Model(space, (rest.range(), *parts[1:count]))
+
+
+def _exponentials(chain: Chain, times: Sequence[Any]) -> list[Any]:
+    return [(b * t).exp() for b, t in zip(chain.fields, times, strict=True)]
+
+
+def _inverse(slopes: Any) -> Any:
+    """About the inverse: any matrix serves, the test judges it."""
+    try:
+        return slopes.mid().inv().mid()
+    except ZeroDivisionError:
+        raise Failure("the equations are singular in the middle of the box") from None
+
+
+def trace_of(square: Any) -> Any:
+    """Sum of the diagonal."""
+    return sum((square[k, k] for k in range(square.nrows())), arb(0))

@@ -1,0 +1,237 @@
+"""What the files hold, entry by entry: what is missing, unknown or of another type is refused.
+
+A type stands for its instances, a pattern for texts that it matches, [shape] for a list of any
+length, (shape, ...) for one of this length, {name: shape} for exactly these names, `Named` for
+any names, and `Either` for one of several.
+"""
+
+import re
+from typing import Any, NamedTuple
+
+from nonsmooth.runtime.checker.exact import NUMBER, Failure
+
+__all__ = ["CENSUS", "CERTIFICATE", "EVENTS", "MAP", "Malformed", "check_bits", "check_shape"]
+
+
+class Malformed(Failure):
+    """An entry is missing, unknown, or of another type."""
+
+
+class Named(NamedTuple):
+    """Entries by any names."""
+
+    shape: Any
+
+
+class Either(NamedTuple):
+    """One of several shapes."""
+
+    shapes: tuple[Any, ...]
+
+
+_FEWEST, _MOST = 53, 400_000  # bits
+_VERDICT = re.compile("proved|refuted|undecided")
+_BALL = {"mid": NUMBER, "rad": NUMBER}
+_BALLS = Named(_BALL)
+_BOX = [{"name": str, "mid": NUMBER, "rad": NUMBER}]
+_TERMS = [(NUMBER, [int])]
+_NUMBER = Either((NUMBER, _BALL, {"above": _TERMS, "below": _TERMS}))
+_ROW = [_NUMBER]
+_TRANSITION = {
+    "source": str,
+    "boundaries": [str],
+    "conditions": [(_ROW, str, bool)],
+    "reset": [_ROW],
+    "target": str,
+}
+_STEPS = {"steps": [{"kinetic": [str], "regimes": [str]}]}
+_LAW = {
+    "contacts": [
+        {
+            "name": str,
+            "friction": bool,
+            "static": _ROW,
+            "kinetic": _ROW,
+            "slipping": _ROW,
+            "overshooting": _ROW,
+        }
+    ],
+    "coupling": [_ROW],
+    "arrivals": Named(int),
+    "limits": Named(int),
+    "configurations": Named({"regimes": [str], "others": str, "idle": [int]}),
+    "free": Named([_ROW]),
+}
+_DECLARATION = {
+    "parameters": [str],
+    "states": [str],
+    "start": [str],
+    "forcing": [(int, int)],
+    "configurations": Named({"field": [_ROW], "boundaries": Named(_ROW), "held": [_ROW]}),
+    "transitions": [Either((_TRANSITION, {**_TRANSITION, **_STEPS}))],
+    "phases": [
+        {"configuration": str, "boundaries": [str], "transition": int, "dwell_time": str},
+    ],
+}
+_CLOSINGS = (
+    {"kind": re.compile("state")},
+    {"kind": re.compile("forcing"), "turns": int},
+    {
+        "kind": re.compile("period"),
+        "period": str,
+        "dropped": int,
+        "form": [_ROW],
+        "constants": Named(_NUMBER),
+    },
+)
+_UP_TO_SHIFT = {"translations": [[NUMBER]]}
+_CLOSING = Either((*_CLOSINGS, *({**closing, **_UP_TO_SHIFT} for closing in _CLOSINGS)))
+_CLAIMS = {"existence": _VERDICT, "admissibility": _VERDICT, "stability": _VERDICT}
+_FILE = {"format": str, "version": int, "package": str, "sha256": str}
+_ORBIT = {
+    "orbit": str,
+    "system": str,
+    "parameters": Named(str),
+    "itinerary": [(str, str)],
+}
+_STATEMENT = {
+    **_ORBIT,
+    "chosen": [str],
+    "declaration": Either(({}, _DECLARATION, {**_DECLARATION, "law": _LAW})),
+    "closing": Either(({}, _CLOSING)),
+}
+_JUDGED = {
+    "claims": _CLAIMS,
+    "stability": re.compile("stable|neutral"),
+    "reasons": Named(str),
+    "enclosures": _BALLS,
+}
+
+CERTIFICATE = {
+    **_FILE,
+    **_STATEMENT,
+    **_JUDGED,
+    "given_period": str,
+    "bits": int,
+    "multipliers": [{"re": _BALL, "im": _BALL}],
+    "margins": [
+        {
+            "phase": int,
+            "configuration": str,
+            "boundary": str,
+            "quantity": re.compile("distance|departure|speed"),
+            "least": NUMBER,
+        }
+    ],
+    "box": _BOX,
+}
+MAP = {
+    **_FILE,
+    **_STATEMENT,
+    **_JUDGED,
+    "box": Named((NUMBER, NUMBER)),
+    "shares": {"proved": float, "unstable": float, "not admissible": float, "undecided": float},
+    "tiles": [
+        {
+            "place": [(int, int)],
+            "claims": _CLAIMS,
+            "reasons": Named(str),
+            "enclosures": _BALLS,
+            "guess": [float],
+            "looked_at": bool,
+        }
+    ],
+}
+EVENTS = {
+    **_FILE,
+    "events": [
+        {
+            **_STATEMENT,
+            "kind": str,
+            "text": str,
+            "parameter": str,
+            "phase": Either((int, type(None))),
+            "configuration": str,
+            "boundary": str,
+            "instant": str,
+            "claim": re.compile("proved|undecided"),
+            "reason": str,
+            "bits": int,
+            "enclosures": _BALLS,
+            "box": _BOX,
+        }
+    ],
+}
+_BOUNDS = Named((NUMBER, NUMBER))
+CENSUS = {
+    **_FILE,
+    **_ORBIT,
+    "box": [str],
+    "conditions": [str],
+    "count": int,
+    "admissible": int,
+    "decided": bool,
+    "statement": str,
+    "orbits": [
+        {"unique": _BOUNDS, "certificate": Either((type(None), CERTIFICATE)), "reason": str},
+    ],
+    "beyond": int,
+    "undecided": [{"bounds": _BOUNDS, "reason": str}],
+    "looked": int,
+    "bits": int,
+}
+
+
+def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
+    """Malformed where an entry has another shape; its message says where."""
+    match shape:
+        case type():
+            _demand(type(entry) is shape, where)
+        case re.Pattern():
+            _demand(isinstance(entry, str) and shape.fullmatch(entry), where)
+        case Either(shapes):
+            _either(entry, shapes, where)
+        case Named(inner):
+            _demand(isinstance(entry, dict), where)
+            for name, part in entry.items():
+                check_shape(part, inner, f"{name!r} of {where}")
+        case dict():
+            _demand(isinstance(entry, dict), where)
+            for name in sorted(entry.keys() ^ shape.keys()):
+                kind = "missing" if name in shape else "unknown"
+                raise Malformed(f"{name!r} of {where} is {kind}")
+            for name, inner in shape.items():
+                check_shape(entry[name], inner, f"{name!r} of {where}")
+        case list():
+            _demand(isinstance(entry, list), where)
+            for number, part in enumerate(entry, 1):
+                check_shape(part, shape[0], f"entry {number} of {where}")
+        case tuple():
+            _demand(isinstance(entry, list) and len(entry) == len(shape), where)
+            for number, (part, inner) in enumerate(zip(entry, shape, strict=True), 1):
+                check_shape(part, inner, f"entry {number} of {where}")
+
+
+def check_bits(content: dict[str, Any]) -> int:
+    """The bits of enclosures, if they may be so many."""
+    bits: int = content["bits"]
+    if not _FEWEST <= bits <= _MOST:
+        raise Malformed(f"{bits} bits are not from {_FEWEST} to {_MOST}")
+    return bits
+
+
+def _either(entry: Any, shapes: Any, where: str) -> None:
+    """The first shape that fits; what is said of the last one that has the type of the entry."""
+    problem = Malformed(f"{where} is of the wrong type")
+    for shape in shapes:
+        try:
+            check_shape(entry, shape, where)
+            return
+        except Malformed as found:
+            problem = found
+    raise problem
+
+
+def _demand(condition: object, where: str) -> None:
+    if not condition:
+        raise Malformed(f"{where} is of the wrong type")

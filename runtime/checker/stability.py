@@ -1,0 +1,130 @@
+"""Whether the multipliers of an orbit lie inside the unit circle, or on it; pairs of them."""
+
+from collections.abc import Sequence
+from itertools import combinations, pairwise
+from typing import Any
+
+from flint import acb, acb_poly, arb, arb_mat, arb_poly
+
+from nonsmooth.runtime.checker.exact import demand
+from nonsmooth.runtime.checker.orbit import Orbit, trace_of
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
+
+__all__ = ["characteristic", "has_multipliers", "paired", "products_less_one", "stability"]
+
+
+def has_multipliers(orbit: Orbit, stated: Sequence[tuple[Any, Any]]) -> bool:
+    """Whether there is one in each disc, no two in one: Newton's map leads into it.
+
+    On a section with fewer coordinates than the orbit has all the others are zero.
+    """
+    others = [0] * (orbit.section.nrows() < len(orbit.declared.free))
+    polynomial = acb_poly([*others, *(acb(c) for c in reversed(characteristic(orbit.section)))])
+    discs = [acb(re, im) for re, im in stated]
+    if any(first.overlaps(second) for first, second in combinations(discs, 2)):
+        return False
+    steps = [polynomial(disc.mid()) / polynomial.derivative()(disc) for disc in discs]
+    pairs = zip(discs, steps, strict=True)
+    return all(disc.contains_interior(disc.mid() - step) for disc, step in pairs)
+
+
+def stability(orbit: Orbit) -> str:
+    """The verdict of a claim on the multipliers."""
+    demand(orbit.declared.alone, "one-sided maps")
+    if orbit.declared.stability == "stable":
+        return _inside(characteristic(orbit.section))
+    return _neutral(orbit.section, orbit.declared.size)
+
+
+def _neutral(square: Any, size: int) -> str:
+    """On the unit circle if g(s), s = m + 1/m, changes its sign often enough in (-2, 2).
+
+    The map is symplectic: beside 1 and zeros its multipliers are pairs m, 1/m.
+    """
+    pairs: list[Any] = []
+    for coefficient in characteristic(square)[: size - 1]:  # divided by m - 1
+        pairs.append(coefficient + pairs[-1] if pairs else coefficient)
+    half = len(pairs) // 2
+    if half == 0:
+        return "proved"
+    powers = [arb_poly([2]), arb_poly([0, 1])]  # m^k + 1/m^k in s
+    while len(powers) <= half:
+        powers.append(powers[1] * powers[-1] - powers[-2])
+
+    def g(s: Any) -> Any:
+        terms = (pairs[half - k] * powers[k](s) for k in range(1, half + 1))
+        return sum(terms, arb(0)) + pairs[half]
+
+    middle = arb_poly([middle_of(pairs[half])])
+    for k in range(1, half + 1):
+        middle += powers[k] * middle_of(pairs[half - k])
+    try:
+        near = sorted((s.real.mid() for s in acb_poly(middle).roots()), key=float)
+    except ValueError:
+        return "undecided"
+    between = [(a + b).mid() / 2 for a, b in pairwise(near)]
+    signs = [(-1) ** (half - k) * g(s) for k, s in enumerate([arb(-2), *between, arb(2)])]
+    if all(sign > 0 for sign in signs):
+        return "proved"
+    if signs[0] < 0 or signs[-1] < 0:
+        return "refuted"
+    for _ in range(50):  # a large trace means that one is outside
+        if abs(trace_of(square)) > square.nrows():
+            return "refuted"
+        square = square * square
+    return "undecided"
+
+
+def characteristic(square: Any) -> list[Any]:
+    """Coefficients of the characteristic polynomial, the first is 1: Faddeev and LeVerrier."""
+    size = square.nrows()
+    unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
+    found, power = [arb(1)], unit
+    for k in range(1, size + 1):
+        power = square * power
+        found.append(-trace_of(power) / k)
+        power = power + found[-1] * unit
+    return found
+
+
+def _inside(polynomial: list[Any]) -> str:
+    """Whether all roots lie inside the unit circle: Schur and Cohn.
+
+    Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside.
+    """
+    while len(polynomial) > 1:
+        last = polynomial[-1]
+        if abs(last) > 1:
+            return "refuted"
+        if not abs(last) < 1:
+            return "undecided"
+        pairs = zip(polynomial, reversed(polynomial), strict=True)
+        rest = [(x - last * y) / (1 - last * last) for x, y in pairs]
+        polynomial = [arb(1), *rest[1:-1]]
+    return "proved"
+
+
+def products_less_one(polynomial: Sequence[Any]) -> Any:
+    """The product of all 1 - x y of two roots, a determinant of Jury's."""
+    size = len(polynomial) - 2
+
+    def entry(k: int) -> Any:
+        return polynomial[k] if 0 <= k <= size + 1 else arb(0)
+
+    rows = [[entry(j - i) - entry(2 * size - i - j) for j in range(size)] for i in range(size)]
+    return (-1) ** size * characteristic(matrix(rows))[-1]
+
+
+def paired(polynomial: Sequence[Any]) -> bool:
+    """Whether two roots whose product may be 1 are surely conjugate, and not real."""
+    try:
+        roots = acb_poly([acb(range_of(c)) for c in reversed(polynomial)]).roots()
+    except ValueError:
+        return False
+    for first, second in combinations(roots, 2):
+        if (first * second).contains(1):
+            # the conjugate is a root, and in no other ball it is the second
+            like = [x for x in roots if first.conjugate().overlaps(x)]
+            if first.imag.contains(0) or len(like) != 1 or like[0] is not second:
+                return False
+    return True

@@ -1,0 +1,225 @@
+"""The check of a map: claims for all parameters of each tile of a box, in Taylor models.
+
+What is claimed of a tile holds for each of its parameters: there is exactly one orbit next to
+polynomials of the parameters, which are found here anew from the numbers that the tile states.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+from nonsmooth.runtime.checker.declared import Declared
+from nonsmooth.runtime.checker.exact import (
+    Failure,
+    agreed_claims,
+    check_sum,
+    demand,
+    exact,
+    inside,
+)
+from nonsmooth.runtime.checker.motion import admissibility
+from nonsmooth.runtime.checker.orbit import Orbit
+from nonsmooth.runtime.checker.parameters import independent, numbers_at, values_of
+from nonsmooth.runtime.checker.shape import MAP, check_shape
+from nonsmooth.runtime.checker.stability import stability
+from nonsmooth.runtime.core.taylor_models import Model, Space, middle_of, range_of, space_of
+
+__all__ = ["check_tiles"]
+
+_BITS = 64
+_ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
+_DEEPEST = 4  # halvings of a tile whose claims take smaller ones
+_NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
+_SMALLEST = 60  # halvings of the box along an axis
+_NEWTON = 3  # steps to the orbit in the middle of a tile
+
+Interval = tuple[Any, Any]
+
+
+class _Refuted(Failure):
+    """The contrary of a claim is proved: smaller tiles do not help."""
+
+
+def check_tiles(content: dict[str, Any]) -> None:
+    """Prove every claim of a map; Failure says which one cannot be."""
+    check_shape(content, MAP)
+    check_sum(content)
+    tiles = content["tiles"]
+    box = [(exact(low), exact(high)) for low, high in content["box"].values()]
+    demand(box and all(low < high for low, high in box), "the box is empty")
+    places = [[(step, level) for step, level in tile["place"]] for tile in tiles]
+    demand(all(0 <= level <= _SMALLEST for place in places for _, level in place), "tiny tiles")
+    demand(all(len(place) == len(box) for place in places), "a tile has no place in the box")
+    demand(_fill(places), "the tiles do not fill the box")
+    _total(content)
+    if not content["declaration"]:
+        told = any(tile["claims"]["existence"] != "undecided" for tile in tiles)
+        demand(not (told or content["closing"]), "claims about no declaration")
+        demand(not any(tile["enclosures"] for tile in tiles), "enclosures of no orbit")
+        demand(content["stability"] == "stable", "stability of another kind")
+        return
+    with ctx.workprec(_BITS):
+        values, constants = values_of(content["parameters"], [*content["box"]])
+        declared = Declared(content, values)
+        demand(declared.bound and declared.rational, "the declaration is not exact")
+        demand(content["stability"] == declared.stability, "stability of another kind")
+        energies = declared.closes()
+        for tile, place in zip(tiles, places, strict=True):
+            where = [_interval(*step, *ends) for step, ends in zip(place, box, strict=True)]
+            try:
+                _Tile(declared, energies, constants, tile).check(where)
+            except Failure as failure:
+                shown = ", ".join(f"{float(low):.6g}:{float(high):.6g}" for low, high in where)
+                raise Failure(f"in the tile {shown}: {failure}") from None
+        independent(declared, constants, box)
+
+
+class _Tile:
+    """What is claimed for a tile."""
+
+    def __init__(
+        self, declared: Declared, energies: Any, constants: Any, tile: dict[str, Any]
+    ) -> None:
+        self.declared, self.energies, self.constants = declared, energies, constants
+        self.tile = tile
+        self.claims = agreed_claims(tile["claims"], tile["reasons"])
+
+    def check(self, where: Sequence[Interval]) -> None:
+        """Prove it, on smaller tiles if need be."""
+        if self.claims[0] == "undecided":
+            demand(not self.tile["enclosures"], "enclosures of no orbit")
+            return
+        demand(self.claims[0] == "proved", "existence is not refuted")
+        guess = [arb(float(x)) for x in self.tile["guess"]]
+        whole = self._orbit(where, guess)
+        found = [_at(x, [arb(0)] * len(where)) for x in whole.root]
+        near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in zip(found, guess, strict=True))
+        demand(near, "the orbit is not near the numbers that are stated")
+        self._judge(whole, whole, where, [(fmpq(-1), fmpq(1))] * len(where), 0)
+
+    def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> Orbit:
+        """The orbit for all parameters of a tile, from numbers near it in the middle."""
+        space = space_of(len(where), _ORDERS.get(len(where), 2))
+        orbit = Orbit(self.declared, _numbers(where, self.constants, space))
+        demand(len(guess) == orbit.count, "the guess is of another size")
+        cuts = [*(middle_of,) * _NEWTON, *(_cut(space_of(len(where), k)) for k in (1, 2))]
+        centre, inverse = orbit.follow(guess, cuts, _cut(space))
+        unique, _ = orbit.locate(centre, inverse=inverse)
+        demand(unique, "existence is not proved: Krawczyk's test fails")
+        orbit.returns(self.energies)
+        return orbit
+
+    def _judge(
+        self, whole: Orbit, orbit: Orbit, where: Sequence[Interval], part: Any, depth: int
+    ) -> None:
+        """Prove enclosures and claims of an orbit on a part of the tile; the whole is 2 wide."""
+        try:
+            self._claims(orbit)
+            return
+        except Failure as failure:
+            if depth == _DEEPEST or isinstance(failure, _Refuted):
+                raise
+        axis = depth % len(where)
+        for half in (0, 1):
+            there, within = (
+                [_interval(half, 1, *ends) if k == axis else ends for k, ends in enumerate(box)]
+                for box in (where, part)
+            )
+            point = [arb((low + high) / 2) for low, high in within]
+            near = [_at(x, point) for x in whole.centre]
+            smaller = self._orbit(there, [x.mid() for x in near])
+            found = [_at(x, [arb(0)] * len(where)) for x in smaller.root]
+            ways = zip(found, near, whole.radii, strict=True)
+            same = all(abs(x - y) < r for x, y, r in ways)
+            demand(same, "another orbit is found on a part of it")
+            self._judge(whole, smaller, there, within, depth + 1)
+
+    def _claims(self, orbit: Orbit) -> None:
+        _, admissible, stable = self.claims
+        found, told = orbit.enclosures(), self.tile["enclosures"]
+        without = {"trace"} if stable == "undecided" else set()
+        all_told = found.keys() - without <= told.keys() <= found.keys()
+        _agree(all_told, not all_told, "the enclosures are not those of the unknowns")
+        for name, stated in told.items():
+            value = range_of(found[name])
+            miss = abs(value - arb(exact(stated["mid"]))) > arb(exact(stated["rad"]))
+            _agree(inside(value, stated), miss, f"{name} is not in its enclosure")
+        if stable != "undecided":
+            verdict = stability(orbit)
+            _agree(verdict == stable, verdict != "undecided", f"stability is {verdict}")
+        if admissible != "undecided":
+            verdict = admissibility(orbit, [])
+            told = f"admissibility is {verdict}"
+            _agree(verdict == admissible, verdict != "undecided", told)
+
+
+def _agree(proved: bool, refuted: bool, otherwise: str) -> None:
+    if not proved:
+        raise _Refuted(otherwise) if refuted else Failure(otherwise)
+
+
+def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callable[[Any], Any]:
+    """Exact entries for all parameters of a tile."""
+    values: list[Any] = [
+        space.variable(axis, arb((low + high) / 2), arb((high - low) / 2))
+        for axis, (low, high) in enumerate(where)
+    ]
+    return numbers_at([*values, *constants])
+
+
+def _cut(space: Space) -> Callable[[Any], Any]:
+    return lambda x: x.mid().cast(space) if isinstance(x, Model) else x.mid()
+
+
+def _at(number: Any, point: Sequence[Any]) -> Any:
+    return number.at(point) if isinstance(number, Model) else number
+
+
+def _interval(step: int, level: int, low: Any, high: Any) -> Interval:
+    """One of 2^level equal parts."""
+    demand(0 <= step < 2**level, "a tile is outside of the box")
+    width = (high - low) / 2**level
+    return low + step * width, low + (step + 1) * width
+
+
+def _fill(places: list[list[tuple[int, int]]]) -> bool:
+    """Whether tiles fill their box without overlap: one does, or two halves are filled."""
+    if len(places) < 2:
+        return all(step == level == 0 for place in places for step, level in place) and bool(places)
+    for axis in range(len(places[0])):
+        if all(place[axis][1] > 0 for place in places):
+            halves: list[list[Any]] = [[], []]
+            for place in places:
+                step, level = place[axis]
+                side, rest = divmod(step, 2 ** (level - 1))
+                if side not in (0, 1):
+                    return False
+                halves[side].append([*place[:axis], (rest, level - 1), *place[axis + 1 :]])
+            return all(map(_fill, halves))
+    return False
+
+
+def _total(content: dict[str, Any]) -> None:
+    """What is said of the whole box follows from the tiles."""
+    tiles, shares = content["tiles"], dict.fromkeys(content["shares"], fmpq(0))
+    for tile in tiles:
+        _, admissible, stable = agreed_claims(tile["claims"], tile["reasons"])
+        verdict = {"proved": "proved", "refuted": "unstable"}.get(stable, "undecided")
+        verdict = {"proved": verdict, "refuted": "not admissible"}.get(admissible, "undecided")
+        shares[verdict] += fmpq(1, 2 ** sum(level for _, level in tile["place"]))
+    told = {name: int(share.p) / int(share.q) for name, share in shares.items()}
+    demand(content["shares"] == told, "the shares are not those of the tiles")
+    for name, verdict in content["claims"].items():
+        verdicts = {tile["claims"][name] for tile in tiles}
+        worst = next(v for v in ("refuted", "undecided", "proved") if v in verdicts)
+        demand(verdict == worst, f"{name} of the box is not that of the tiles")
+    proved = [tile["enclosures"] for tile in tiles if tile["claims"]["existence"] == "proved"]
+    common = {*proved[0]}.intersection(*proved) if proved else set()
+    demand(content["enclosures"].keys() == common, "enclosures of the box are not those of tiles")
+    for name, whole in content["enclosures"].items():
+        middle, radius = exact(whole["mid"]), exact(whole["rad"])
+        for stated in proved:
+            away = exact(stated[name]["mid"]) - middle
+            holds = max(away, -away) + exact(stated[name]["rad"]) <= radius
+            demand(holds, f"{name} of the box does not contain that of a tile")

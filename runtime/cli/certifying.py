@@ -1,0 +1,222 @@
+"""The command that certifies orbits, and checks certificates."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Mapping
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    NOT_MET,
+    UNANSWERED,
+    answering,
+    app,
+    assignments,
+    print_json,
+    split,
+)
+from nonsmooth.runtime.cli.certifying_boxes import certify_over, is_box
+from nonsmooth.runtime.cli.certifying_events import certify_events
+from nonsmooth.runtime.cli.counting import Every, count_orbits
+from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new
+from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess
+from nonsmooth.runtime.core.errors import InputError
+
+__all__ = ["certify"]
+
+_BITS = 128
+_TILES = 4000
+_MORE = 8  # bits beyond those of the digits
+
+
+class Proven(StrEnum):
+    """What can be required."""
+
+    PROVED = "proved"
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth certify dry-friction/global-stick eta=0.98\n\n"
+    "nonsmooth certify rigid-stop/one-impact T=2*pi --digits 100 --require proved\n\n"
+    "nonsmooth certify my_oscillator.py:loop --save certificate.json\n\n"
+    "nonsmooth certify dry-friction/global-stick V=0.9:1.1 eta=0.9:1.1 --save map.json"
+    " --plot map.png\n\n"
+    "nonsmooth certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20\n\n"
+    "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50 --save events.json\n\n"
+    "nonsmooth certify --check certificate.json"
+)
+@answering
+def certify(
+    orbit: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="[SYSTEM/ORBIT]",
+            help="An orbit that `nonsmooth list` shows, your own FILE.py:ORBIT, or FILE.json:N of"
+            " `find --save`.",
+            show_default=False,
+        ),
+    ] = None,
+    parameters: Assignments = None,
+    guess: Guess = None,
+    digits: Annotated[
+        int | None, typer.Option("--digits", metavar="N", help="Decimals of the enclosures.")
+    ] = None,
+    bits: Annotated[
+        int | None,
+        typer.Option("--bits", metavar="N", help=f"Or binary digits of them; {_BITS} by default."),
+    ] = None,
+    require: Annotated[
+        Proven | None, typer.Option("--require", help="Exit with 3 unless every claim is proved.")
+    ] = None,
+    save: Annotated[
+        Path | None,
+        typer.Option("--save", metavar="FILE", help="Save the certificate, as JSON."),
+    ] = None,
+    tiles: Annotated[
+        int,
+        typer.Option(
+            "--tiles", metavar="N", help="Of a box of parameters at most so many are looked at."
+        ),
+    ] = _TILES,
+    resume: Annotated[
+        Path | None,
+        typer.Option("--resume", metavar="FILE", help="Go on with a saved box, or saved events."),
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option("--plot", metavar="FILE", help="Draw the box's map: .png, .svg or .pdf."),
+    ] = None,
+    check: Annotated[
+        Path | None,
+        typer.Option(
+            "--check",
+            metavar="FILE",
+            help="Prove a saved certificate again, from the file alone; exit with 1 if it differs."
+            " Of a census each orbit is proved again, not that there are no others.",
+        ),
+    ] = None,
+    overwrite: Overwrite = False,
+    every: Every = False,
+    events: Annotated[
+        bool,
+        typer.Option(
+            "--events", help="Enclose the bifurcations and collisions over one range, V=0.6:1.3."
+        ),
+    ] = False,
+    as_json: AsJson = False,
+) -> int:
+    """Prove that an orbit exists, is a motion of the system, and is stable: by ball arithmetic.
+
+    Ranges of parameters, V=0.99:1.01, span a box: all of it is proved for each of its points.
+
+    The exit code is then 1 while more than 1 % of the box is undecided.
+
+    With --all ranges are of dwell times, and orbits are counted; with --events: what happens.
+    """
+    if check is not None:
+        options = (orbit, parameters, guess, digits, bits, save, resume, plot)
+        if every or events or any(option is not None and option != [] for option in options):
+            raise InputError("--check takes a file and nothing else to certify")
+        return _check(check, require, as_json=as_json)
+    if orbit is None:
+        raise InputError("an orbit is missing, or --check FILE")
+    if every and events:
+        raise InputError("--all and --events are two questions: ask one of them")
+    near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
+    if is_box(parameters) and not (every or events):
+        if digits is not None or bits is not None:
+            raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
+        found, code = certify_over(
+            orbit, parameters or [], near, tiles, resume, save, plot,
+            overwrite=overwrite, as_json=as_json,
+        )  # fmt: skip
+        return code if code == INTERRUPTED else _judged(found.claims, require, code)
+    if plot is not None or (resume is not None and not events):
+        raise InputError("--resume and --plot are for a box of parameters, as in V=0.99:1.01")
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=events)
+    if digits is not None and bits is not None:
+        raise InputError("--digits and --bits say the same: give one of them")
+    if digits is not None:
+        if digits < 1:
+            raise InputError(f"digits = {digits} is not a positive integer")
+        bits = max(53, math.ceil(digits * math.log2(10)) + _MORE)
+    wanted = _BITS if bits is None else bits
+    if every:
+        return count_orbits(orbit, parameters, guess, wanted, require, save, as_json=as_json)
+    if events:
+        told, code = certify_events(
+            orbit, parameters or [], near, wanted, resume, save, as_json=as_json
+        )
+        return code if code == INTERRUPTED else _judged(told, require, code)
+    return _certify(orbit, parameters, near, wanted, require, save, as_json)
+
+
+def _certify(
+    orbit: str,
+    parameters: list[str] | None,
+    near: dict[str, float] | None,
+    bits: int,
+    require: Proven | None,
+    save: Path | None,
+    as_json: bool,
+) -> int:
+    from nonsmooth.runtime.cli.display import steps
+    from nonsmooth.runtime.cli.display_certificates import show_certificate
+    from nonsmooth.runtime.orbits.solve import solve
+    from nonsmooth.runtime.proof.certify_orbit import certify as prove
+
+    values = assignments("parameter", parameters or [])
+    with steps(f"solving {orbit}") as begin:
+        found = solve(orbit, values, near)
+        certificate = prove(found, bits, begin=begin)
+    if save is not None:
+        certificate.save(save)
+    if as_json:
+        told = certificate.to_json()
+        print_json(told if save is None else {**told, "file": str(save)})
+    else:
+        show_certificate(certificate)
+        if save is not None:
+            print(f"\n{save} written")
+    return _judged(certificate.claims, require, ANSWERED if certificate.decided else UNANSWERED)
+
+
+def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
+    from nonsmooth.runtime.cli.display import steps
+    from nonsmooth.runtime.cli.display_checks import show_check
+    from nonsmooth.runtime.present.checking.check_file import check_certificate
+    from nonsmooth.runtime.proof.counting.census import Census
+
+    with steps(f"proving {path} again"):
+        found = check_certificate(path)
+    if as_json:
+        same = found.difference is None
+        told = {"file": str(path), "same": same, "claims": dict(found.claims)}
+        print_json({**told, "difference": found.difference, "note": found.note})
+    elif found.difference is None:
+        show_check(found)
+        every = "" if isinstance(found.certificate, Census) else "every claim holds; "
+        print(f"{path}: {every}what is shown was proved again from the file")
+        if found.note:
+            print(found.note)
+    if found.difference is not None:
+        print(f"nonsmooth: {path}: {found.difference}", file=sys.stderr)
+        return UNANSWERED
+    return _judged(found.claims, require, ANSWERED)
+
+
+def _judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int:
+    """The exit code, or another if claims that are not proved are required to be: told."""
+    missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
+    if require is not None and missed:
+        print(f"nonsmooth: required: proved; found: {', '.join(missed)}", file=sys.stderr)
+        return NOT_MET
+    return code

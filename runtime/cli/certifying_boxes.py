@@ -1,0 +1,153 @@
+"""Certifying an orbit for all parameters of a box, from the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    UNANSWERED,
+    assignments,
+    check_drawing,
+    drawn,
+    print_json,
+    without_picture,
+)
+from nonsmooth.runtime.cli.keeping import check_new, interrupted, same_command, worked
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.values import Value, as_value, parse
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+    from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+
+__all__ = ["box_and_values", "certify_over", "is_box", "solved_in"]
+
+_ENOUGH = Fraction(99, 100)  # share of a box that has to be decided for an answer
+
+
+def is_box(parameters: Sequence[str] | None) -> bool:
+    """Whether some parameter is a range."""
+    return any(":" in text for text in parameters or ())
+
+
+def certify_over(
+    name: str,
+    parameters: Sequence[str],
+    near: Mapping[str, float] | None,
+    tiles: int,
+    resume: Path | None,
+    save: Path | None,
+    plot: Path | None,
+    *,
+    overwrite: bool,
+    as_json: bool,
+) -> tuple[BoxCertificate, int]:
+    """Prove the map, show it, and keep it; gives it, and the exit code."""
+    from nonsmooth.runtime.cli.display import shared, steps
+    from nonsmooth.runtime.cli.display_certificates import show_box
+    from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
+    from nonsmooth.runtime.proof.boxes.certify_box import certify_box
+
+    check_drawing(plot)
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=True)
+    known = None if resume is None else load_box_certificate(resume)
+    box, fixed = box_and_values(parameters)
+    with steps(f"solving {name}"):
+        orbit = solved_in(name, fixed, box, near)
+    with shared(f"proving {name}") as progress:
+        found, stopped = worked(
+            lambda: certify_box(
+                orbit,
+                box,
+                tiles=tiles,
+                resume=known,
+                progress=progress,
+                keep=None if save is None else lambda state: state.save(save),
+            )
+        )
+    written, failed = [], None
+    if save is not None:
+        found.save(save)
+        written.append(save)
+    if plot is not None:
+        from nonsmooth.runtime.present.pictures.plot import save_figure
+        from nonsmooth.runtime.present.pictures.proven_maps import box_figure
+
+        failed = drawn(lambda: save_figure(box_figure(found), plot))
+        written += [] if failed else [plot]
+    if as_json:
+        undecided = [
+            {name: [str(low), str(high)] for name, (low, high) in where.items()}
+            for where in found.undecided
+        ]
+        files = list(map(str, written))
+        print_json({**found.to_json(), "undecided": undecided, "files": files})
+    else:
+        show_box(found)
+        for path in written:
+            print(f"\n{path} written")
+    code = without_picture(failed)
+    if not stopped:
+        return found, code or (ANSWERED if found.decided >= _ENOUGH else UNANSWERED)
+    done = f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided"
+    if save is None:
+        return found, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
+    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+    return found, interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
+
+
+def box_and_values(
+    parameters: Sequence[str],
+) -> tuple[dict[str, tuple[Value, Value]], dict[str, Value]]:
+    """Ranges and values by name, each given once."""
+    box = dict(map(_range, (text for text in parameters if ":" in text)))
+    if len(box) < sum(":" in text for text in parameters):
+        raise InputError("a parameter of the box is given twice")
+    fixed = assignments("parameter", [text for text in parameters if ":" not in text])
+    for repeated in fixed.keys() & box.keys():
+        raise InputError(f"parameter {repeated} is given twice")
+    return box, fixed
+
+
+def _range(text: str) -> tuple[str, tuple[Value, Value]]:
+    """A range NAME=A:B of a parameter."""
+    name, _, bounds = text.partition("=")
+    ends = bounds.split(":")
+    if not name.strip() or len(ends) != 2:
+        raise InputError(f"{text}: a parameter of a box is written NAME=A:B")
+    return name.strip(), (parse(ends[0]), parse(ends[1]))
+
+
+def solved_in(
+    name: str,
+    fixed: Mapping[str, Value],
+    box: Mapping[str, tuple[Value, Value]],
+    near: Mapping[str, float] | None,
+) -> Orbit | ComposedOrbit:
+    """The orbit in the middle of the box, or elsewhere in it if there is none."""
+    from nonsmooth.runtime.orbits.solve import solve
+
+    problem: NoConvergence | None = None
+    for point in _points(box):
+        try:
+            return solve(name, {**fixed, **point}, near)
+        except NoConvergence as found:
+            problem = problem or found
+    assert problem is not None
+    raise problem
+
+
+def _points(box: Mapping[str, tuple[Value, Value]]) -> Iterator[dict[str, Value]]:
+    for share in (Fraction(1, 2), Fraction(1, 4), Fraction(3, 4)):
+        point = {}
+        for name, (lower, upper) in box.items():
+            if lower.exact is None or upper.exact is None:
+                raise InputError(f"the ends of {name} have to be rational numbers")
+            point[name] = as_value(lower.exact + share * (upper.exact - lower.exact))
+        yield point

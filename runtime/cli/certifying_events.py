@@ -1,0 +1,80 @@
+"""Enclosing the events of a branch, from the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED, print_json
+from nonsmooth.runtime.cli.certifying_boxes import box_and_values, solved_in
+from nonsmooth.runtime.cli.keeping import interrupted, same_command, worked
+
+__all__ = ["certify_events"]
+
+
+def certify_events(
+    name: str,
+    parameters: Sequence[str],
+    near: Mapping[str, float] | None,
+    bits: int,
+    resume: Path | None,
+    save: Path | None,
+    *,
+    as_json: bool,
+) -> tuple[dict[str, str], int]:
+    """Follow the orbit over a range, enclose what happens and keep it.
+
+    Gives what is claimed, and the exit code.
+    """
+    from nonsmooth.runtime.cli.display import counted, steps
+    from nonsmooth.runtime.cli.display_certificates import show_events
+    from nonsmooth.runtime.core.errors import InputError
+    from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
+    from nonsmooth.runtime.present.files.event_certificates import (
+        load_event_certificates,
+        save_events,
+    )
+    from nonsmooth.runtime.proof.events.certify_event import certify_branch
+    from nonsmooth.runtime.proof.events.event_certificate import events_claim
+
+    known = () if resume is None else load_event_certificates(resume)
+    box, fixed = box_and_values(parameters)
+    if len(box) != 1:
+        raise InputError("--events takes one range, as in V=0.6:1.3")
+    ((parameter, (lower, upper)),) = box.items()
+    with steps(f"solving {name}") as begin:
+        orbit = solved_in(name, fixed, box, near)
+        begin(f"following {name}")
+        branch = continue_orbit(orbit, parameter, (float(lower), float(upper)))
+    with counted("enclosing events", len(branch.events)) as progress:
+        found, stopped = worked(lambda: certify_branch(branch, bits, known, progress))
+    if save is not None:
+        save_events(found, save)
+    if as_json:
+        told = {
+            "orbit": branch.name,
+            "parameter": parameter,
+            "interval": [str(lower), str(upper)],
+            "ends": list(branch.ends),
+            "events": [certificate.to_json() for certificate in found],
+        }
+        print_json(told if save is None else {**told, "file": str(save)})
+    else:
+        from nonsmooth.runtime.model.naming import shown_name
+
+        values = branch.parameter_values
+        low, high = values.min(), values.max()
+        show_events(
+            f"{shown_name(branch.name)}, {parameter} = {low:.6g} ... {high:.6g}",
+            found,
+        )
+        if save is not None:
+            print(f"\n{save} written")
+    claims = events_claim(found)
+    if not stopped:
+        return claims, UNANSWERED if "undecided" in claims.values() else ANSWERED
+    done = f"{len(found)} of {len(branch.events)} events are done"
+    if save is None:
+        return claims, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
+    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+    return claims, interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")

@@ -1,0 +1,176 @@
+"""The command that charts."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    answering,
+    app,
+    assignments,
+    print_json,
+    ranges,
+    split,
+)
+from nonsmooth.runtime.cli.keeping import interrupted, same_command
+from nonsmooth.runtime.cli.options import AsJson
+from nonsmooth.runtime.core.errors import InputError
+
+__all__ = ["chart"]
+
+MOST_COUNTED = 20_000_000  # points that the summary reads again
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth chart dry-friction/global-stick V=0.8:1.3:400 eta=0.8:1.3:400 --out F.zarr\n\n"
+    "nonsmooth chart dry-friction/global-stick V=0.8:1.3:5000 chi=0.45 --chunk 1000"
+    " --out line.zarr\n\n"
+    "nonsmooth chart dry-friction --simulate V=0.2:1.2:20 eta=1:5:20 chi=0.4 us1=0.0127"
+    " ur1=0.0255 us2=0.5 ur2=1 --from x1=0,x2=0,v1=0,v2=0 --out A.zarr"
+)
+@answering
+def chart(
+    name: Annotated[
+        str,
+        typer.Argument(
+            metavar="ORBIT", help="As for `solve`; with --simulate a SYSTEM, as for `simulate`."
+        ),
+    ],
+    parameters: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="NAME=A:B:N|VALUE",
+            help="Ranges become the dimensions; values are fixed; absent ones take defaults.",
+            show_default=False,
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="F.zarr", help="Folder of the chart, begun or gone on with."),
+    ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option("--scheduler", metavar="ADDRESS", help="Of a Dask cluster: tcp://host:8786."),
+    ] = None,
+    chunk: Annotated[
+        int | None,
+        typer.Option("--chunk", metavar="N", help="About how many points at a time."),
+    ] = None,
+    threads: Annotated[
+        int | None,
+        typer.Option("--threads", metavar="N", help="As many as processors by default."),
+    ] = None,
+    simulate: Annotated[
+        bool, typer.Option("--simulate", help="Where motions settle, by brute force.")
+    ] = False,
+    start: Annotated[
+        list[str] | None,
+        typer.Option("--from", metavar="NAME=VALUE,...", help="Start of these motions."),
+    ] = None,
+    transitions: Annotated[
+        int, typer.Option("--transitions", metavar="N", help="After which they are looked at.")
+    ] = 2000,
+    as_json: AsJson = False,
+) -> int:
+    """Chart the parameter plane: where an orbit lives, what ends it; stop and go on at will."""
+    from nonsmooth.runtime.explore.charting.chart import chart_problem, load_chart, work_on
+    from nonsmooth.runtime.explore.charting.classes import counts_of
+    from nonsmooth.runtime.explore.charting.grid import linear_axis
+    from nonsmooth.runtime.explore.charting.store import check_zarr
+
+    if out is None:
+        raise InputError("--out F.zarr is missing")
+    check_zarr()
+    given: dict[str, Any] = {}
+    for text in parameters or []:
+        swept = ":" in text
+        one = (
+            ranges("parameter", [text], counts=True) if swept else assignments("parameter", [text])
+        )
+        for parameter, value in one.items():
+            if parameter in given:
+                raise InputError(f"parameter {parameter} is given twice")
+            given[parameter] = linear_axis(parameter, *value) if isinstance(value, tuple) else value
+    begin = assignments("state", split(start)) if start else None
+    problem, axes = chart_problem(name, given, simulate, begin, transitions)
+    done = 0, 0
+
+    def count(computed: int, total: int) -> None:
+        nonlocal done
+        done = computed, total
+        progress(computed, total)
+
+    try:
+        with _counted(f"charting {name}") as progress:
+            work = work_on(out, problem, axes, scheduler, chunk, threads, count)
+    except KeyboardInterrupt:
+        kept = f"{done[0]} of {done[1] or 'all'} chunks are kept in {out}"
+        return interrupted(kept, f"go on with: {same_command()}")
+    dataset = load_chart(out)
+    counted = int(dataset.status.size) <= MOST_COUNTED
+    told = {
+        "name": name,
+        "file": str(out),
+        "dimensions": {str(n): int(size) for n, size in dataset.sizes.items()},
+        "variables": [str(n) for n in dataset.data_vars],
+        "chunks": work.chunks,
+        "computed": work.computed,
+        "damaged": work.damaged,
+        "leftovers": work.leftovers,
+        "points": {k: n for k, n in counts_of(dataset).items() if n} if counted else None,
+    }
+    if as_json:
+        print_json(told)
+    else:
+        _show(told)
+    return ANSWERED
+
+
+def _show(told: dict[str, Any]) -> None:
+    from nonsmooth.runtime.model.naming import shown_name
+
+    size = " x ".join(f"{name} {count}" for name, count in told["dimensions"].items())
+    print(f"{shown_name(told['name'])}: {size}")
+    for kind, count in (told["points"] or {}).items():
+        print(f"  {_KINDS[kind]:28} {count:>12,}")
+    repaired = f", {told['damaged']} of them damaged before" if told["damaged"] else ""
+    print(f"{told['computed']} of {told['chunks']} chunks computed{repaired}")
+    print(f"{told['file']} written; nonsmooth plot {told['file']} draws it")
+
+
+_KINDS = {
+    "stable": "stable",
+    "neutral": "neutral",
+    "unstable": "unstable",
+    "admissible": "admissible",
+    "limit": "not admissible",
+    "none": "none found",
+    "missing": "not computed",
+    "periodic": "periodic",
+    "rest": "rest",
+    "other": "not periodic",
+}
+
+
+@contextmanager
+def _counted(what: str) -> Iterator[Callable[[int, int], None]]:
+    """Give a function that shows how many chunks are done, and of how many."""
+    if not sys.stderr.isatty():
+        yield lambda done, total: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    from rich.progress import TimeRemainingColumn as Remaining
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), Remaining())
+    with Progress(*columns, console=Console(stderr=True)) as progress:
+        task = progress.add_task(what, total=None)
+        yield lambda done, total: progress.update(task, completed=done, total=total)

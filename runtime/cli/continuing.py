@@ -1,0 +1,352 @@
+"""The command that follows branches of periodic orbits."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from nonsmooth.runtime.cli.application import (
+    answering,
+    app,
+    assignments,
+    check_drawing,
+    drawn,
+    print_json,
+    ranges,
+    split,
+    without_picture,
+)
+from nonsmooth.runtime.cli.keeping import (
+    Overwrite,
+    check_new,
+    interrupted,
+    same_command,
+    worked,
+)
+from nonsmooth.runtime.cli.options import AsJson, OrbitName
+from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from nonsmooth.runtime.cli.display_branches import Others
+    from nonsmooth.runtime.core.values import Value
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["follow"]
+
+
+class Frequency(StrEnum):
+    """How frequencies are drawn."""
+
+    ANGULAR = "angular"
+    CYCLES = "cycles"
+
+
+@app.command(
+    "continue",
+    epilog="Examples:\n\n"
+    "nonsmooth continue dry-friction/global-stick V=0.8:1.3\n\n"
+    "nonsmooth continue dry-friction/global-stick eta=0.5:2 V=1.05 --plot branch.png"
+    " --quantity ta\n\n"
+    "nonsmooth continue my_oscillator.py:loop r=0.3:0.7 --save branch.json --beyond\n\n"
+    "nonsmooth continue elastic-stop/one-contact T=5.6:6.4 --quantity frequency --over energy"
+    " --plot backbone.png\n\n"
+    "nonsmooth continue dry-friction/symmetric V=0.6:1.3 us1=1 ur1=1 --switch flip"
+    " --plot doubled.png\n\n"
+    "nonsmooth continue dry-friction/symmetric V=0.6:1.3 eta=3.9:4.1 --follow flip"
+    " --save flips.json --plot flips.png",
+)
+@answering
+def follow(
+    orbit: OrbitName,
+    parameters: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="NAME=VALUE|A:B",
+            help="The parameter to follow as a range: V=0.8:1.3; others in NAME=VALUE form."
+            " With --follow a second range.",
+            show_default=False,
+        ),
+    ] = None,
+    at: Annotated[
+        str | None,
+        typer.Option(
+            "--at",
+            metavar="VALUE",
+            help="Where the branch is entered; the reference point's value, or the middle.",
+        ),
+    ] = None,
+    step: Annotated[
+        float, typer.Option("--step", metavar="LENGTH", help="The longest step of arclength.")
+    ] = 0.01,
+    points: Annotated[
+        int, typer.Option("--points", metavar="N", help="At most so many in each direction.")
+    ] = 2000,
+    admissible: Annotated[
+        bool, typer.Option("--admissible", help="End where the orbit is no motion any more.")
+    ] = False,
+    beyond: Annotated[
+        bool,
+        typer.Option("--beyond", help="Find the itineraries beyond each border collision."),
+    ] = False,
+    switch: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--switch",
+            metavar="KIND[:N]",
+            help="Go over to the branch that meets this one at an event, such as flip, where the"
+            " period doubles, or symmetry-breaking:2 (the second one); may be repeated.",
+        ),
+    ] = None,
+    follow_event: Annotated[
+        str | None,
+        typer.Option(
+            "--follow",
+            metavar="KIND[:N]",
+            help="Follow an event of the branch, such as flip or grazing:2 (the second one), in"
+            " the plane of both ranges; --save and --plot are of that curve.",
+        ),
+    ] = None,
+    quantity: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--quantity",
+            metavar="NAME,...",
+            help="What --plot draws: period, frequency, energy, trace, amplitude_x of a state x,"
+            " or an unknown. Of a forced system by default the amplitude of each coordinate, else"
+            " the period.",
+        ),
+    ] = None,
+    frequency: Annotated[
+        Frequency,
+        typer.Option("--frequency", help="Frequencies in radians or cycles in a unit of time."),
+    ] = Frequency.ANGULAR,
+    over: Annotated[
+        str | None,
+        typer.Option(
+            "--over",
+            metavar="NAME",
+            help="Over which other quantity, such as energy, in place of the parameter.",
+        ),
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save the branch as JSON.")
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option("--resume", metavar="FILE", help="Go on with a branch that was interrupted."),
+    ] = None,
+    overwrite: Overwrite = False,
+    as_json: AsJson = False,
+) -> int:
+    """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
+    from nonsmooth.runtime.cli.display_branches import branch_json, show_branch
+    from nonsmooth.runtime.orbits.solve import solve
+    from nonsmooth.runtime.present.files.branches import load_branch
+
+    check_drawing(plot)
+    if resume is not None and (switch or follow_event is not None):
+        raise InputError("--resume goes on with a branch: leave out --switch and --follow")
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=not switch and follow_event is None)
+    known = None if resume is None else load_branch(resume)
+    if follow_event is not None and beyond:
+        raise InputError("--beyond is of a branch: leave it out with --follow")
+    wanted = 1 if follow_event is None else 2
+    followed = [text for text in parameters or [] if ":" in text]
+    if len(followed) != wanted:
+        told = "one parameter has" if wanted == 1 else "with --follow two parameters have"
+        raise InputError(f"{told} to be a range A:B, not {len(followed)}")
+    (name, (low, high, _)), *others = ranges("parameter", followed).items()
+    fixed = assignments("parameter", [text for text in parameters or [] if text not in followed])
+    if name in fixed:
+        raise InputError(f"parameter {name} is given twice")
+    if at is not None:
+        fixed |= assignments("parameter", [f"{name}={at}"])
+    begin = solve(orbit, fixed)
+    spans = {name: (low, high), **{other: span[:2] for other, span in others}}
+    middles = {
+        each: sum(span) / 2
+        for each, span in spans.items()
+        if each in begin.given and not span[0] <= float(begin.given[each]) <= span[1]
+    }
+    if middles and at is None:
+        begin = solve(orbit, {**fixed, **middles})
+    options = {"step": step, "points": points, "stop": "admissible" if admissible else None}
+    interval = low, high
+    branch, stopped = _branch(begin, name, interval, {**options, "resume": known})
+    for text in switch or ():
+        _go_on(stopped)
+        event = chosen_event(branch, text)
+        other = branch.switch(event, fixed)
+        if name not in other.parameters:  # the period that was given
+            name, times = "period", 2 if event.kind == "flip" else 1
+            interval = times * interval[0], times * interval[1]
+        branch, stopped = _branch(other, name, interval, options)
+    if follow_event is not None:
+        _go_on(stopped)
+        ((second, (lower, upper, _)),) = others
+        event = chosen_event(branch, follow_event)
+        return _in_the_plane(branch, event, second, (lower, upper), step, plot, save, as_json)
+    written, failed = [], None
+    if save is not None:
+        branch.save(save)
+        written.append(str(save))
+    beyond_events: Others = {}
+    if beyond and not stopped:
+        beyond_events, stopped = worked(lambda: _beyond(branch, fixed))
+    if plot is not None:
+        from nonsmooth.runtime.present.pictures.branches import branch_figure
+        from nonsmooth.runtime.present.pictures.plot import save_figure
+
+        target, quantities = plot, split(quantity)
+        failed = drawn(
+            lambda: save_figure(branch_figure(branch, quantities, over, frequency.value), target)
+        )
+        written += [] if failed else [str(plot)]
+    if as_json:
+        print_json({**branch_json(branch, beyond_events), "files": written})
+    else:
+        show_branch(branch, beyond_events)
+        _show_written(written)
+    code = without_picture(failed)
+    if not stopped:
+        return code
+    done = f"{len(branch)} points"
+    if save is None or switch:
+        where = f"are kept in {save}" if save is not None else "are shown, not saved"
+        again = same_command(*["--overwrite"] if save is not None else [])
+        return interrupted(f"{done} {where}", f"begin again with: {again}")
+    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+    return interrupted(f"{done} are kept in {save}", f"go on with: {goes_on}")
+
+
+def _go_on(stopped: bool) -> None:
+    """Nothing is kept of a branch that only leads to the one that was asked for."""
+    if stopped:
+        raise KeyboardInterrupt
+
+
+def _branch(
+    orbit: Orbit | ComposedOrbit,
+    name: str,
+    interval: tuple[float, float],
+    options: Mapping[str, Any],
+) -> tuple[Branch, bool]:
+    """A branch, with progress, and whether it was interrupted."""
+    from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
+
+    with counted(f"following {name}", 2 * options["points"]) as progress:
+        return worked(lambda: continue_orbit(orbit, name, interval, progress=progress, **options))
+
+
+def _show_written(written: list[str]) -> None:
+    for path in written:
+        print(f"{path} written")
+
+
+def chosen_event(branch: Branch, text: str) -> Event:
+    """The event that ``KIND`` or ``KIND:N`` names, N counted from 1.
+
+    Raises
+    ------
+    InputError
+        If the branch has no such event, or several; the message names those it has.
+    """
+    kind, _, number = text.partition(":")
+    kind = kind.strip().replace(" ", "-")
+    there = ", ".join(f"{e.kind} ({e.parameter} = {e.value:.6g})" for e in branch.events)
+    if kind not in KINDS:
+        raise unknown_name("kind of event", kind, KINDS)
+    found = [event for event in branch.events if event.kind == kind]
+    if not found:
+        raise InputError(f"no {kind} on this branch; there is {there or 'no event'}")
+    if not number:
+        if len(found) > 1:
+            raise InputError(f"which {kind}, {kind}:1 ... {kind}:{len(found)}? There is {there}")
+        return found[0]
+    if not number.strip().isdecimal() or not 1 <= int(number) <= len(found):
+        raise InputError(f"no {kind}:{number} on this branch; there is {there}")
+    return found[int(number) - 1]
+
+
+def _in_the_plane(
+    branch: Branch,
+    event: Event,
+    second: str,
+    interval: tuple[float, float],
+    step: float,
+    plot: Path | None,
+    save: Path | None,
+    as_json: bool,
+) -> int:
+    """Follow an event in the plane of two parameters."""
+    from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.cli.display_branches import locus_json, show_locus
+    from nonsmooth.runtime.explore.continuation.continue_event import MOST_POINTS, continue_event
+
+    what = f"following {event.kind.replace('-', ' ')}"
+    with counted(what, 2 * MOST_POINTS) as progress:
+        locus, stopped = worked(
+            lambda: continue_event(
+                branch, event, second, interval, step=2 * step, progress=progress
+            )
+        )
+    written, failed = [], None
+    if save is not None:
+        locus.save(save)
+        written.append(str(save))
+    if plot is not None:
+        from nonsmooth.runtime.present.pictures.branches import locus_figure
+        from nonsmooth.runtime.present.pictures.plot import save_figure
+
+        failed = drawn(lambda: save_figure(locus_figure(locus), plot))
+        written += [] if failed else [str(plot)]
+    if as_json:
+        print_json({**locus_json(locus), "files": written})
+    else:
+        show_locus(locus)
+        _show_written(written)
+    code = without_picture(failed)
+    if stopped:
+        where = "are shown, not saved" if save is None else f"are kept in {save}"
+        again = same_command(*["--overwrite"] if save is not None else [])
+        return interrupted(f"{len(locus)} points {where}", f"begin again with: {again}")
+    return code
+
+
+def _beyond(branch: Branch, fixed: Mapping[str, Value]) -> Others:
+    """Itineraries beyond each border collision, by the number of the event."""
+    from nonsmooth.runtime.cli.display import steps
+
+    found: Others = {}
+    with steps() as begin:
+        for number, event in enumerate(branch.events):
+            if not event.border_collision:
+                continue
+            begin(f"beyond {event.parameter} = {event.value:.6g}")
+            try:
+                orbits = branch.next_itineraries(event, fixed)
+            except KeyboardInterrupt:
+                raise Interrupted(found) from None
+            found[number] = [
+                {
+                    "itinerary": [list(phase) for phase in orbit.itinerary],
+                    "value": float(orbit.given[branch.parameter]),
+                    "stability": orbit.stability.verdict,
+                }
+                for orbit in orbits
+                if branch.parameter in orbit.given
+            ]
+    return found

@@ -1,0 +1,101 @@
+"""How many orbits an itinerary has in a box: what `certify --all` takes."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    NOT_MET,
+    UNANSWERED,
+    assignments,
+    print_json,
+)
+from nonsmooth.runtime.cli.keeping import interrupted, same_command, worked
+from nonsmooth.runtime.core.errors import InputError
+
+__all__ = ["Every", "count_orbits", "split_bounds"]
+
+Every = Annotated[
+    bool,
+    typer.Option(
+        "--all",
+        help="Prove how many orbits there are with dwell times in a box: tau=0:12.6 for each"
+        " among the arguments. tau=:12.6 begins at 1e-6; 0 does not belong to the box.",
+    ),
+]
+
+
+def split_bounds(
+    arguments: list[str] | None,
+) -> tuple[list[str], dict[str, str | tuple[str, str]]]:
+    """Arguments NAME=VALUE, and bounds by name from those of the form NAME=A:B or NAME=:B.
+
+    Raises
+    ------
+    InputError
+        For a name that is given twice, or more than two bounds.
+    """
+    values: list[str] = []
+    bounds: dict[str, str | tuple[str, str]] = {}
+    for text in arguments or []:
+        name, _, right = text.partition("=")
+        if ":" not in right:
+            values.append(text)
+            continue
+        name, parts = name.strip(), [part.strip() for part in right.split(":")]
+        if len(parts) != 2 or not name or not parts[1]:
+            raise InputError(f"{text!r} is not NAME=A:B, such as tau=0:12.6")
+        if name in bounds:
+            raise InputError(f"bounds of {name} are given twice")
+        bounds[name] = (parts[0], parts[1]) if parts[0] else parts[1]
+    return values, bounds
+
+
+def count_orbits(
+    orbit: str,
+    arguments: list[str] | None,
+    guess: list[str] | None,
+    bits: int,
+    require: object,
+    save: Path | None,
+    *,
+    as_json: bool,
+) -> int:
+    """Count orbits and show the census; gives the exit code."""
+    from nonsmooth.runtime.cli.display import steps
+    from nonsmooth.runtime.cli.display_census import show_census
+    from nonsmooth.runtime.proof.counting.certify_all import certify_all
+
+    if guess:
+        raise InputError("--all takes no guess: it searches the whole box")
+    texts, bounds = split_bounds(arguments)
+    values = assignments("parameter", texts)
+    with steps() as begin:
+        census, stopped = worked(lambda: certify_all(orbit, values, bounds, bits=bits, begin=begin))
+    if save is not None:
+        census.save(save)
+    if as_json:
+        told = census.to_json()
+        print_json(told if save is None else {**told, "file": str(save)})
+    else:
+        show_census(census)
+        if save is not None:
+            print(f"\n{save} written")
+    if stopped:
+        where = "shown, not saved" if save is None else f"kept in {save}"
+        again = same_command(*[] if save is None else ["--overwrite"])
+        return interrupted(f"what was found until then is {where}", f"begin again with: {again}")
+    if census.decided:
+        return ANSWERED
+    if require is not None:
+        print(
+            f"nonsmooth: required: proved; found: {len(census.undecided)} boxes undecided",
+            file=sys.stderr,
+        )
+        return NOT_MET
+    return UNANSWERED

@@ -1,0 +1,307 @@
+"""What the command line shows to people: Rich tables on stdout, progress on stderr."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.core.values import decimal_string
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.parameters import default_parameters
+from nonsmooth.runtime.orbits.orbit import Orbit
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.core.values import Value
+    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+
+__all__ = [
+    "counted",
+    "show_differences",
+    "show_list",
+    "show_report",
+    "show_written",
+    "steps",
+]
+
+_LONGEST_NUMBER = 64  # beside the labels
+_GROUP, _GROUPS_IN_LINE = 10, 5
+_RANKS = {1: "one", 2: "two", 3: "three"}
+_VERDICT_STYLES = {"stable": "green", "unstable": "red"}
+
+
+def show_report(
+    orbit: Orbit | ComposedOrbit,
+    found: Mapping[str, Any],
+    assigned: Mapping[str, Value],
+    *,
+    trace_first: bool,
+) -> None:
+    """Show an orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit or ComposedOrbit
+    found : mapping
+        The orbit as JSON.
+    assigned : mapping of str to Value
+        Parameters as the user gave them.
+    trace_first : bool
+        Show the trace criterion before the orbit.
+    """
+    console = console_as_wide()
+    rank_one = orbit.stability.rank == 1 and not any(m["trivial"] for m in found["multipliers"])
+    console.print(Text(f"{shown_name(found['orbit'])}, {found['digits']} digits", style="bold"))
+    console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
+    parameters = _table()
+    for name, text, source in _sources(orbit, found, assigned):
+        parameters.add_row(name, text, Text(source, style="dim"))
+    unknowns = _table()
+    shown = {**_unknowns(orbit, found), "period": found["period"], "residual": found["residual"]}
+    shown |= {f"{name} moves by": text for name, text in found.get("shift", {}).items()}
+    for label, text in shown.items():
+        unknowns.add_row(label, _digits(text))
+    excess = decimal_string(-orbit.stability.margin, found["digits"])
+    criterion = _criterion(found, excess, orbit.stability.rank, rank_one=rank_one)
+    tables = [("Given", parameters), ("Orbit", unknowns)]
+    tables.insert(
+        0 if trace_first else 2, ("Trace criterion" if rank_one else "Stability", criterion)
+    )
+    for title, table in tables:
+        console.print()
+        console.print(Text(title, style="bold"))
+        console.print(table)
+    console.print()
+    _print_admissibility(console, found)
+
+
+def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
+    """Show systems and orbits with their parameters and unknowns."""
+    console = console_as_wide()
+    for system in systems:
+        console.print(Text.assemble((system["name"], "bold"), f": {system['description']}"))
+        for orbit in system["orbits"]:
+            console.print()
+            console.print(Text(orbit["name"], style="bold"))
+            for phase in orbit["phases"]:
+                place = f"{phase['configuration']} until {phase['boundary']}"
+                console.print(Text(f"  {phase['dwell_time']:5} {place}"))
+            console.print(Text(f"  unknowns: {' '.join(orbit['unknowns'])}"))
+            table = listing("parameter", "default", "meaning")
+            for parameter in orbit["parameters"]:
+                default = parameter["default"] or ""
+                table.add_row(_domain(parameter), default, Text(parameter["description"]))
+            show_table(table, console, keys=2)
+
+
+def show_written(paths: Iterable[str], nothing: str) -> None:
+    """Show the files that were written, one a line, or say that there are none."""
+    for line in list(paths) or [nothing]:
+        print(line)
+
+
+def show_differences(differences: Iterable[str]) -> None:
+    """Show differences of files; added and removed lines are coloured on a terminal."""
+    console = Console(highlight=False, soft_wrap=True)
+    for difference in differences:
+        for line in difference.splitlines():
+            style = {"+": "green", "-": "red", "@": "cyan"}.get(line[:1], "")
+            console.print(Text(line, style=style))
+
+
+@contextmanager
+def steps(first: str = "") -> Iterator[Callable[[str], None]]:
+    """Give a function that shows the step that begins, on stderr if that is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda step: None
+        return
+    from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (SpinnerColumn(finished_text=" "), TextColumn("{task.description}"))
+    with Progress(*columns, TimeElapsedColumn(), console=Console(stderr=True)) as progress:
+
+        def begin(step: str) -> None:
+            finish()
+            progress.add_task(step, total=1)
+
+        def finish() -> None:
+            for task in progress.task_ids:
+                progress.update(task, completed=1)
+
+        if first:
+            begin(first)
+        yield begin
+        finish()
+
+
+@contextmanager
+def counted(what: str, total: int) -> Iterator[Callable[[int], None]]:
+    """Give a function that shows how many of so many are done, on stderr if it is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda done: None
+        return
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    from rich.progress import TimeRemainingColumn as Remaining
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), Remaining())
+    with Progress(*columns, console=Console(stderr=True)) as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda done: progress.update(task, completed=done)
+
+
+@contextmanager
+def shared(what: str) -> Iterator[Callable[[float, int], None]]:
+    """Give a function that shows a share that is done and a count, on stderr if a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda share, count: None
+        return
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+    from rich.progress import TimeElapsedColumn as Elapsed
+
+    tiles = TextColumn("{task.fields[count]} tiles")
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
+    with Progress(*columns, Elapsed(), console=Console(stderr=True)) as progress:
+        task = progress.add_task(what, total=1.0, count=0)
+        yield lambda share, count: progress.update(task, completed=share, count=count)
+
+
+def _unknowns(orbit: Orbit | ComposedOrbit, found: Mapping[str, Any]) -> dict[str, str]:
+    """Unknowns of an orbit; in place of a forcing's cosine and sine its phase at the start."""
+    entries = dict(found["unknowns"])
+    if isinstance(orbit, Orbit):
+        return entries
+    start, names = orbit.states[0], list(entries)[-orbit.states.shape[1] :]
+    for number, (cosine, sine) in enumerate(orbit.piecewise.structure.forcing, 1):
+        for place in (cosine, sine):
+            entries.pop(names[place], None)
+        context = orbit.arithmetic.mp
+        phase = context.atan2(start[sine], start[cosine])
+        label = "forcing phase" if number == 1 else f"forcing phase {number}"
+        entries[label] = decimal_string(phase, found["digits"])
+    return entries
+
+
+def _configurations(orbit: Orbit | ComposedOrbit) -> list[str]:
+    """Configuration of each phase."""
+    if isinstance(orbit, Orbit):
+        return [phase[0] for phase in orbit.kernels.table["phases"]]
+    return [configuration for configuration, _ in orbit.itinerary]
+
+
+def _sources(
+    orbit: Orbit | ComposedOrbit, found: Mapping[str, Any], assigned: Mapping[str, Value]
+) -> Iterator[tuple[str, str, str]]:
+    """Give name and text of each given parameter, and where it is from."""
+    for name, value in assigned.items():
+        yield name, str(value), ""
+    if not isinstance(orbit, Orbit):
+        for name, value in orbit.parameters.items():
+            if name not in assigned:
+                yield name, str(value), "default"
+        if orbit.given_period is not None and "period" not in assigned:
+            yield "period", str(orbit.given_period), "given"
+        return
+    defaults = default_parameters(orbit.kernels)
+    for name, value in {**orbit.given, **orbit.opened}.items():
+        if name in assigned:
+            continue
+        if name in orbit.kernels.unknowns:
+            yield name, str(value), "in place of an unknown"
+        elif str(value) == defaults.get(name):
+            yield name, str(value), "default"
+        else:
+            yield name, found["parameters"][name], "follows"
+
+
+def _table() -> Table:
+    table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column(no_wrap=True, min_width=12)
+    table.add_column(overflow="fold")
+    return table
+
+
+def _criterion(found: Mapping[str, Any], excess: str, rank: int, *, rank_one: bool) -> Table:
+    table = _table()
+    verdict = found["stability"]
+    table.add_row("trace", _digits(found["trace"]))
+    if rank_one:
+        table.add_row("|trace| - 1", _digits(excess))
+    for number, multiplier in enumerate(found["multipliers"], 1):
+        label = f"multiplier {number}"
+        if number > rank:
+            table.add_row(label, f"0 exactly: the Poincare map has rank {_RANKS.get(rank, rank)}")
+        elif not rank_one:
+            trivial = " (trivial)" if multiplier["trivial"] else ""
+            table.add_row(label, _digits(multiplier["re"]) + trivial)
+            if multiplier["im"].strip("-0."):
+                table.add_row(" + i times", _digits(multiplier["im"]))
+    if rank_one:
+        reason = {
+            "stable": "conditionally stable (|trace| < 1)",
+            "unstable": "unstable (|trace| > 1)",
+        }
+    else:
+        table.add_row("margin", _digits(found["margin"]))
+        reason = {
+            "stable": "conditionally stable (nontrivial multipliers inside the unit circle)",
+            "neutral": "neutral (nontrivial multipliers on the unit circle)",
+            "unstable": "unstable (a multiplier outside the unit circle)",
+        }
+    text = reason.get(verdict, f"{verdict}: the margin is zero to these digits, ask for more")
+    table.add_row("verdict", Text(text, style=f"bold {_VERDICT_STYLES.get(verdict, 'yellow')}"))
+    if verdict == "stable":
+        table.add_row("", "under perturbations that keep the order of the switches")
+    if "one_sided" in found:
+        table.add_row("", f"one-sided: a border collision, on the side {found['one_sided']}")
+    return table
+
+
+def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:
+    verdict = found["admissible"]
+    if verdict is True:
+        answer = Text("yes: no boundary is crossed inside a phase", style="green")
+    elif verdict is False:
+        answer = Text("no: boundaries are crossed inside phases", style="red")
+    else:
+        answer = Text(f"{verdict}, it takes", style="yellow")
+    console.print(Text.assemble(("Admissible: ", "bold"), answer))
+    for bound in found.get("requires", ()):
+        console.print(Text(f"  {bound['parameter']} > {float(bound['greater_than']):.10g}"))
+    for meeting in found.get("coincidences", ()):
+        together = " and ".join(meeting["boundaries"])
+        console.print(Text(f"  at t = {float(meeting['time']):.10g} {together} coincide"))
+    if verdict is False:
+        table = listing("phase", "configuration", "boundary", "time", "excess")
+        for violation in found["violations"]:
+            numbers = (f"{float(violation[name]):.6g}" for name in ("time", "excess"))
+            names = (str(violation[n]) for n in ("phase", "configuration", "boundary"))
+            table.add_row(*names, *numbers)
+        show_table(table, console)
+
+
+def _digits(number: str) -> str:
+    """Give a number in one piece, or in lines of groups where it is longer than a line."""
+    if len(number) <= _LONGEST_NUMBER:
+        return number
+    mantissa, letter, exponent = number.partition("e")
+    whole, _, fraction = mantissa.partition(".")
+    groups = [fraction[i : i + _GROUP] for i in range(0, len(fraction), _GROUP)]
+    lines = [
+        " ".join(groups[i : i + _GROUPS_IN_LINE]) for i in range(0, len(groups), _GROUPS_IN_LINE)
+    ]
+    return "\n".join([f"{whole}.", *lines]) + letter + exponent
+
+
+def _domain(parameter: Mapping[str, Any]) -> str:
+    text: str = parameter["name"]
+    if parameter["lower"] is not None:
+        text = f"{parameter['lower']} {'<=' if parameter['closed'] else '<'} {text}"
+    if parameter["upper"] is None:
+        return text
+    return f"{text} {'<=' if parameter['upper_closed'] else '<'} {parameter['upper']}"

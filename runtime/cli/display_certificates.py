@@ -1,0 +1,151 @@
+"""What the command that certifies shows to people."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rich.table import Table
+from rich.text import Text
+
+from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+
+__all__ = [
+    "STYLES",
+    "UNIFORM",
+    "enclosure_table",
+    "share_table",
+    "show_box",
+    "show_certificate",
+    "show_events",
+]
+
+UNIFORM = {
+    "existence": "one orbit next to the one that was followed",
+    "admissibility": "a motion of the real system",
+}
+STYLES = {"proved": "green", "refuted": "red", "undecided": "yellow"}
+
+
+def _show_claims(certificate: Certificate) -> None:
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(certificate.orbit)}, {certificate.bits} bits", style="bold"))
+    out.print(Text(" -> ".join([*(c for c, _ in certificate.itinerary), "..."])))
+    table = listing("claim", "", "")
+    meaning = {
+        "existence": "one orbit, and no other, in the box",
+        "admissibility": "a motion of the real system",
+        "stability": certificate.stability,
+    }
+    for name, verdict in certificate.claims.items():
+        told = Text(meaning[name])
+        if name in certificate.reasons:
+            told.append(f": {certificate.reasons[name]}", style="dim")
+        table.add_row(name, Text(verdict, style=STYLES[verdict]), told)
+    show_table(table, out)
+
+
+def show_certificate(certificate: Certificate) -> None:
+    """Show claims, parameters, enclosures, the box, and the margins."""
+    _show_claims(certificate)
+    out = console_as_wide()
+    values = {**certificate.parameters}
+    if certificate.given_period is not None:
+        values["period"] = certificate.given_period
+    out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if certificate.chosen:
+        names = ", ".join(certificate.chosen)
+        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    if not certificate.enclosures:
+        return
+    table = listing("enclosure", "", "unique within")
+    sides = {side.name: side.rad for side in certificate.box}
+    for name, enclosure in certificate.enclosures.items():
+        table.add_row(name, str(enclosure), _rounded(sides[name]) if name in sides else "")
+    for number, (re, im) in enumerate(certificate.multipliers, 1):
+        imaginary = "" if im.contains(0) else f" + {im} i"
+        table.add_row(f"multiplier {number}", f"{re}{imaginary}", "")
+    show_table(table, out)
+    if certificate.margins:
+        table = listing("phase", "boundary", "respected by at least")
+        for margin in certificate.margins:
+            place = f"{margin['phase']} {margin['configuration']}"
+            size = f"{_rounded(margin['least'])} ({margin['quantity']})"
+            table.add_row(place, margin["boundary"], size)
+        show_table(table, out)
+
+
+def show_box(found: BoxCertificate) -> None:
+    """Show what is proved for a box of parameters, and of how much of it."""
+    out = console_as_wide()
+    ends = ", ".join(f"{name} = {low} ... {high}" for name, (low, high) in _decimal(found))
+    out.print(Text(f"{shown_name(found.orbit)} for all {ends}", style="bold"))
+    out.print(Text(" -> ".join([*(c for c, _ in found.itinerary), "..."])))
+    table = listing("claim", "", "")
+    reasons = found.reasons
+    for name, verdict in found.claims.items():
+        told = Text(found.stability if name == "stability" else UNIFORM[name])
+        if name in reasons:
+            told.append(f"; {verdict} {reasons[name]}", style="dim")
+        table.add_row(name, Text(verdict, style=STYLES[verdict]), told)
+    show_table(table, out)
+    show_table(share_table(found), out)
+    values = found.parameters
+    if values:
+        out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if found.chosen:
+        names = ", ".join(found.chosen)
+        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    if found.enclosures:
+        show_table(enclosure_table(found), out)
+
+
+def share_table(found: BoxCertificate) -> Table:
+    """How much of the box has which verdict, on how many tiles."""
+    table = listing("of the box", "", "tiles")
+    for verdict, share in found.shares.items():
+        tiles = sum(tile.verdict == verdict for tile in found.tiles)
+        name = f"{found.stability}, proved" if verdict == "proved" else verdict
+        if tiles:
+            table.add_row(name, f"{float(100 * share):.4g} %", str(tiles))
+    return table
+
+
+def enclosure_table(found: BoxCertificate) -> Table:
+    """Bounds over all of the box."""
+    table = listing("enclosure", "from", "to")
+    for name, enclosure in found.enclosures.items():
+        table.add_row(name, f"{enclosure.lower:.8g}", f"{enclosure.upper:.8g}")
+    return table
+
+
+def show_events(told: str, found: Sequence[EventCertificate]) -> None:
+    """Show where events are proved to be, below what they are events of."""
+    out = console_as_wide()
+    out.print(Text(told, style="bold"))
+    table = listing("event", "where", "", "parameter")
+    for certificate in found:
+        where = ""
+        if certificate.phase is not None:
+            where = f"phase {certificate.phase + 1} {certificate.configuration}:"
+            where += f" {certificate.boundary}"
+        value = certificate.reason
+        if certificate.proved:
+            value = f"{certificate.parameter} = {certificate.value}"
+        claim = Text(certificate.claim, style=STYLES[certificate.claim])
+        table.add_row(certificate.kind, where, claim, value)
+    if found:
+        show_table(table, out)
+    else:
+        out.print(Text("nothing happens: no events"))
+
+
+def _decimal(found: BoxCertificate) -> list[tuple[str, tuple[float, float]]]:
+    return [(name, (float(low), float(high))) for name, (low, high) in found.box.items()]
+
+
+def _rounded(text: str) -> str:
+    return f"{float(text):.3g}"

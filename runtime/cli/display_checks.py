@@ -1,0 +1,167 @@
+"""What `certify --check` shows to people: nothing that was not proved again or compared."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rich.console import Console
+from rich.text import Text
+
+from nonsmooth.runtime.cli.display_certificates import (
+    STYLES,
+    UNIFORM,
+    enclosure_table,
+    share_table,
+)
+from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.present.checking.check_file import Check
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+
+__all__ = ["show_check"]
+
+_POINT = {
+    "existence": "one orbit, and no other, in the box of the file",
+    "admissibility": "a motion of the real system",
+}
+
+_VERDICTS = {"proved": "proved", "refuted": "refuted", "undecided": "not claimed"}
+_OF_A_BOX = {
+    "proved": "proved",
+    "refuted": "refuted on a part of it",
+    "undecided": "not claimed on a part of it",
+}
+
+
+def show_check(found: Check) -> None:
+    """Show what was proved again of a file, and what was not."""
+    out = console_as_wide()
+    match found.certificate:
+        case Certificate() as certificate:
+            _show_point(out, certificate, compared=found.compared)
+        case BoxCertificate() as certificate:
+            _show_map(out, certificate, compared=found.compared)
+        case Census() as census:
+            _show_census(out, census, compared=found.compared)
+        case tuple() as events:
+            _show_events(out, events, compared=found.compared)
+
+
+def _show_point(out: Console, certificate: Certificate, *, compared: bool) -> None:
+    if certificate.claims["existence"] == "undecided":
+        out.print(Text("nothing is claimed", style="bold"))
+        return
+    out.print(Text(_called(certificate.orbit, compared=compared), style="bold"))
+    _show_cycle(out, certificate.itinerary)
+    _show_point_values(out, certificate, compared=compared)
+    meaning = {**_POINT, "stability": certificate.stability}
+    _show_claims(out, certificate.claims, meaning, _VERDICTS)
+    if certificate.enclosures:
+        table = listing("enclosure", "")
+        for name, enclosure in certificate.enclosures.items():
+            table.add_row(name, str(enclosure))
+        show_table(table, out)
+
+
+def _show_map(out: Console, found: BoxCertificate, *, compared: bool) -> None:
+    if not found.declaration:
+        out.print(Text("nothing is claimed", style="bold"))
+        return
+    ends = ", ".join(f"{name} = {low} ... {high}" for name, (low, high) in found.box.items())
+    out.print(Text(f"{_called(found.orbit, compared=compared)} for all {ends}", style="bold"))
+    _show_cycle(out, found.itinerary)
+    _show_values(out, found.parameters)
+    meaning = {**UNIFORM, "stability": found.stability}
+    _show_claims(out, found.claims, meaning, _OF_A_BOX)
+    show_table(share_table(found), out)
+    if found.enclosures:
+        show_table(enclosure_table(found), out)
+
+
+def _show_events(out: Console, events: Sequence[EventCertificate], *, compared: bool) -> None:
+    groups: dict[Any, list[EventCertificate]] = {}
+    for event in events:
+        if event.proved:
+            told = (event.orbit, event.itinerary, tuple(event.parameters.items()))
+            groups.setdefault(told, []).append(event)
+    for (label, itinerary, values), group in groups.items():
+        out.print(Text(_called(label, compared=compared), style="bold"))
+        _show_cycle(out, itinerary)
+        _show_values(out, dict(values))
+        table = listing("event", "where", "parameter")
+        for event in group:
+            where = "" if event.phase is None else f"phase {event.phase + 1} {event.configuration}"
+            where += f": {event.boundary}" if event.boundary else ""
+            table.add_row(event.kind, where, f"{event.parameter} = {event.value}")
+        show_table(table, out)
+    left = sum(1 for event in events if not event.proved)
+    if left or not events:
+        out.print(f"{left} of {len(events)} events {'is' if left == 1 else 'are'} not claimed")
+
+
+def _show_census(out: Console, census: Census, *, compared: bool) -> None:
+    found = [orbit.certificate for orbit in census.orbits if orbit.certificate is not None]
+    many = "1 orbit is" if census.count == 1 else f"{census.count} orbits are"
+    out.print(Text(f"{many} listed, of which {len(found)} proved again", style="bold"))
+    for certificate in found[:1]:
+        out.print(Text(_called(certificate.orbit, compared=compared)))
+        _show_cycle(out, certificate.itinerary)
+        out.print(Text("in the box " + ", ".join(census.box)))
+    names = found[0].dwell_names if found else ()
+    table = listing("orbit", *names, "admissible", "stability")
+    for number, orbit in enumerate(census.orbits, 1):
+        if orbit.certificate is None:
+            table.add_row(str(number), *("" for _ in names), "not proved", "again")
+            continue
+        claims = orbit.certificate.claims
+        words = {"proved": orbit.certificate.stability, "refuted": "unstable"}
+        table.add_row(
+            str(number),
+            *(f"{float(orbit.certificate.enclosures[name]):.9f}" for name in names),
+            {"proved": "yes", "refuted": "no"}.get(claims["admissibility"], "not claimed"),
+            words.get(claims["stability"], "not claimed"),
+        )
+    if census.orbits:
+        show_table(table, out)
+    for certificate in found[:1]:
+        _show_point_values(out, certificate, compared=compared)
+
+
+def _show_point_values(out: Console, certificate: Certificate, *, compared: bool) -> None:
+    """Show parameters to which the declaration is bound, by itself or by comparison."""
+    bound = compared or certificate.declaration["parameters"]
+    values = dict(certificate.parameters) if bound else {}
+    if certificate.given_period is not None:
+        values["period"] = certificate.given_period
+    _show_values(out, values)
+
+
+def _show_cycle(out: Console, itinerary: Sequence[tuple[str, str]]) -> None:
+    out.print(Text(" -> ".join([*(configuration for configuration, _ in itinerary), "..."])))
+
+
+def _show_values(out: Console, values: Mapping[str, Value]) -> None:
+    if values:
+        out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+
+
+def _show_claims(
+    out: Console,
+    claims: Mapping[str, str],
+    meaning: Mapping[str, str],
+    words: Mapping[str, str],
+) -> None:
+    table = listing("claim", "", "")
+    for name, verdict in claims.items():
+        table.add_row(name, Text(words[verdict], style=STYLES[verdict]), meaning[name])
+    show_table(table, out)
+
+
+def _called(label: str, *, compared: bool) -> str:
+    """The orbit's name, if it was compared with what is called so."""
+    return shown_name(label) if compared else "an orbit of the declaration in the file"

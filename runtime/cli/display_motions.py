@@ -1,0 +1,232 @@
+"""What the commands that simulate show to people."""
+
+from __future__ import annotations
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from nonsmooth.runtime.cli.report_motions import largest_exponent
+from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
+from nonsmooth.runtime.explore.finding.settled import settled_texts
+from nonsmooth.runtime.explore.finding.sweep import Sweep
+from nonsmooth.runtime.model.naming import itinerary_text, shown_name
+from nonsmooth.runtime.proof.motion.motion_proof import Proof
+from nonsmooth.runtime.simulation.observables import Observables
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["show_found", "show_motion", "show_observables", "show_proof", "show_sweep"]
+
+_ROWS = 40  # of a long motion: the first and the last half of them
+_DIGITS = 8
+_EXTREMES = ("", "least", "at", "greatest", "at", "mean", "RMS")
+_FORCES = ("force", "least", "greatest", "mean", "work", "dissipated")
+
+
+def show_motion(motion: Trajectory) -> None:
+    """Show the transitions of a motion; of a long one the first and the last."""
+    out = console_as_wide()
+    out.print(
+        Text(f"{shown_name(motion.name)}, {_count(motion.transitions, 'transition')}", style="bold")
+    )
+    shown = [place for place in range(len(motion.names)) if place not in _forced(motion)]
+    names = [motion.names[place] for place in shown]
+    phases = ["forcing phase"] if motion.structure.forcing else []
+    table = listing("time", "reached", "then", *names, *phases, right=("time", *names, *phases))
+    count = len(motion.times)
+    hidden = count - _ROWS
+    for i in range(count):
+        if hidden > 0 and _ROWS // 2 <= i < count - _ROWS // 2:
+            if i == _ROWS // 2:
+                table.add_row("...", Text(f"{hidden} more", style="dim"), "")
+            continue
+        table.add_row(
+            _number(motion.times[i]),
+            " + ".join(motion.boundaries[i]),
+            motion.configurations[i],
+            *map(_number, motion.states[i][shown]),
+            *(_number(angle) for angle in _angles(motion, i)[: len(phases)]),
+        )
+    show_table(table, out)
+    out.print(f"ended at {_number(motion.end)}: {motion.message}")
+    for g in motion.grazings:
+        shape = motion.structure.boundaries[g.configuration][g.boundary]
+        out.print(
+            f"touched without crossing: {shape.name} at {_number(g.time)}, depth {g.depth:.1e}"
+        )
+
+
+def show_found(found: Found) -> None:
+    """Show periodic orbits and equilibria, with stability and basin, and how else motions end."""
+    out = console_as_wide()
+    kinds = [_count(len(found.orbits), "periodic orbit")]
+    if found.equilibria:
+        count = len(found.equilibria)
+        kinds.append(f"{count} equilibri{'um' if count == 1 else 'a'}")
+    title = f"{' and '.join(kinds)} from {_count(len(found.starts), 'start')}"
+    out.print(Text(f"{shown_name(found.system)}, {title}", style="bold"))
+    if found.orbits:
+        show_table(_orbits(found), out)
+    if found.equilibria:
+        show_table(_equilibria(found), out)
+    for outcome, share in found.outcomes.items():
+        out.print(f"{100 * share:.4g} % of the starts: {outcome.text}")
+    if found.unclassified:
+        out.print("(slow ones may need more --transitions)")
+
+
+def _orbits(found: Found) -> Table:
+    forced = any(orbit.forcing_periods for orbit in found.orbits)
+    mirrored = any(orbit.mirror is not None for orbit in found.orbits)
+    titles = ["", "period", *["in forcing periods"] * forced, "stability", "multipliers", "starts"]
+    titles += [*["mirror image"] * mirrored, "itinerary"]
+    table = listing(*titles, right=("", "period", "in forcing periods", "starts"))
+    for place, orbit in enumerate(found.orbits):
+        table.add_row(
+            str(place + 1),
+            _number(orbit.period),
+            *[", ".join(map(str, orbit.forcing_periods))] * forced,
+            _stability(orbit.verdict),
+            _pairs(orbit.orbit.multipliers.tolist()),
+            _basin(orbit),
+            *[_mirror(orbit.mirror, place, 0)] * mirrored,
+            itinerary_text(orbit.itinerary),
+        )
+    return table
+
+
+def _equilibria(found: Found) -> Table:
+    mirrored = any(entry.mirror is not None for entry in found.equilibria)
+    titles = ["", "equilibrium", "stability", "eigenvalues", "starts"]
+    titles += [*["mirror image"] * mirrored, "configuration"]
+    table = listing(*titles, right=("", "starts"))
+    before = len(found.orbits)
+    for place, entry in enumerate(found.equilibria):
+        known = entry.equilibrium
+        state = zip(known.names, known.state.tolist(), strict=True)
+        table.add_row(
+            str(before + place + 1),
+            ", ".join(f"{name} = {_number(value)}" for name, value in state),
+            _stability(known.verdict),
+            _pairs(known.eigenvalues.tolist()),
+            _basin(entry),
+            *[_mirror(entry.mirror, place, before)] * mirrored,
+            known.configuration,
+        )
+    return table
+
+
+def _stability(verdict: str) -> Text:
+    return Text(verdict, style={"stable": "green", "unstable": "red"}.get(verdict, ""))
+
+
+def _basin(entry: FoundOrbit | FoundEquilibrium) -> str:
+    return f"{100 * entry.share:.4g} %" if entry.starts else "-"
+
+
+def _mirror(mirror: int | None, place: int, before: int) -> str:
+    """Of which entry one is the mirror image."""
+    if mirror is None:
+        return ""
+    return "its own" if mirror == place else f"of {before + mirror + 1}"
+
+
+def _pairs(numbers: list[complex]) -> str:
+    """Complex numbers, of which conjugate ones are told together."""
+    told = []
+    for number in numbers:
+        if number.imag < 0 and number.conjugate() in numbers:
+            continue
+        paired = number.imag > 0 and number.conjugate() in numbers
+        told.append(_complex(number).replace(" + ", " ± ") if paired else _complex(number))
+    return ", ".join(told)
+
+
+def show_observables(found: Observables) -> None:
+    """Show peaks and averages, shares of time, and what passes through the contacts."""
+    out = console_as_wide()
+    out.print()
+    out.print(Text(f"From {_number(found.since)} on", style="bold"))
+    states = listing(*_EXTREMES, right=_EXTREMES[1:])
+    for name, low in found.minima.items():
+        if name in _forced_names(found.trajectory):
+            continue
+        high = found.maxima[name]
+        numbers = (low.value, low.time, high.value, high.time, found.means[name], found.rms[name])
+        states.add_row(name, *map(_number, numbers))
+    show_table(states, out)
+    if found.contacts:
+        contacts = listing(*_FORCES, right=_FORCES[1:])
+        for name, contact in found.contacts.items():
+            ends = contact.minimum.value, contact.maximum.value
+            rest = contact.mean, contact.work, contact.dissipated
+            contacts.add_row(name, *map(_number, (*ends, *rest)))
+        show_table(contacts, out)
+    shares = {name: share for name, share in found.fractions.items() if share}
+    told = ", ".join(f"{name} {100 * share:.4g} %" for name, share in shares.items())
+    out.print(f"time: {told}")
+    for name, share in found.sticking.items():
+        out.print(f"{name} sticks {100 * share:.4g} % of the time")
+    exponent = largest_exponent(found)
+    if isinstance(exponent, str):
+        out.print(f"no Lyapunov exponent: {exponent}")
+    else:
+        out.print(f"largest Lyapunov exponent: {exponent.value:.6g}, error {exponent.error:.1g}")
+
+
+def show_proof(proof: Proof) -> None:
+    """Say how much of a motion's sequence is proved."""
+    out = console_as_wide()
+    out.print()
+    proved = f"proved: {_count(proof.transitions, 'transition')}, in balls of {proof.bits} bits"
+    out.print(Text(proved, style="green" if proof.decided else ""))
+    if proof.reason is not None:
+        where = "" if proof.instant is None else f" at {proof.instant.mid}"
+        out.print(f"then{where}: {proof.reason}")
+
+
+def _forced(motion: Trajectory) -> set[int]:
+    """States that are the cosine or the sine of a forcing."""
+    return {place for pair in motion.structure.forcing for place in pair}
+
+
+def _forced_names(motion: Trajectory) -> set[str]:
+    return {motion.names[place] for place in _forced(motion)}
+
+
+def _angles(motion: Trajectory, row: int) -> list[float]:
+    """Phases of the forcings at a transition, in radians from 0 to 2 pi."""
+    states = motion.states[row]
+    return [
+        float(np.arctan2(states[sine], states[cosine]) % (2 * np.pi))
+        for cosine, sine in motion.structure.forcing
+    ]
+
+
+def show_sweep(diagram: Sweep) -> None:
+    """Say how many points a bifurcation diagram has, and what the motions settle on."""
+    points = int(np.isfinite(diagram.samples).sum())
+    low, high = diagram.values[[0, diagram.done - 1]] if diagram.done else (np.nan, np.nan)
+    print(
+        f"{shown_name(diagram.system)}: {points} points of {diagram.state} {diagram.when},"
+        f" {diagram.parameter} from {_number(low)} to {_number(high)}"
+    )
+    numbers, counts = np.unique(diagram.outcomes[: diagram.done], return_counts=True)
+    texts = settled_texts()
+    for number, count in zip(numbers[::-1].tolist(), counts[::-1].tolist(), strict=True):
+        print(f"{texts[number]}: {_count(count, 'value')} of {diagram.parameter}")
+
+
+def _complex(number: complex) -> str:
+    if number.imag == 0:
+        return f"{number.real:.6g}"
+    return f"{number.real:.6g} {'-' if number.imag < 0 else '+'} {abs(number.imag):.6g}i"
+
+
+def _number(value: float) -> str:
+    return f"{value:.{_DIGITS}g}"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,96 @@
+"""What long commands keep: files that are not replaced unasked, and work that was interrupted.
+
+The rule of all commands that may run for long (find, sweep, continue, certify): `--save` begins
+a new file and replaces one only with `--overwrite`. What costs seconds (an orbit, a motion, a
+picture) replaces what is there; a chart's folder is gone on with.
+"""
+
+from __future__ import annotations
+
+import shlex
+import signal
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.files import check_target
+
+__all__ = ["INTERRUPTED", "Overwrite", "check_new", "interrupted", "same_command", "worked"]
+
+INTERRUPTED = 130  # exit code
+
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Replace the file of --save if it is there already.")
+]
+
+
+def check_new(
+    path: Path | None, overwrite: bool, resume: Path | None = None, *, resumes: bool = False
+) -> None:
+    """Refuse a file that cannot be written, or would be replaced unasked.
+
+    Parameters
+    ----------
+    path : Path or None
+    overwrite : bool
+        Whether replacing was asked for.
+    resume : Path, optional
+        What is gone on with: that file may be written.
+    resumes : bool
+        Whether the command could go on with such a file.
+
+    Raises
+    ------
+    InputError
+    """
+    if path is None:
+        return
+    check_target(path)
+    resumed = resume is not None and path.resolve() == resume.resolve()
+    if path.exists() and not (overwrite or resumed):
+        goes_on = f"--resume {path} goes on with it, " if resumes else ""
+        raise InputError(f"{path} is there already: {goes_on}--overwrite replaces it")
+
+
+def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
+    """What a work finds, and whether it was interrupted: then what it had found until then.
+
+    From then on Ctrl-C is left out of account: what was found is kept first.
+    """
+    try:
+        return work(), False
+    except Interrupted as stopped:
+        if threading.current_thread() is threading.main_thread():
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
+        return stopped.partial, True
+
+
+def interrupted(kept: str, command: str) -> int:
+    """Say in one line what was kept, and which command goes on; gives the exit code."""
+    print(f"nonsmooth: interrupted: {kept}; {command}", file=sys.stderr)
+    return INTERRUPTED
+
+
+def same_command(*more: str, without: Sequence[str] = ()) -> str:
+    """The command line that is running, without some options and their values, with others.
+
+    Parameters
+    ----------
+    more : str
+        What is added.
+    without : sequence of str
+        Options that take a value; `--overwrite` is always left out.
+    """
+    kept: list[str] = []
+    words = iter(sys.argv[1:])
+    for word in words:
+        if word in without:
+            next(words, None)
+        elif word != "--overwrite" and word.partition("=")[0] not in without:
+            kept.append(word)
+    return shlex.join(["nonsmooth", *kept, *more])

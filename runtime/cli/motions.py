@@ -1,0 +1,423 @@
+"""The commands that simulate."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    UNANSWERED,
+    answering,
+    app,
+    assignments,
+    check_drawing,
+    drawn,
+    print_json,
+    ranges,
+    split,
+    without_picture,
+)
+from nonsmooth.runtime.cli.keeping import (
+    Overwrite,
+    check_new,
+    interrupted,
+    same_command,
+    worked,
+)
+from nonsmooth.runtime.cli.options import AsJson, Physical, SystemName
+from nonsmooth.runtime.core.errors import InputError
+
+__all__ = ["find", "simulate", "sweep"]
+
+_FORCING = "forcing-phase"
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth simulate rigid-stop m1=1 m2=2 k1=1 k2=5 r=0.8"
+    " --from x1=0,x2=0.5,v1=1,v2=0 --transitions 20\n\n"
+    "nonsmooth simulate dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+    " --from x1=0,x2=0,v1=0,v2=0 --until 100 --save motion.npz --plot motion.png\n\n"
+    "nonsmooth simulate elastic-stop m1=1 m2=2 k1=1 k2=5 k3=10 --from x1=0,x2=0,v1=2,v2=0"
+    " --transitions 40 --observe --prove"
+)
+@answering
+def simulate(
+    system: SystemName,
+    parameters: Physical = None,
+    start: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--from", metavar="NAME=VALUE,...", help="The start: positions and velocities."
+        ),
+    ] = None,
+    configuration: Annotated[
+        str | None,
+        typer.Option("--in", metavar="NAME", help="Where it starts; found when it is not given."),
+    ] = None,
+    transitions: Annotated[
+        int | None, typer.Option("--transitions", metavar="N", help="End after so many.")
+    ] = None,
+    until: Annotated[
+        str | None, typer.Option("--until", metavar="TIME", help="End at this time.")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save the motion: .npz or .csv.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+    ] = None,
+    observe: Annotated[
+        bool,
+        typer.Option("--observe", help="Peaks, averages, contact forces, Lyapunov exponent too."),
+    ] = False,
+    since: Annotated[
+        str | None, typer.Option("--since", metavar="TIME", help="Where --observe begins.")
+    ] = None,
+    prove: Annotated[
+        bool,
+        typer.Option("--prove", help="Prove the sequence of configurations by ball arithmetic."),
+    ] = False,
+    as_json: AsJson = False,
+) -> int:
+    """Follow a motion from event to event, exactly: no event is missed."""
+    from nonsmooth.runtime.cli.display_motions import show_motion, show_observables, show_proof
+    from nonsmooth.runtime.cli.report_motions import motion_json, observables_json, proof_json
+    from nonsmooth.runtime.core.files import check_ending, check_target
+    from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.simulation.simulate import simulate as follow
+
+    if save is not None:
+        check_target(save)
+        check_ending(save, (".npz", ".csv"))
+    check_drawing(plot)
+    if since is not None and not observe:
+        raise InputError("--since says where --observe begins, which is missing")
+    if start is None:
+        raise InputError("the start is missing: --from NAME=VALUE,...")
+    end = math.inf if until is None else float(parse(until))
+    values, state = assignments("parameter", parameters or []), assignments("state", split(start))
+    motion = follow(system, values, state, configuration, until=end, transitions=transitions)
+    written, failed = [], None
+    if save is not None:
+        motion.save(save)
+        written.append(str(save))
+    observed = proof = None
+    if observe:
+        from nonsmooth.runtime.simulation.observables import observe as observe_motion
+
+        observed = observe_motion(motion, float(parse(since or "0")))
+    if prove:
+        from nonsmooth.runtime.proof.motion.validate import validate
+
+        exact = {name: value.exact for name, value in state.items()}
+        for name, fraction in exact.items():
+            if fraction is None:
+                raise InputError(f"state {name} = {state[name]} is not rational: no proof")
+        begin = motion.configurations[0]
+        proof = validate(system, values, exact, begin, motion.transitions)
+    if plot is not None:
+        from nonsmooth.runtime.present.pictures.plot import save_figure
+        from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
+
+        picture = plot
+        failed = drawn(lambda: save_figure(trajectory_figure(motion, "all"), picture))
+        written += [] if failed else [str(plot)]
+    if as_json:
+        told = motion_json(motion)
+        if observed is not None:
+            told["observables"] = observables_json(observed)
+        if proof is not None:
+            told["proof"] = proof_json(proof)
+        print_json({**told, "files": written})
+    else:
+        show_motion(motion)
+        if observed is not None:
+            show_observables(observed)
+        if proof is not None:
+            show_proof(proof)
+        for name in written:
+            print(f"{name} written")
+    code = without_picture(failed)
+    return code or (ANSWERED if proof is None or proof.decided else UNANSWERED)
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1\n\n"
+    "nonsmooth find dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+    " --starts 800 --box x1=-4:4,x2=-4:4 --save found.json\n\n"
+    "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    " --basins x1=-3:3:120,v2=-1:1:120 --plot basins.png"
+)
+@answering
+def find(
+    system: SystemName,
+    parameters: Physical = None,
+    starts: Annotated[
+        int, typer.Option("--starts", metavar="N", help="Random starts to follow.")
+    ] = 400,
+    transitions: Annotated[
+        int, typer.Option("--transitions", metavar="N", help="Length of the transients.")
+    ] = 2000,
+    box: Annotated[
+        list[str] | None,
+        typer.Option("--box", metavar="NAME=A:B,...", help="Where the starts are drawn."),
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random starts.")] = 0,
+    basins: Annotated[
+        str | None,
+        typer.Option(
+            "--basins",
+            metavar="NAME=A:B:N,NAME=A:B:N",
+            help="Map a plane of starts: two states with their ranges and counts.",
+        ),
+    ] = None,
+    start: Annotated[
+        list[str] | None,
+        typer.Option("--from", metavar="NAME=VALUE,...", help="The other states of that plane."),
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--plot", metavar="FILE", help="Draw the map of --basins.")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save all of it as JSON.")
+    ] = None,
+    write: Annotated[
+        Path | None,
+        typer.Option(
+            "--write",
+            metavar="FILE.py",
+            help="Append the orbits as itineraries found-1, ... to the file of the system.",
+        ),
+    ] = None,
+    overwrite: Overwrite = False,
+    as_json: AsJson = False,
+) -> int:
+    """Find the periodic orbits and equilibria of a system, and where random starts lead."""
+    from nonsmooth.runtime.cli.display import counted, steps
+    from nonsmooth.runtime.cli.display_motions import show_found
+    from nonsmooth.runtime.explore.finding.find import find_orbits
+    from nonsmooth.runtime.explore.finding.sweep import plane_of_starts
+    from nonsmooth.runtime.model.kernels import load_system
+    from nonsmooth.runtime.present.files.declaring import check_declaration, write_itineraries
+    from nonsmooth.runtime.present.files.found import found_json, save_found
+
+    if (plot is None) != (basins is None):
+        raise InputError("--basins says what to map and --plot where to draw it: give both")
+    if start and basins is None:
+        raise InputError("--from is for the plane of --basins, which is missing")
+    check_drawing(plot)
+    check_new(save, overwrite)
+    if write is not None:
+        check_declaration(system, write)
+    axes = ranges("state", split([basins]), counts=True) if basins else {}
+    if basins and len(axes) != 2:
+        raise InputError(f"--basins takes two states, not {len(axes)}")
+    others = assignments("state", split(start))
+    if basins:
+        x, y = ((name, *bounds) for name, bounds in axes.items())
+        plane_of_starts(load_system(system), x, y, others)
+    values = assignments("parameter", parameters or [])
+    limits = {name: (low, high) for name, (low, high, _) in ranges("state", split(box)).items()}
+    with steps() as begin:
+        found, stopped = worked(
+            lambda: find_orbits(
+                system,
+                values,
+                starts,
+                transitions=transitions,
+                box=limits,
+                seed=seed,
+                progress=begin,
+            )
+        )
+    written, failed = [], None
+    if save is not None:
+        save_found(found, save)
+        written.append(str(save))
+    if plot is not None and not stopped:
+        from nonsmooth.runtime.explore.finding.sweep import basins as map_basins
+        from nonsmooth.runtime.present.pictures.maps import draw_basins
+        from nonsmooth.runtime.present.pictures.plot import save_figure
+
+        picture = plot
+
+        def draw() -> None:
+            nonlocal stopped
+            with counted("mapping basins", y[3]) as progress:
+                mapped, stopped = worked(lambda: map_basins(found, x, y, others, progress=progress))
+            save_figure(draw_basins(mapped), picture)
+
+        failed = drawn(draw)
+        written += [] if failed else [str(plot)]
+    names: tuple[str, ...] = ()
+    if write is not None and found.orbits and _agreed(f"append the orbits to {write}?"):
+        names = write_itineraries(found, write)
+        written.append(str(write))
+    if as_json:
+        print_json({**found_json(found), "files": written, "itineraries": list(names)})
+    else:
+        show_found(found)
+        for name in written:
+            print(f"{name} written")
+        if save is not None and found.orbits:
+            print(f"nonsmooth solve, continue, certify, chart and plot take {save}:1 and so on")
+        for name in names:
+            print(f"{write}:{name}")
+    code = without_picture(failed)
+    if stopped:
+        where = "shown, not saved" if save is None else f"kept in {save}"
+        again = same_command(*[] if save is None else ["--overwrite"])
+        return interrupted(f"what was found until then is {where}", f"begin again with: {again}")
+    return code
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png --save sweep.json\n\n"
+    "nonsmooth sweep impact_oscillator.py w=2:3:100 sigma=1/5 r=4/5 --state v --at forcing-phase"
+    " --phase pi/2 --from x=0,v=0 --transient 200 --out strobe.png"
+)
+@answering
+def sweep(
+    system: SystemName,
+    parameters: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="NAME=VALUE|A:B:N",
+            help="All physical parameters, one of them as a range: V=0.5:1.5:400.",
+            show_default=False,
+        ),
+    ] = None,
+    state: Annotated[
+        str | None, typer.Option("--state", metavar="NAME", help="What is drawn.")
+    ] = None,
+    at: Annotated[
+        str | None,
+        typer.Option(
+            "--at",
+            metavar="NAME",
+            help="At each entry of this configuration, or `forcing-phase`: once in each period"
+            " of the forcing.",
+        ),
+    ] = None,
+    phase: Annotated[
+        str | None,
+        typer.Option(
+            "--phase", metavar="ANGLE", help="With --at forcing-phase: which, such as pi/2."
+        ),
+    ] = None,
+    start: Annotated[
+        list[str] | None, typer.Option("--from", metavar="NAME=VALUE,...", help="The start.")
+    ] = None,
+    transient: Annotated[
+        int,
+        typer.Option(
+            "--transient", metavar="N", help="Transitions, or periods, before the first point."
+        ),
+    ] = 1000,
+    samples: Annotated[
+        int,
+        typer.Option(
+            "--samples", metavar="N", help="Transitions, or periods, that points are taken from."
+        ),
+    ] = 60,
+    restart: Annotated[
+        bool, typer.Option("--restart", help="Start every value anew instead of following.")
+    ] = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option("--save", metavar="FILE", help="Save it as JSON.")
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option("--resume", metavar="FILE", help="Go on with a sweep that was interrupted."),
+    ] = None,
+    overwrite: Overwrite = False,
+    as_json: AsJson = False,
+) -> int:
+    """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
+    from numpy import linspace
+
+    from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.explore.finding.sweep import sweep as follow
+    from nonsmooth.runtime.present.files.sweeps import load_sweep
+
+    for option, given in (("--state", state), ("--at", at), ("--from", start)):
+        if not given:
+            raise InputError(f"{option} is missing")
+    check_drawing(out)
+    strobed = at == _FORCING
+    if phase is not None and not strobed:
+        raise InputError(f"--phase is for --at {_FORCING}")
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=True)
+    known = None if resume is None else load_sweep(resume)
+    swept = [text for text in parameters or [] if ":" in text]
+    if len(swept) != 1:
+        raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
+    fixed = [text for text in parameters or [] if text not in swept]
+    ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
+    values, begin = assignments("parameter", fixed), assignments("state", split(start))
+    with counted(f"sweeping {name}", count) as progress:
+        diagram, stopped = worked(
+            lambda: follow(
+                system,
+                values,
+                name,
+                linspace(low, high, count),
+                begin,
+                state=str(state),
+                configuration=None if strobed else at,
+                phase=float(parse(phase or "0")) if strobed else None,
+                transient=transient,
+                samples=samples,
+                follow=not restart,
+                resume=known,
+                progress=progress,
+            )
+        )
+    written, failed = [], None
+    if save is not None:
+        diagram.save(save)
+        written.append(str(save))
+    if out is not None:
+        from nonsmooth.runtime.present.pictures.maps import draw_sweep
+        from nonsmooth.runtime.present.pictures.plot import save_figure
+
+        picture = out
+        failed = drawn(lambda: save_figure(draw_sweep(diagram), picture))
+        written += [] if failed else [str(out)]
+    if as_json:
+        from nonsmooth.runtime.cli.report_motions import sweep_json
+
+        print_json({**sweep_json(diagram), "files": written})
+    else:
+        from nonsmooth.runtime.cli.display_motions import show_sweep
+
+        show_sweep(diagram)
+        for path in written:
+            print(f"{path} written")
+    code = without_picture(failed)
+    if stopped:
+        done = f"{diagram.done} of {count} values are done"
+        if save is None:
+            return interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
+        goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+        return interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
+    return code
+
+
+def _agreed(question: str) -> bool:
+    """Ask on a terminal before a file of the user is changed; elsewhere the option says it."""
+    return not sys.stdin.isatty() or typer.confirm(question, err=True)

@@ -1,0 +1,392 @@
+"""The command line: orbits, their equations, pictures and kernels.
+
+What is heavy is imported by the commands that need it; `motions` has the commands that
+simulate.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the application
+    certifying,
+    charting,
+    continuing,
+    generating,
+    motions,
+)
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    NOT_MET,
+    UNANSWERED,
+    answering,
+    app,
+    assignments,
+    print_json,
+    split,
+)
+from nonsmooth.runtime.cli.keeping import interrupted, same_command, worked
+from nonsmooth.runtime.cli.options import (
+    AsJson,
+    Assignments,
+    Digits,
+    Format,
+    Given,
+    Guess,
+    Kind,
+    OrbitName,
+    Require,
+    Requirement,
+    Save,
+    Unknown,
+)
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+
+__all__ = ["app", "main"]
+
+REMEDY = "python scripts/regenerate.py"
+_WORKING_DIGITS = 20  # at least: a verdict does not depend on how many digits are shown
+
+
+def main(command: str | None = None) -> None:
+    """Run the command line, or one command of it as a script of its own."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+    group: Any = typer.main.get_command(app)
+    if command is None:
+        group(prog_name="nonsmooth")
+    else:
+        group.commands[command](prog_name=Path(sys.argv[0]).name)
+
+
+@app.command(
+    "list",
+    epilog="Examples:\n\nnonsmooth list\n\nnonsmooth list my_oscillator.py\n\n"
+    "nonsmooth list dry-friction --json",
+)
+@answering
+def list_orbits(
+    systems: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[SYSTEM]...",
+            help="Only these: built-in ones, FILE.py, or a folder of `generate`.",
+            show_default=False,
+        ),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """List systems and orbits, their parameters and unknowns."""
+    from nonsmooth.runtime.present.report import systems_json
+
+    found = systems_json(systems or ())
+    if as_json:
+        print_json(found)
+    else:
+        from nonsmooth.runtime.cli.display import show_list
+
+        show_list(found["systems"])
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth equations dry-friction/global-stick --format markdown\n\n"
+    "nonsmooth equations dry-friction --out dry-friction.tex\n\n"
+    "nonsmooth equations dry-friction/global-stick --format pdf"
+)
+@answering
+def equations(
+    name: Annotated[
+        str,
+        typer.Argument(
+            metavar="SYSTEM[/ORBIT]",
+            help="A system or an orbit, or your own: FILE.py or FILE.py:ORBIT.",
+        ),
+    ],
+    form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write this file; a PDF is SYSTEM-ORBIT.pdf by default."),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Derive a system or an orbit and write it down, from the declaration to the trace."""
+    from nonsmooth.runtime.cli import deriving
+    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.core.files import check_target
+
+    if out is None and form is Format.PDF:
+        stem = Path(name).name if ".py" in name else name.replace("/", "-")
+        out = Path(f"{stem.replace('.py', '').replace(':', '-')}.pdf")
+    document = deriving.document_maker(name)
+    if out is not None:
+        check_target(out)
+    with steps(f"deriving {name}") as begin:
+        text = deriving.written(document(), form.value)
+        if out is not None:
+            begin(f"writing {out}")
+            deriving.write_document(text, form.value, out)
+    told = {"text": text} if out is None else {"file": str(out)}
+    if as_json:
+        print_json({"name": name, "format": form.value, **told})
+    elif out is None:
+        sys.stdout.write(text)
+    else:
+        show_written([f"{out} written"], "")
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth solve dry-friction/global-stick eta=0.98 V=1.01\n\n"
+    "nonsmooth solve dry-friction/global-stick us2=0.8 us1=1 --require admissible\n\n"
+    "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2\n\n"
+    "nonsmooth solve dry-friction/global-stick --save orbit.json\n\n"
+    "nonsmooth solve found.json:2 Omega=2.5 --digits 30"
+)
+@answering
+def solve(
+    orbit: OrbitName,
+    parameters: Assignments = None,
+    unknown: Unknown = None,
+    given: Given = None,
+    guess: Guess = None,
+    digits: Digits = 15,
+    require: Require = None,
+    save: Save = None,
+    as_json: AsJson = False,
+) -> int:
+    """Find a periodic orbit: unknowns, multipliers, stability, admissibility."""
+    problem = (orbit, parameters, unknown, given, guess, digits)
+    return _report(*problem, require=require, save=save, as_json=as_json, trace_first=False)
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth verify dry-friction/global-stick --digits 50\n\n"
+    "nonsmooth verify dry-friction/global-stick eta=0.98 --require stable --json"
+)
+@answering
+def verify(
+    orbit: OrbitName,
+    parameters: Assignments = None,
+    unknown: Unknown = None,
+    given: Given = None,
+    guess: Guess = None,
+    digits: Digits = 50,
+    require: Require = None,
+    save: Save = None,
+    as_json: AsJson = False,
+) -> int:
+    """Decide stability by the trace criterion, to any number of digits."""
+    problem = (orbit, parameters, unknown, given, guess, digits)
+    return _report(*problem, require=require, save=save, as_json=as_json, trace_first=True)
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth plot orbit.json\n\n"
+    "nonsmooth plot orbit.json --kind phase --out phase.svg\n\n"
+    "nonsmooth plot motion.npz --kind strip\n\n"
+    "nonsmooth plot found.json:2\n\n"
+    "nonsmooth plot F.zarr --out F.png\n\n"
+    "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
+)
+@answering
+def plot(
+    file: Annotated[
+        Path,
+        typer.Argument(
+            metavar="FILE",
+            help="An orbit of `solve --save`, a motion of `simulate --save`, the orbits of"
+            " `find --save` or one of them, FILE.json:N, a branch or a curve of events of"
+            " `continue --save`, a proven map of `certify --save`, or a chart of `chart --out`.",
+        ),
+    ],
+    kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
+    periods: Annotated[
+        int,
+        typer.Option("--periods", metavar="N", help="How many of an orbit to draw against time."),
+    ] = 1,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A PNG, SVG or PDF; FILE.png by default."),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Draw saved orbits, motions or charts: histories, phase portraits, maps, multipliers."""
+    from nonsmooth.runtime.cli.display import show_written
+    from nonsmooth.runtime.core.files import check_target
+    from nonsmooth.runtime.present.pictures.plot import save_figure
+    from nonsmooth.runtime.present.pictures.saved_files import figure_of
+
+    own = file.with_name(f"{Path(file.name.replace('.json:', '-')).stem}.png")
+    target = own if out is None else out
+    if target.resolve() == file.resolve():
+        raise InputError(f"cannot write {target}: it is the saved file")
+    check_target(target)
+    drawn, figure = figure_of(file, kind.value, periods)
+    save_figure(figure, target)
+    if as_json:
+        print_json({**drawn, "kind": kind.value, "file": str(target)})
+    else:
+        show_written([f"{target} written"], "")
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\nnonsmooth reproduce --out paper\n\n"
+    "nonsmooth reproduce --out paper --certify --json"
+)
+@answering
+def reproduce(
+    out: Annotated[
+        Path, typer.Option(metavar="DIR", help="Folder of the report, made if need be.")
+    ],
+    certified: Annotated[
+        bool, typer.Option("--certify", help="Add what ball arithmetic proves of every orbit.")
+    ] = False,
+    as_json: AsJson = False,
+) -> int:
+    """Write every number and figure of the source paper beside ours: a report in HTML."""
+    from nonsmooth.runtime.cli.deriving import section_formulas
+    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.present.paper.writing import reproduce as write
+
+    with steps() as begin:
+        paths, stopped = worked(lambda: write(out, section_formulas, begin, certified=certified))
+    files = [str(path) for path in paths]
+    if stopped:
+        kept = f"{len(files)} pictures are kept in {out}, the report is not written"
+        return interrupted(kept, f"begin again with: {same_command()}")
+    if as_json:
+        print_json({"folder": str(out), "files": files})
+    else:
+        show_written(
+            [f"{path} written" for path in files if not path.endswith((".svg", ".png"))], ""
+        )
+    return ANSWERED
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth regenerate --check\n\n"
+    "nonsmooth regenerate dry-friction --out kernels"
+)
+@answering
+def regenerate(
+    system: Annotated[
+        str | None, typer.Argument(metavar="SYSTEM", help="Only this one.", show_default=False)
+    ] = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; exit with 1 if a file differs.")
+    ] = False,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Folder of the files; that of the checkout by default."),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Make the kernels again from the derivation, or check that they are up to date."""
+    from nonsmooth.derive.codegen import regenerate as generation
+    from nonsmooth.derive.systems import SYSTEMS
+    from nonsmooth.runtime.cli.display import show_differences, show_written, steps
+    from nonsmooth.runtime.core.files import unwritable
+
+    if system is not None and system not in SYSTEMS:
+        raise unknown_name("system", system, SYSTEMS)
+    folder = generation.find_generated(writing=not check) if out is None else out
+    told: dict[str, Any] = {"folder": str(folder), "system": system}
+    if check:
+        with steps() as begin:
+            differences = generation.check(out, system, begin).differences
+        if as_json:
+            print_json({**told, "same": not differences, "differences": list(differences)})
+        elif differences:
+            show_differences(differences)
+        else:
+            show_written([], f"{folder}: up to date")
+        if differences:
+            print(f"nonsmooth: {folder} differs from the derivation: {REMEDY}", file=sys.stderr)
+        return UNANSWERED if differences else ANSWERED
+    try:
+        with steps() as begin:
+            changed = [str(path) for path in generation.regenerate(out, system, begin)]
+    except OSError as problem:
+        raise unwritable(folder, problem) from None
+    if as_json:
+        print_json({**told, "changed": changed})
+    else:
+        show_written(changed, f"{folder}: nothing changed")
+    return ANSWERED
+
+
+def _report(
+    name: str,
+    parameters: list[str] | None,
+    unknown: list[str] | None,
+    given: list[str] | None,
+    guess: list[str] | None,
+    digits: int,
+    *,
+    require: list[Requirement] | None,
+    save: Path | None,
+    as_json: bool,
+    trace_first: bool,
+) -> int:
+    """Solve, refine, save and report."""
+    from nonsmooth.runtime.core.files import check_target
+    from nonsmooth.runtime.core.values import decimal_string
+    from nonsmooth.runtime.orbits.refine import MOST_DIGITS, refine
+    from nonsmooth.runtime.orbits.solve import solve as find_orbit
+    from nonsmooth.runtime.present.report import orbit_json
+
+    if not 1 <= digits <= MOST_DIGITS:
+        raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+    if save is not None:
+        check_target(save)
+    assigned = assignments("parameter", parameters or [])
+    found = find_orbit(
+        name,
+        assigned,
+        {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None,
+        unknown=split(unknown),
+        given=assignments("unknown", split(given)),
+    )
+    orbit = refine(found, max(digits, _WORKING_DIGITS))
+    told = orbit_json(orbit, digits)
+    for parameter, value in assigned.items():  # also those that others stand for
+        told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
+    if save is not None:
+        orbit.save(save)
+        told["file"] = str(save)
+    if as_json:
+        print_json(told)
+    else:
+        from nonsmooth.runtime.cli.display import show_report
+
+        show_report(orbit, told, assigned, trace_first=trace_first)
+        if save is not None:
+            print(f"\n{save} written")
+    return _judged(told, require or [])
+
+
+def _judged(told: Mapping[str, Any], require: Iterable[Requirement]) -> int:
+    """Exit code of an orbit; says on stderr which requirement is not met."""
+    verdicts = {"stable": told["stability"], "admissible": told["admissible"]}
+    met = {"stable": "stable", "admissible": True}
+    names = list(dict.fromkeys(wanted.value for wanted in require))
+    missed = [n for n in names if verdicts[n] not in (met[n], "undecided")]
+    for name in missed:
+        answer = "no" if verdicts[name] is False else verdicts[name]
+        print(f"nonsmooth: required: {name}; found: {answer}", file=sys.stderr)
+    if missed:
+        return NOT_MET
+    return UNANSWERED if "undecided" in verdicts.values() else ANSWERED

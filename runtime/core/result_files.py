@@ -1,0 +1,173 @@
+"""The codec of result files: a format, a version, a checksum, whole or not at all.
+
+Every kind of result file is a `Form`: its name, what it holds, and the entries that are
+expected. Files are written atomically, and read only if nothing of them is missing, unknown,
+cut, edited or of another release.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.files import read_file, write_file
+
+__all__ = ["WRONG_SHAPE", "Form", "checksum_of", "format_in", "naming", "parsed"]
+
+_COMMON: dict[str, type] = {"format": str, "version": int, "package": str, "sha256": str}
+_BEGINNING = 400  # characters of a file in which its format is named
+# what entries of the wrong shape raise where they are read
+WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
+
+
+@dataclass(frozen=True)
+class Form:
+    """A kind of result file.
+
+    Attributes
+    ----------
+    name : str
+        Its format.
+    what : str
+        What it holds, in words.
+    fields : dict of str to type
+        Its entries, beside format, version, package and checksum.
+    version : int
+    most : int
+        Bytes; a larger file is not read.
+    """
+
+    name: str
+    what: str
+    fields: Mapping[str, type]
+    version: int = 1
+    most: int = 500_000_000
+
+    def write(self, path: str | os.PathLike[str], entries: Mapping[str, Any]) -> None:
+        """Write a file; what was there stays until the new content is complete.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written.
+        """
+        text = json.dumps(self.content(entries), indent=2, allow_nan=False) + "\n"
+        write_file(Path(path), text.encode())
+
+    def content(self, entries: Mapping[str, Any], *numbers: bytes) -> dict[str, Any]:
+        """Entries with the format, version, package and checksum; that covers numbers too."""
+        head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
+        content = {**head, **entries}
+        return {**content, "sha256": checksum_of(content, *numbers)}
+
+    def read(self, path: Path) -> dict[str, Any]:
+        """Entries of a file, of the right types.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be read, or is cut, edited or foreign.
+        """
+        content: dict[str, Any] = parsed(read_file(path, self.most, self.what))
+        self.check(content)
+        return content
+
+    def check(self, content: Any) -> None:
+        """Refuse content of another format or version, with other entries or checksum.
+
+        Raises
+        ------
+        InputError
+        """
+        self.check_entries(content)
+        self.check_sum(content)
+
+    def check_entries(self, content: Any) -> None:
+        """Refuse content of another format or version, or with other entries.
+
+        Raises
+        ------
+        InputError
+        """
+        if not isinstance(content, dict) or content.get("format") != self.name:
+            raise InputError(f"not a {self.what}, such as --save or save() writes")
+        if content.get("version") != self.version:
+            raise InputError(
+                f"version {content.get('version')!r} of the format, where {self.version} is"
+                " known: use the release that wrote it"
+            )
+        expected = {**_COMMON, **self.fields}
+        for name in sorted(expected.keys() ^ content.keys()):
+            raise InputError(f"{name!r} is {'missing' if name in expected else 'unknown'}")
+        for name, kind in expected.items():
+            if type(content[name]) is not kind:
+                raise InputError(f"{name!r} is of the wrong type")
+
+    def check_sum(self, content: Mapping[str, Any], *numbers: bytes) -> None:
+        """Refuse content, or numbers beside it, with another checksum.
+
+        Raises
+        ------
+        InputError
+        """
+        if content["sha256"] != checksum_of(content, *numbers):
+            raise InputError("edited or damaged: the checksum differs")
+
+
+def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
+    """Hash of a file's other entries, and of numbers that are kept beside them."""
+    covered = {name: entry for name, entry in content.items() if name != "sha256"}
+    found = hashlib.sha256(json.dumps(covered, sort_keys=True).encode())
+    for part in numbers:
+        found.update(part)
+    return found.hexdigest()
+
+
+def parsed(found: bytes) -> Any:
+    """What JSON text holds; InputError if it is none, or names an entry twice."""
+    try:
+        return json.loads(found.decode("utf-8"), object_pairs_hook=_once)
+    except (ValueError, RecursionError) as problem:
+        told = str(problem) if isinstance(problem, InputError) else "cut, or not JSON"
+        raise InputError(told) from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Entries by name; InputError where a name is there twice."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InputError(f"{twice!r} is there twice")
+    return found
+
+
+def format_in(path: Path) -> str | None:
+    """The format that a file's beginning names; None for what has none or cannot be read."""
+    try:
+        with path.open(encoding="utf-8") as file:
+            beginning = file.read(_BEGINNING)
+    except (OSError, ValueError):
+        return None
+    named = re.search(r'"format"\s*:\s*"([^"\\]*)"', beginning)
+    return named[1] if named else None
+
+
+@contextmanager
+def naming(path: str | os.PathLike[str]) -> Iterator[Path]:
+    """Name the file in what is said of it; entries of the wrong shape are an InputError too."""
+    try:
+        yield Path(path)
+    except InputError as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+    except WRONG_SHAPE as problem:
+        raise InputError(f"{os.fspath(path)}: not in order: {problem}") from None

@@ -1,0 +1,42 @@
+"""Generalized ufuncs of any-arithmetic kernels, where there are no compiled ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import FLOATS
+
+__all__ = ["vectorised"]
+
+
+def vectorised(
+    function: Callable[..., Any], inputs: list[tuple[int, ...]], outputs: list[tuple[int, ...]]
+) -> Callable[..., Any]:
+    """The generalized ufunc of an any-arithmetic kernel, on NumPy."""
+
+    def call(*arrays: Any) -> Any:
+        unpacked = []
+        for array, shape in zip(arrays, inputs, strict=True):
+            array = np.asarray(array, dtype=float)
+            if array.shape[array.ndim - len(shape) :] != tuple(shape):
+                raise ValueError(f"an argument of shape {array.shape} does not end in {shape}")
+            unpacked.append(np.moveaxis(array, range(-len(shape), 0), range(len(shape))))
+        lead = np.broadcast_shapes(
+            *(a.shape[len(shape) :] for a, shape in zip(unpacked, inputs, strict=True))
+        )
+        found = function(*unpacked, lib=FLOATS)
+        results = []
+        for value, shape in zip(found if len(outputs) > 1 else (found,), outputs, strict=True):
+            flat = [value] if not shape else list(value)
+            if len(shape) == 2:
+                flat = [entry for row in flat for entry in row]
+            filled = np.empty((*lead, len(flat)))
+            for place, entry in enumerate(flat):
+                filled[..., place] = entry
+            results.append(filled.reshape((*lead, *shape)))
+        return tuple(results) if len(results) > 1 else results[0][()]
+
+    return call

@@ -1,0 +1,327 @@
+"""First crossings of zero that no step can jump over.
+
+A start at zero is judged by the first derivative that is nonzero beyond its error, and left by
+its Taylor series; a maximum within rounding of zero is touched, not crossed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
+from nonsmooth.runtime.model.quasi_polynomials import TINY, UNIT, Jet, QuasiPolynomial
+
+__all__ = ["ORDERS", "Crossing", "Series", "Start", "first_crossing"]
+
+ORDERS = 24  # of a Taylor series: more than one radian needs
+_INVERSE_FACTORIALS = tuple(1 / math.factorial(k) for k in range(ORDERS + 2))
+_MOST_STEPS = 2_000_000  # a window of LONGEST_WAIT takes some of them for each radian
+_CHECKED_EVERY = 16  # steps between two attempts to prove that nothing can follow
+
+
+class Series:
+    """Taylor series of g at 0 behind a root of given order: errors stay relative to g.
+
+    Parameters
+    ----------
+    order : int
+        Order of the root: the derivatives below it are zero.
+    values, sizes : sequence of float
+        Derivatives at 0 from order 0 on, and the size that rounds in each.
+    fastest : float
+        The series serves for one radian of it.
+    """
+
+    def __init__(
+        self, order: int, values: Sequence[float], sizes: Sequence[float], fastest: float
+    ) -> None:
+        self.order, self.lead = order, values[order]
+        self.radius = 1.0 / fastest if fastest else math.inf
+        count = len(values)
+        scaled = [v * f for v, f in zip(values, _INVERSE_FACTORIALS, strict=False)]
+        self._value = [*scaled[:order:-1], scaled[order]]
+        first = [k * scaled[k] for k in range(max(order, 1), count)]
+        self._slope = first[::-1]
+        self._curvature = [k * (k - 1) * scaled[k] for k in range(max(order, 2), count)][::-1]
+        # A quarter of what judges a start still covers these few roundings, and a leading
+        # derivative just above the whole of it can leave the boundary.
+        self._error = [UNIT / 4 * s * f for s, f in zip(sizes, _INVERSE_FACTORIALS, strict=False)][
+            : order - 1 if order else None : -1
+        ]
+
+    def bend(self, t: float) -> float:
+        """Bound on |g''| over [0, t]: small near a root of high order."""
+        total = 0.0
+        for c in self._curvature:
+            total = total * t + abs(c)
+        return total * float(t ** max(self.order - 2, 0)) * (1 + 2.0**-20)
+
+    def jet(self, t: float) -> Jet:
+        """Values of g, g' and g'' at t, and the error of g."""
+        value = slope = curvature = error = 0.0
+        for c in self._value:
+            value = value * t + c
+        for c in self._slope:
+            slope = slope * t + c
+        for c in self._curvature:
+            curvature = curvature * t + c
+        for c in self._error:
+            error = error * t + c
+        order = self.order
+        power = t**order
+        if order:
+            slope *= t ** (order - 1)
+        curvature *= t ** max(order - 2, 0)
+        return value * power, slope, curvature, error * power + TINY
+
+
+class Start(NamedTuple):
+    """How g starts: its sign just after 0, its series if it leaves zero, whether it is past it."""
+
+    sign: int
+    series: Series | None
+    beyond: bool = False
+
+    @classmethod
+    def of(cls, function: QuasiPolynomial) -> Start:
+        """Judge by the first derivative that is nonzero beyond its error."""
+        enough = sum(2 * len(p) for p in function.polynomials)
+        values, errors = function.taylor(max(ORDERS, enough))
+        for order in range(enough):
+            if abs(values[order]) > errors[order]:
+                if values[order] > 0:
+                    return cls(1, None, order == 0)
+                sizes = [e / UNIT for e in errors]
+                series = Series(order, values[:ORDERS], sizes[:ORDERS], function.fastest)
+                return cls(-1, series if order else None)
+        return cls(0, None)
+
+
+class Crossing(NamedTuple):
+    """The first crossing of a window.
+
+    Attributes
+    ----------
+    time : float or None
+        None: there is none.
+    error : float
+        Bound on the error of the time.
+    tangent : bool
+        The boundary is touched at a maximum, within rounding.
+    touched : tuple of (time, depth)
+        Maxima within rounding of zero that were passed by.
+    never : bool
+        There is none after the window either.
+    """
+
+    time: float | None
+    error: float = 0.0
+    tangent: bool = False
+    touched: tuple[tuple[float, float], ...] = ()
+    never: bool = False
+
+
+def first_crossing(
+    function: QuasiPolynomial,
+    window: float,
+    *,
+    reached: bool = False,
+    start: Start | None = None,
+) -> Crossing:
+    """First time in [0, window] at which g rises to zero.
+
+    No step passes the first zero of g0 + g0' s + M s^2/2, where g'' <= M over the step, so none
+    jumps a crossing. A start at zero is judged by its first derivative beyond its error.
+
+    Parameters
+    ----------
+    function : QuasiPolynomial
+    window : float
+        At most LONGEST_WAIT / max |lambda|, which is inf for polynomials.
+    reached : bool
+        A maximum within rounding of zero counts.
+    start : Start, optional
+        A judgement made elsewhere.
+
+    Raises
+    ------
+    InputError
+        For a negative or longer window.
+    OverflowError
+        Where g is not finite, or no step gets on.
+    """
+    fastest = function.fastest
+    if not (window >= 0 and (not fastest or window <= LONGEST_WAIT / fastest * (1 + 1e-12))):
+        raise InputError(f"the window {window} is not within 0 and {LONGEST_WAIT:g} / max |lambda|")
+    start = start or Start.of(function)
+    if start.sign >= 0:
+        return Crossing(0.0) if start.sign > 0 else Crossing(None, never=True)
+    return _Search(function, window, start.series, reached).run()
+
+
+def _root(value: float, slope: float, curvature: float) -> float:
+    """Smallest positive zero of value + slope s + curvature s^2/2, value < 0; inf if none."""
+    if curvature <= 0:
+        return -value / slope if slope > 0 else math.inf
+    root = math.hypot(slope, math.sqrt(2 * curvature) * math.sqrt(-value))
+    return -2 * value / (slope + root) if slope > 0 else (root - slope) / curvature
+
+
+class _Search:
+    """One search; its state is the time up to which g is known not to cross."""
+
+    def __init__(
+        self, function: QuasiPolynomial, window: float, series: Series | None, reached: bool
+    ) -> None:
+        self.function, self.series, self.reached = function, series, reached
+        self.radius = series.radius if series else -1.0
+        last = function.last_root()
+        self.end, self.whole = min(window, last * 1.01), window > last * 1.01
+        self.touched: list[tuple[float, float]] = []
+        # a start that is left so slowly that g stays within its error is no touch
+        self.before, self.left = 0.0, series is None
+        self.top: tuple[float, float] | None = None
+
+    def jet(self, t: float) -> Jet:
+        if self.series is not None and t <= self.radius:
+            found = self.series.jet(t)
+        else:
+            found = self.function.jet(t)
+        if not math.isfinite(sum(found)):
+            raise OverflowError(f"a boundary function is not finite at {t}")
+        return found
+
+    def none(self, never: bool) -> Crossing:
+        return Crossing(None, touched=tuple(self.touched), never=never)
+
+    def found(self, time: float, error: float, tangent: bool = False) -> Crossing:
+        if time > self.end:
+            return self.none(False)
+        return Crossing(time, error + 4 * math.ulp(time), tangent, tuple(self.touched))
+
+    def leave(self, widest: float) -> float:
+        """Halfway to where the next derivative could first undo the leading one."""
+        series = self.series
+        if series is None:
+            return 0.0
+        length = min(widest, series.radius)
+        bound = self.function.bound(series.order + 1, 0.0, length if length < math.inf else 0.0)
+        if bound == 0:
+            return length
+        return min(0.5 * (series.order + 1) * -series.lead / bound, length)
+
+    def run(self) -> Crossing:
+        function, end = self.function, self.end
+        widest = math.inf
+        if function.uniform is None:
+            widest = 1 / function.fastest if function.fastest else max(end / 4, 1e-300)
+        length = widest
+        t = min(self.leave(widest), end)
+        for count in range(_MOST_STEPS):
+            value, slope, curvature, error = self.jet(t)
+            if count % _CHECKED_EVERY == 0 and function.ceiling(t) < -2 * error:
+                return self.none(True)
+            second = function.bound(2, t, length)
+            third = function.bound(3, t, length)
+            if value < -error:
+                self.before = t
+                self.left = self.left or value < -function.rounding(t)
+                if self.top is not None:
+                    depth, time = self.top
+                    if self.reached:
+                        return self.found(time, self._time_error(time), True)
+                    self.touched.append((time, depth))
+                    self.top = None
+            elif value > 2 * error:
+                return self._bisected(self.before, t)
+            elif self.left and (self.top is None or value > self.top[0]):
+                self.top = (value, t)
+            if slope > 0:
+                near = abs(value) + 2 * error
+                step = 2 * near / slope
+                bend = min(second, abs(curvature) + UNIT * second + third * step)
+                # Kantorovich's condition: a root is certain, and Newton stays with it
+                if step <= length and 2 * bend * near <= slope * slope:
+                    return self._polished(t)
+            if t >= end:
+                return self.none(self.whole)
+            if slope > 0 > curvature:
+                passed = self._over_the_maximum(t, slope, curvature, second, third, length)
+                if isinstance(passed, Crossing):
+                    return passed
+                if passed is not None:
+                    t = passed
+                    continue
+            low = min(value, -error)
+            step = min(_root(low, slope, second), length)
+            wider = min(4 * step, length)
+            local = curvature + UNIT * second + (third * wider if third else 0.0)
+            if local < second:
+                step = max(step, min(wider, _root(low, slope, local)))
+            if step < 0.5 * t < 0.5 * self.radius and self.series is not None:
+                wider = min(t, self.radius - t, length)
+                step = max(step, min(wider, _root(low, slope, self.series.bend(t + wider))))
+            t = min(t + max(step, 4 * math.ulp(t)), end)
+            if t == math.inf:
+                return self.none(True)
+            if widest < math.inf:
+                length = min(widest, 4 * max(step, math.ulp(t)))
+        raise OverflowError(
+            "no step gets on: a boundary function's numbers are too large, or small"
+        )
+
+    def _over_the_maximum(
+        self, t: float, slope: float, bend: float, second: float, third: float, length: float
+    ) -> Crossing | float | None:
+        """Where g is concave and has its maximum ahead: cross before it, or go beyond it."""
+        fall = -bend - UNIT * second
+        reach = min(length, self.end - t, 0.5 * fall / third if third else math.inf)
+        if fall <= 0 or 2 * slope >= fall * reach:
+            return None
+        low, high, time = t, t + reach, t
+        for _ in range(100):
+            value, rise, curvature, error = self.jet(time)
+            if value > 2 * error:
+                return self._bisected(t, time)
+            low, high = (time, high) if rise > 0 else (low, time)
+            newton = time - rise / curvature if curvature < 0 else low
+            following = newton if low < newton < high else 0.5 * (low + high)
+            if abs(following - time) <= 2 * math.ulp(time) or high - low <= 2 * math.ulp(high):
+                break
+            time = following
+        if value >= -error and (self.top is None or value > self.top[0]):
+            self.top = (value, time)
+        if reach == math.inf:  # a parabola
+            reach = 2 * (time - t) + math.sqrt(4 * error / fall)
+        return t + reach
+
+    def _time_error(self, time: float) -> float:
+        """Error of the time of a maximum."""
+        curvature = abs(self.jet(time)[2])
+        error = self.function.derivative().rounding(time)
+        return error / curvature if curvature > 0 else 0.0
+
+    def _polished(self, t: float) -> Crossing:
+        for _ in range(12):
+            value, slope, _, error = self.jet(t)
+            if slope <= 0:
+                break
+            step = value / slope
+            t = max(t - step, 0.0)
+            if abs(step) <= math.ulp(t):
+                break
+        return self.found(t, error / slope if slope > 0 else 0.0)
+
+    def _bisected(self, low: float, high: float) -> Crossing:
+        widest = high - low
+        while high - low > 2 * math.ulp(high):
+            middle = 0.5 * (low + high)
+            if self.jet(middle)[0] < 0:
+                low = middle
+            else:
+                high = middle
+        _, slope, _, error = self.jet(high)
+        return self.found(high, min(widest, error / slope if slope > 0 else widest))

@@ -1,0 +1,165 @@
+"""The numbers of one phase as Python lists, and the clock: what the Python engine steps with."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from operator import mul
+
+import numpy as np
+
+from nonsmooth.runtime.events.first_crossing import ORDERS
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial, wave
+
+__all__ = ["BoundaryTable", "Clock", "ConfigurationTable", "Row", "dot", "orders", "rows_of"]
+
+_SHORT = 0.5  # radians of the fastest exponent
+
+Row = tuple[float, ...]
+
+
+def dot(row: Sequence[float], vector: Sequence[float]) -> float:
+    """Sum of products."""
+    return float(sum(map(mul, row, vector)))
+
+
+def rows_of(array: np.ndarray) -> list[Row]:
+    """An array as Python numbers."""
+    return [tuple(map(float, row)) for row in array]
+
+
+def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], list[Row]]:
+    """An affine function's derivatives along a field, order by order, and their sizes."""
+    size = len(row)
+    matrix = np.zeros((size, size))
+    matrix[:-1] = field
+    values, bounds = [np.asarray(row, dtype=float)], [abs(np.asarray(row, dtype=float))]
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite judges no start
+        for _ in range(count - 1):
+            values.append(values[-1] @ matrix)
+            bounds.append(bounds[-1] @ abs(matrix))
+    return rows_of(np.array(values)), rows_of(np.array(bounds))
+
+
+class BoundaryTable:
+    """One boundary of a configuration: its row over the functions of time, and along the field."""
+
+    def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
+        shape = system.structure.boundaries[configuration][index]
+        row, flow = system.rows[shape.row], system.flows[configuration]
+        values = np.einsum("i,fij->fj", row[:-1], flow)
+        sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
+        values[0, -1] += row[-1]  # the constant joins the first function, which is 1
+        sizes[0, -1] += abs(row[-1])
+        self.row, self.reached = shape.row, shape.reached
+        self.values, self.sizes = rows_of(values), rows_of(sizes)
+        self.orders, self.bounds = orders(row, system.fields[configuration], ORDERS)
+
+
+class ConfigurationTable:
+    """What a phase needs, as lists of Python numbers."""
+
+    def __init__(self, system: PiecewiseLinear, index: int) -> None:
+        shape, flow = system.structure, system.flows[index]
+        self.modes = [
+            (complex(*map(float, exponent)), mode)
+            for exponent, mode in zip(system.exponents[index], shape.shapes[index], strict=True)
+        ]
+        speeds = [abs(exponent) for exponent, _ in self.modes]
+        self.fastest, self.slowest = max(speeds), min(filter(None, speeds), default=0.0)
+        self.growth = max(0.0, *(exponent.real for exponent, _ in self.modes))
+        self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
+        self.boundaries = [
+            BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
+        ]
+        self.flow = [rows_of(part) for part in flow]
+        self.sizes = [rows_of(abs(part)) for part in flow]
+        self.total = rows_of(abs(flow).sum(axis=0))
+        self.field = rows_of(system.fields[index])
+
+    def function(
+        self, boundary: BoundaryTable, state: list[float], size: list[float]
+    ) -> QuasiPolynomial:
+        """A boundary function in time, from an extended state and its absolute values."""
+        values = [dot(row, state) for row in boundary.values]
+        sizes = [dot(row, size) for row in boundary.sizes]
+        exponents, polynomials, weights = [], [], []
+        for exponent, mode in self.modes:
+            places = mode.places
+            if mode.oscillates:
+                pairs = list(zip(places[::2], places[1::2], strict=True))
+                polynomial = [complex(values[a], -values[b]) for a, b in pairs]
+                weight = [sizes[a] + sizes[b] for a, b in pairs]
+            else:
+                polynomial = [complex(values[a]) for a in places]
+                weight = [sizes[a] for a in places]
+            while weight and weight[-1] == 0:
+                weight.pop()
+                polynomial.pop()
+            if weight:
+                exponents.append(exponent)
+                polynomials.append(tuple(polynomial))
+                weights.append(tuple(weight))
+        return QuasiPolynomial(tuple(exponents), tuple(polynomials), tuple(weights))
+
+    def after(self, state: list[float], t: float) -> list[float]:
+        """The extended state a time t later."""
+        if t == 0:
+            return state
+        # over a short time by what changes, which keeps its relative accuracy
+        short = t * self.fastest <= _SHORT
+        result = state[:-1] if short else [0.0] * (len(state) - 1)
+        for factor, _, place in self._factors(t, short):
+            for i, row in enumerate(self.flow[place]):
+                result[i] += factor * dot(row, state)
+        return [*result, 1.0]
+
+    def magnitudes(self, size: list[float], t: float) -> list[float]:
+        """Sums of absolute values that make up the extended state a time t later."""
+        if self.bounded:
+            return [*(dot(row, size) for row in self.total), 1.0]
+        result = [0.0] * (len(size) - 1)
+        for _, weight, place in self._factors(t):
+            for i, row in enumerate(self.sizes[place]):
+                result[i] += weight * dot(row, size)
+        return [*result, 1.0]
+
+    def _factors(self, t: float, changes: bool = False) -> list[tuple[float, float, int]]:
+        """Values of the functions of time, or their changes since 0, with weights and places."""
+        found = []
+        for exponent, mode in self.modes:
+            growth, power = math.exp(exponent.real * t), 1.0
+            turn = wave(exponent, t)
+            change = turn
+            if changes:
+                half = math.sin(exponent.imag * t / 2)
+                decay = math.expm1(exponent.real * t)
+                change = complex(decay * turn.real / growth - 2 * half * half, turn.imag)
+            step = 2 if mode.oscillates else 1
+            for place in mode.places[::step]:
+                found.append((power * change.real, power * growth, place))
+                if mode.oscillates:
+                    found.append((power * change.imag, power * growth, place + 1))
+                power, change = power * t, turn
+        return found
+
+
+class Clock:
+    """A time as an unevaluated sum of two numbers."""
+
+    def __init__(self) -> None:
+        self.time, self.rest = 0.0, 0.0
+
+    def advance(self, step: float) -> None:
+        """Let a time pass."""
+        total = self.time + step
+        part = total - self.time
+        lost = (self.time - (total - part)) + (step - part)
+        rest = self.rest + lost
+        self.time = total + rest
+        self.rest = rest - (self.time - total)
+
+    def before(self, until: float) -> float:
+        """What is left until a time."""
+        return (until - self.time) - self.rest

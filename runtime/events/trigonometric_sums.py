@@ -1,0 +1,258 @@
+"""Guaranteed maxima and first crossings of trigonometric sums.
+
+Inside a configuration a boundary function along the orbit is
+
+    g(t) = a0 + a1 t + sum_j [ c_j cos(w_j t) + s_j sin(w_j t) ].
+
+Closed bounds on its derivatives see to it that nothing hides between two samples.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from operator import itemgetter
+from typing import Any, NamedTuple, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonsmooth.runtime.core.errors import InputError
+
+LONGEST_PHASE = 1e5  # radians of the fastest oscillation; the compiled search's number
+
+
+class Maximum(NamedTuple):
+    """The maximum of a boundary function and the time at which it is attained."""
+
+    value: float
+    time: float
+
+
+class _Samples(NamedTuple):
+    value: Any
+    time: Any
+    slope: Any
+
+
+@dataclass(frozen=True)
+class TrigonometricSum:
+    """A boundary function a0 + a1 t + sum_j [c_j cos(w_j t) + s_j sin(w_j t)], nondimensional.
+
+    Parameters
+    ----------
+    constant, slope : float
+        a0 and a1.
+    cosine, sine, frequency : tuple of float, shape (n,)
+        Amplitudes c_j and s_j, angular frequencies w_j >= 0.
+
+    Raises
+    ------
+    ValueError
+        If the tuples differ in length, a number is not finite or a frequency is negative.
+    """
+
+    constant: float
+    slope: float
+    cosine: tuple[float, ...]
+    sine: tuple[float, ...]
+    frequency: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        if not len(self.cosine) == len(self.sine) == len(self.frequency):
+            raise InputError("cosine, sine and frequency must have equal lengths")
+        numbers = (self.constant, self.slope, *self.cosine, *self.sine, *self.frequency)
+        if not all(map(math.isfinite, numbers)) or min(self.frequency, default=0.0) < 0:
+            raise InputError("the coefficients must be finite, the frequencies also not negative")
+
+    @overload
+    def __call__(self, t: float) -> float: ...
+    @overload
+    def __call__(self, t: NDArray[np.float64]) -> NDArray[np.float64]: ...
+    def __call__(self, t: Any) -> Any:
+        """Return g(t) for a time or an array of times of any shape."""
+        cos, sin = (np.cos, np.sin) if isinstance(t, np.ndarray) else (math.cos, math.sin)
+        value = self.constant + self.slope * t
+        for c, s, w in self.terms():
+            value = value + (c * cos(w * t) + s * sin(w * t))
+        return value
+
+    def derivative(self) -> "TrigonometricSum":
+        """Return g' as a sum of the same kind."""
+        cosine = tuple(s * w for _, s, w in self.terms())
+        sine = tuple(-c * w for c, _, w in self.terms())
+        return TrigonometricSum(self.slope, 0.0, cosine, sine, self.frequency)
+
+    def curvature_bound(self) -> float:
+        """Return M = sum_j sqrt(c_j^2 + s_j^2) w_j^2: |g''(t)| <= M for every t."""
+        return sum((math.hypot(c, s) * w * w for c, s, w in self.terms()), 0.0)
+
+    def rounding(self, duration: float) -> float:
+        """Return 32 eps (|a0| + |a1| T + sum (|c| + |s|)(1 + w T)): g's rounding over [0, T]."""
+        waves = sum((abs(c) + abs(s)) * (1 + w * duration) for c, s, w in self.terms())
+        return 2.0**-47 * (abs(self.constant) + abs(self.slope) * duration + waves)
+
+    def rises(self, noise: float) -> bool:
+        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise."""
+        slope = self.slope + sum(s * w for _, s, w in self.terms())
+        size = abs(self.slope) + sum((abs(c) + abs(s)) * w for c, s, w in self.terms())
+        return slope > 2.0**-47 * size + max(self.frequency, default=0.0) * noise
+
+    def terms(self) -> Iterator[tuple[float, float, float]]:
+        """Iterate over (c_j, s_j, w_j)."""
+        return zip(self.cosine, self.sine, self.frequency, strict=True)
+
+
+def maximum(function: TrigonometricSum, duration: float, floor: float = -math.inf) -> Maximum:
+    """Return the guaranteed maximum of a boundary function over [0, duration].
+
+    Parameters
+    ----------
+    function : TrigonometricSum
+        The boundary function g, nondimensional.
+    duration : float
+        Length T of the window, nondimensional.
+    floor : float
+        Value above which a maximum matters; -inf asks for the global maximum.
+
+    Returns
+    -------
+    Maximum
+        max(floor, max g) and the time where it is attained; where g stays at or below the floor,
+        the floor and NaN. No value of g exceeds it by more than ``function.rounding(duration)``.
+
+    Raises
+    ------
+    ValueError
+        If a number is NaN, the duration negative or longer than 1e5 / max w, or g overflows.
+    """
+    cells = 1 + int(_phase(function, duration) / 0.6)
+    if math.isnan(floor):
+        raise InputError("the floor must be a number, not NaN")
+    width = duration / cells
+    slack = function.rounding(duration) / 4
+    excess = sum((abs(c) + abs(s)) * (w * width) ** 4 for c, s, w in function.terms()) / 144
+    slope = function.derivative()
+    curvature = slope.derivative()
+    time = np.linspace(0.0, duration, cells + 1)
+    grid = np.array([function(time), time, slope(time)])
+    top = Maximum(*grid[:2, np.argmax(grid[0])].tolist())
+    best = max(Maximum(floor, math.nan), top, key=itemgetter(0))
+    upper = _upper(_Samples(*grid[:, :-1]), _Samples(*grid[:, 1:]), excess)
+    kept = np.flatnonzero(upper > best.value + slack)
+    ends = zip(grid[:, kept].T.tolist(), grid[:, kept + 1].T.tolist(), strict=True)
+    waiting = [(_Samples(*left), _Samples(*right), False) for left, right in ends]
+    splits = 0
+    while waiting:
+        left, right, polished = waiting.pop()
+        upper = _upper(left, right, excess * ((right.time - left.time) / width) ** 4)
+        if upper <= best.value + slack:
+            continue
+        middle = 0.5 * (left.time + right.time)
+        if splits == 8192 * cells:  # far more than any sum needs
+            best = Maximum(float(upper), middle)  # not attained, but safe
+            continue
+        # Split at a maximum both halves go at once; every second split bisects, lest Newton fail.
+        polished = not polished and left.slope > 0 > right.slope
+        for _ in range(8 if polished else 0):
+            newton = middle - slope(middle) / (curvature(middle) or math.inf)
+            middle = min(max(newton, left.time), right.time)
+        split = _Samples(function(middle), middle, slope(middle))
+        best = max(best, Maximum(split.value, middle), key=itemgetter(0))
+        waiting += [(split, right, polished), (left, split, polished)]
+        splits += 1
+    return best
+
+
+def _phase(function: TrigonometricSum, duration: float) -> float:
+    """Return w T for the largest frequency, or raise where no guarantee can be given."""
+    phase = duration * max(function.frequency, default=0.0)
+    if not (duration >= 0 and phase <= LONGEST_PHASE and function.rounding(duration) < 1e290):
+        raise InputError(f"the duration {duration} is not within 0 and 1e5 / max w, or g overflows")
+    return phase
+
+
+def _upper(left: _Samples, right: _Samples, excess: Any) -> Any:
+    """Bound g on cells by its cubic Hermite interpolant, as a quartic in Bernstein form.
+
+    It errs by at most M4 h^4/24 u^2 (1-u)^2 where |g^(4)| <= M4: that is M4 h^4/144, the excess,
+    times the middle Bernstein polynomial.
+    """
+    width = right.time - left.time
+    middle = 0.5 * (left.value + right.value) + width * (left.slope - right.slope) / 6 + excess
+    first, last = left.value + 0.25 * width * left.slope, right.value - 0.25 * width * right.slope
+    return np.maximum.reduce([left.value, first, middle, last, right.value])
+
+
+def first_crossing(function: TrigonometricSum, duration: float) -> float | None:
+    """Return the first time in (0, duration] at which g reaches zero from below.
+
+    No step passes the first zero of g0 + g0' s + M s^2/2, |g''| <= M, so none jumps a crossing. The
+    first nonzero derivative judges a start on the boundary. A tangency within rounding counts.
+
+    Parameters
+    ----------
+    function : TrigonometricSum
+        The boundary function g, nondimensional, negative just after 0.
+    duration : float
+        Length of the window, nondimensional.
+
+    Returns
+    -------
+    float or None
+        The time, good to a few ulps plus ``function.rounding(t)`` / |g'(t)|; 0.0 where g is
+        positive at once; None where g stays negative, is zero throughout or the window is empty.
+
+    Raises
+    ------
+    ValueError
+        If the duration is NaN, negative or longer than 1e5 / max w, or g overflows.
+    """
+    _phase(function, duration)
+    unit = max(function.frequency, default=0.0) or 1.0
+    phases = tuple(w / unit for w in function.frequency)
+    tower = [replace(function, slope=function.slope / unit, frequency=phases)]
+    highest = 2 * len(phases) + 1  # g and this many derivatives vanish only where g is zero
+    for _ in range(highest + 20):  # more than the series needs within one radian
+        tower.append(tower[-1].derivative())
+    start = np.array([(g(0.0), g.rounding(0.0)) for g in tower])
+    nonzero = np.flatnonzero(abs(start[: highest + 1, 0]) > start[: highest + 1, 1])
+    end = duration * unit
+    if nonzero.size == 0 or end == 0:
+        return None
+    order = int(nonzero[0])
+    if start[order, 0] > 0:
+        return 0.0
+    orders = np.arange(len(tower))
+    factorials = np.cumprod(np.maximum(orders, 1.0))
+
+    def sample(t: float) -> tuple[float, float, float]:
+        """Return g, g' and the error of g: after a start on the boundary by the series."""
+        if order == 0 or t > 1:
+            return tower[0](t), tower[1](t), tower[0].rounding(t)
+        powers = t**orders / factorials
+        value, error = powers[order:] @ start[order:]
+        # A quarter of the bound still covers these few roundings, and a leading derivative just
+        # above the whole of it can leave the boundary.
+        return value, powers[order - 1 : -1] @ start[order:, 0], error / 4
+
+    curvature = tower[0].curvature_bound()
+    time = 0.0
+    if order > 0:
+        # Halfway to where the bound on the next derivative could first undo the leading one.
+        bound = tower[order - 1].curvature_bound()
+        time = 0.5 * (order + 1) * -start[order, 0] / bound if bound else math.inf
+        if time > end:
+            return None
+    while (jet := sample(time))[0] < -jet[2]:
+        value, slope, _ = jet
+        root = math.hypot(slope, math.sqrt(2 * curvature) * math.sqrt(-value))
+        if time == end or (curvature == 0 and slope <= 0):
+            return None
+        step = -2 * value / (slope + root) if slope > 0 else (root - slope) / curvature
+        time = min(time + step, end)
+    for _ in range(4):
+        value, slope, _ = sample(time)
+        # Kantorovich's condition: Newton stays with this root. At a tangency it fails.
+        if slope > 0 and 2 * curvature * abs(value) <= slope * slope:
+            time = min(time - value / slope, end)
+    return float(min(time / unit, duration))

@@ -1,0 +1,258 @@
+"""Orbits of a chart from those near by: on the lattice of anchors, then between the anchors.
+
+Anchors tell each other what they have found until none has anything better to tell. That
+depends on the grid alone, and so does the start of each point between them. What a point has
+found is then compared with what those next to it have found on their own. So nothing depends on
+chunks.
+
+Of several orbits a stable or neutral motion is better than another motion, a motion than an
+orbit that is none, and that than nothing: their ranks are 3, 2, 1, 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from nonsmooth.runtime.explore.charting.grid import Block, Grid
+from nonsmooth.runtime.shooting.newton import CONVERGED
+
+__all__ = ["Columns", "Solver", "anchor_starts", "solve_block"]
+
+Columns = dict[str, np.ndarray]  # what is known of some points, by the name of the variable
+_SAME = 1e-6  # difference of one orbit found twice, in units of max(1, |x|)
+_NEAR = 0.05  # relative difference of orbits of one branch at points next to each other
+_BRANCH = 0.3  # relative range of an unknown over the corners of a cell on one branch
+_SHARE = 0.3  # of the largest unknown: smaller ones are measured by it
+_BEST = 3
+_STEPS = 8  # from one anchor to the next
+_ROUNDS = 2  # in which anchors give way to most of their neighbours
+
+
+@dataclass(frozen=True)
+class Solver:
+    """How orbits are found at points (n,).
+
+    Attributes
+    ----------
+    solve : callable
+        From values of the axes (n,) and starts (n, m), or from its own ones where that is
+        None, to columns: "status", "admissible", "margin" among them.
+    starts_of : callable
+        Starts (n, m) that lead to the same orbits; NaN where there is none.
+    """
+
+    solve: Callable[[Mapping[str, np.ndarray], np.ndarray | None], Columns]
+    starts_of: Callable[[Columns], np.ndarray]
+
+
+@dataclass(frozen=True, eq=False)
+class _Field:
+    """Orbits at all points of a lattice of some shape; arrays are flat, and are improved."""
+
+    shape: tuple[int, ...]
+    values: Mapping[str, np.ndarray]
+    columns: Columns
+    starts: np.ndarray
+    ranks: np.ndarray
+
+    def improve(self, solver: Solver, places: np.ndarray, starts: np.ndarray | None) -> np.ndarray:
+        """Solve anew at some places, keep what is better there and give the places of that."""
+        if starts is not None:
+            there = np.isfinite(starts).all(axis=-1)
+            places, starts = places[there], starts[there]
+        if not len(places):
+            return places
+        columns = solver.solve({n: row[places] for n, row in self.values.items()}, starts)
+        better = _ranks(columns) > self.ranks[places]
+        if starts is None:  # why nothing was found is best told by the whole search
+            better |= (self.ranks[places] == 0) & (columns["status"] != CONVERGED)
+        self.put(solver, places[better], {n: column[better] for n, column in columns.items()})
+        return np.asarray(places[better])
+
+    def put(self, solver: Solver, places: np.ndarray, columns: Columns) -> None:
+        """Keep what was found at some places."""
+        for name, column in columns.items():
+            self.columns[name][places] = column
+        self.starts[places] = solver.starts_of(columns)
+        self.ranks[places] = _ranks(columns)
+
+
+def anchor_starts(grid: Grid, solver: Solver) -> np.ndarray:
+    """Starts (..., m) at all anchors of a grid; NaN where there is no orbit."""
+    field = _field(grid.anchor_values, solver, None)
+    if field.starts.shape[-1] == 0:
+        return field.starts.reshape(*field.shape, 0)
+    told = np.ones(len(field.ranks), dtype=bool)
+    while told.any():
+        while told.any():
+            told = _told(field, solver, told, 1)
+        # what a neighbour has may be too far away: go there step by step
+        told = _told(field, solver, np.ones_like(told), _STEPS)
+    for _ in range(_ROUNDS):
+        _reconsider(field, solver, np.arange(len(field.ranks)))
+    return field.starts.reshape(*field.shape, -1)
+
+
+def solve_block(block: Block, anchors: np.ndarray, solver: Solver) -> Columns:
+    """All columns at the points of a chunk, in its shape.
+
+    Parameters
+    ----------
+    block : Block
+    anchors : array (..., m)
+        As `anchor_starts` gives them.
+    solver : Solver
+    """
+    if anchors.shape[-1] == 0:  # explicit equations, which start from nothing
+        found = _field(block.values, solver, None)
+        return {name: column.reshape(found.shape) for name, column in found.columns.items()}
+    (first, *others), mixed = _starts_between(block, anchors)
+    field = _field(block.wide_values, solver, first)
+    for start in others:
+        places = np.flatnonzero(field.ranks < _BEST)
+        field.improve(solver, places, start[places])
+    # within one branch the anchors' own searches, the longest of all, have said enough
+    wanted = (field.ranks == 0) | ((field.ranks == 1) & mixed)
+    field.improve(solver, np.flatnonzero(wanted), None)
+    inside = np.arange(len(field.ranks)).reshape(field.shape)[block.inner]
+    _reconsider(field, solver, inside.ravel())
+    return {name: column[inside] for name, column in field.columns.items()}
+
+
+def _field(values: Mapping[str, np.ndarray], solver: Solver, start: np.ndarray | None) -> _Field:
+    """Solve at all points of a lattice from given starts (n, m), or from the solver's own."""
+    shape = np.broadcast_shapes(*(row.shape for row in values.values()))
+    flat = {name: np.broadcast_to(row, shape).ravel() for name, row in values.items()}
+    columns = solver.solve(flat, start)
+    return _Field(shape, flat, columns, solver.starts_of(columns), _ranks(columns))
+
+
+def _ranks(columns: Columns) -> np.ndarray:
+    there, motion = columns["status"] == CONVERGED, columns["admissible"]
+    with np.errstate(invalid="ignore"):
+        return np.asarray(there.astype(int) + motion + (motion & (columns["margin"] >= 0)))
+
+
+def _told(field: _Field, solver: Solver, tell: np.ndarray, steps: int) -> np.ndarray:
+    """Let points tell those next to them what is better; give which have improved."""
+    improved = np.zeros_like(tell)
+    for here, there in _pairs(field.shape):
+        asks = tell[there] & (field.ranks[there] > field.ranks[here])
+        to, of = here[asks], there[asks]
+        starts = field.starts[of]
+        for step in range(1, steps if len(to) else 1):
+            part = step / steps
+            between = {n: row[of] + part * (row[to] - row[of]) for n, row in field.values.items()}
+            starts = solver.starts_of(solver.solve(between, starts))
+        improved[field.improve(solver, to, starts)] = True
+    return improved
+
+
+def _next_ones(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Flat places of points and of the next ones, along one axis after the other."""
+    places = np.arange(int(np.prod(shape))).reshape(shape)
+    for axis in range(len(shape)):
+        lower = np.delete(places, -1, axis=axis).ravel()
+        yield lower, np.delete(places, 0, axis=axis).ravel()
+
+
+def _pairs(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """The same, each as the neighbour of the other."""
+    for lower, upper in _next_ones(shape):
+        yield upper, lower
+        yield lower, upper
+
+
+def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
+    """Where a point does not go with those next to it, try what they have.
+
+    That is where nothing was found though it was at most of them, where something better was,
+    or where most have another branch. Then what most of them lead to, of the best rank, is
+    taken. All try from what was known before.
+    """
+    count = len(field.ranks)
+    beside, there, near = (np.zeros(count, int) for _ in range(3))
+    better = np.zeros(count, dtype=bool)
+    sizes = np.abs(field.starts)
+    for lower, upper in _next_ones(field.shape):
+        size = _sizes(np.maximum(sizes[lower], sizes[upper]))
+        close = (np.abs(field.starts[upper] - field.starts[lower]) <= _NEAR * size).all(axis=-1)
+        for here, other in ((upper, lower), (lower, upper)):
+            beside[here] += 1
+            there[here] += field.ranks[other] > 0
+            near[here] += close
+            better[here] |= field.ranks[other] > field.ranks[here]
+    lost = (field.ranks == 0) & (2 * there > beside)
+    better &= field.ranks > 0
+    wanted = lost | better | ((field.ranks > 0) & (2 * near < there))
+    places = among[wanted[among]]
+    if not len(places):
+        return
+    values = {name: row[places] for name, row in field.values.items()}
+    found = [{name: column[places] for name, column in field.columns.items()}]
+    for here, other in _pairs(field.shape):
+        starts = np.full_like(field.starts, np.nan)
+        starts[here] = field.starts[other]
+        found.append(solver.solve(values, starts[places]))
+    best = _agreed(np.stack([solver.starts_of(one) for one in found]), found)
+    chosen = {n: np.choose(best, [one[n] for one in found]) for n in found[0]}
+    field.put(solver, places, chosen)
+
+
+def _agreed(starts: np.ndarray, found: list[Columns]) -> np.ndarray:
+    """Which of several orbits at each point has the best rank, then the most that agree."""
+    size = np.maximum(1, np.abs(starts))
+    votes = [
+        (np.abs(starts - one) <= _SAME * size).all(axis=-1).sum(axis=0) for one in starts
+    ]  # what is NaN agrees with nothing
+    ranks = np.stack([_ranks(one) for one in found])
+    return np.asarray(np.argmax(np.stack(votes) + ranks * (len(found) + 1), axis=0))
+
+
+def _sizes(starts: np.ndarray) -> np.ndarray:
+    """Units of measure of starts (..., m): one that is small counts as part of the largest."""
+    largest = starts[..., 0]
+    for k in range(1, starts.shape[-1]):  # far quicker than a reduction of a short axis
+        largest = np.maximum(largest, starts[..., k])
+    return np.asarray(np.maximum(starts, _SHARE * largest[..., None]))
+
+
+def _starts_between(block: Block, anchors: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
+    """Starts (n, m) in the order in which they are tried; NaN where there is none.
+
+    First what lies between the anchors around, where these are on one branch, or what the
+    nearest of them has; then what the others have. Also where they are not on one (n,).
+    """
+    corners = _corners(block, anchors)
+    shape = corners.shape[1:-1]
+    lower, upper = corners.min(axis=0), corners.max(axis=0)
+    size = _sizes(np.maximum(np.abs(lower), np.abs(upper)))
+    branch = (upper - lower <= _BRANCH * size).all(axis=-1)
+    fractions = np.ix_(*block.fractions)
+    between, distances = np.zeros(corners.shape[1:]), np.full(corners.shape[:-1], np.inf)
+    for number, sides in enumerate(product((0, 1), repeat=len(shape))):
+        weight, distance = np.ones(shape), np.zeros(shape)
+        for side, fraction in zip(sides, fractions, strict=True):
+            weight = weight * (fraction if side else 1 - fraction)
+            distance = distance + (1 - fraction if side else fraction) ** 2
+        between = between + weight[..., None] * corners[number]
+        there = np.isfinite(corners[number]).all(axis=-1)
+        distances[number][there] = distance[there]
+    order = np.argsort(distances, axis=0, kind="stable")[..., None]
+    nearest = np.take_along_axis(corners, order, axis=0)
+    first = np.where(branch[..., None], between, nearest[0])
+    rest = np.where(branch[..., None], np.nan, nearest[1:])
+    return [start.reshape(-1, start.shape[-1]) for start in (first, *rest)], ~branch.ravel()
+
+
+def _corners(block: Block, anchors: np.ndarray) -> np.ndarray:
+    """What the corners of each point's cell have (2^d, ..., m), lower sides first."""
+    sides = [
+        (cell, np.minimum(cell + 1, count - 1))
+        for cell, count in zip(block.cells, anchors.shape[:-1], strict=True)
+    ]
+    return np.stack([anchors[np.ix_(*corner)] for corner in product(*sides)])

@@ -1,0 +1,166 @@
+"""What is charted by brute force: where the motions from one start settle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.charting.grid import Block, Grid
+from nonsmooth.runtime.explore.charting.problem import MISSING, Variable, fixed_values, table_hash
+from nonsmooth.runtime.explore.finding.settled import settled, settled_texts
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
+from nonsmooth.runtime.simulation.starting import start_state
+
+__all__ = ["LONGEST", "AttractorProblem", "attractor_problem"]
+
+LONGEST = 32  # phases of a cycle that is looked for
+_POINTS = 1 << 11  # of a chunk: about a second
+
+
+@dataclass(frozen=True)
+class AttractorProblem:
+    """Motions from one start over a grid of parameters.
+
+    Attributes
+    ----------
+    system : str
+    fixed : tuple of (name, value)
+    start : tuple of float
+    transitions : int
+        After which the motions are looked at.
+    """
+
+    system: str
+    fixed: tuple[tuple[str, float], ...]
+    start: tuple[float, ...]
+    transitions: int
+
+    @property
+    def kernels(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        return load_system(self.system)
+
+    @property
+    def points(self) -> int:
+        """Points of a chunk, unless a user says otherwise."""
+        return _POINTS
+
+    def identity(self) -> dict[str, Any]:
+        """All that the numbers depend on but the grid."""
+        kernels = self.kernels
+        compiled = kernels.compiled is not None and compiled_engine() is not None
+        return {
+            "kind": "attractors",
+            "version": 2,
+            "system": str(kernels.table["name"]),
+            "derivation": str(kernels.module.DERIVATION),
+            "table": table_hash(kernels.table),
+            "kernels": "c" if compiled else "numpy",
+            "parameters": {name: repr(value) for name, value in self.fixed},
+            "start": [repr(value) for value in self.start],
+            "transitions": self.transitions,
+        }
+
+    def variables(self) -> tuple[Variable, ...]:
+        """What is computed."""
+        told = {str(status.value): status.message for status in Status}
+        status = {
+            "long_name": "why the simulation ended",
+            "meanings": {str(MISSING): "not computed", "-1": "no configuration", **told},
+        }
+        names = structure_of(self.kernels).configurations
+        places = {"-1": "none", **{str(k): name for k, name in enumerate(names)}}
+        return (
+            Variable("status", "|i1", MISSING, status),
+            Variable(
+                "transitions",
+                "<i2",
+                -1,
+                {"long_name": "transitions in a period; 0 where the motion is not periodic"},
+            ),
+            Variable(
+                "period",
+                "<f8",
+                float("nan"),
+                {"long_name": "period", **units_of(self.kernels).attributes()},
+            ),
+            Variable(
+                "configuration",
+                "<i2",
+                -1,
+                {"long_name": "configuration at the end", "meanings": places},
+            ),
+            Variable(
+                "outcome",
+                "|i1",
+                MISSING,
+                {
+                    "long_name": "what the motion settles on",
+                    "meanings": {str(number): text for number, text in settled_texts().items()},
+                },
+            ),
+        )
+
+    def axis_attributes(self, name: str) -> dict[str, str]:
+        """Unit of a parameter, where the system states it."""
+        return units_of(self.kernels).attributes(name)
+
+    def prepare(self, grid: Grid) -> np.ndarray:
+        """Nothing: each point is on its own."""
+        return np.empty(0)
+
+    def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
+        """All variables at the points of a chunk."""
+        parameters = {**dict(self.fixed), **block.values}
+        motions = simulate_many(
+            self.system,
+            parameters,
+            np.array(self.start),
+            transitions=self.transitions,
+            keep=2 * LONGEST + 1,
+            threads=1,
+        )
+        found = settled(self.kernels, parameters, motions, threads=1)
+        return {
+            "status": motions.status.astype("i1"),
+            "transitions": found.lengths.astype("<i2"),
+            "period": found.periods,
+            "configuration": motions.configurations.astype("<i2"),
+            "outcome": found.outcomes.astype("i1"),
+        }
+
+
+def attractor_problem(
+    system: str,
+    given: Mapping[str, object],
+    swept: Sequence[str],
+    start: Mapping[str, object] | Sequence[object],
+    transitions: int,
+) -> AttractorProblem:
+    """Check names and values.
+
+    Raises
+    ------
+    InputError
+        For an unknown system, names or values that are wrong or missing, or fewer
+        transitions than two of the longest cycles have.
+    """
+    kernels = load_system(system)
+    most = checked_count("transitions", transitions, 1)
+    if most <= 2 * LONGEST:
+        raise InputError(
+            f"transitions = {most}: cycles of up to {LONGEST} are looked for, which takes more"
+            f" than {2 * LONGEST}"
+        )
+    fixed = fixed_values(kernels.parameters, given, swept, {}, kernels.name)
+    begin = start_state(structure_of(kernels), start)
+    return AttractorProblem(kernels.name, fixed, tuple(begin.tolist()), most)

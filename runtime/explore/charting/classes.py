@@ -1,0 +1,139 @@
+"""The parts of a chart for people: stable, unstable, what fails, none found; or attractors."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.charting.problem import MISSING, NEITHER
+from nonsmooth.runtime.explore.charting.store import ATTRIBUTE
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.explore.finding.settled import (
+    EQUILIBRIUM,
+    PERIODIC,
+    UNINTERRUPTED,
+    settled_texts,
+)
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.shooting.newton import CONVERGED
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+__all__ = ["Part", "counts_of", "parts_of", "title_of"]
+
+_SEVERAL = 5  # limits, or numbers of transitions, that are told apart: the most frequent ones
+_BLOCK = 1 << 20  # points that are counted at a time
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """Some of the points of a chart.
+
+    Attributes
+    ----------
+    kind : str
+        "stable", "neutral", "unstable", "admissible" (where stability is not told), "limit",
+        "none", "missing", "periodic", "rest", "other".
+    name : str
+        For people.
+    where : array of bool
+    """
+
+    kind: str
+    name: str
+    where: np.ndarray
+
+
+def parts_of(chart: Dataset) -> list[Part]:
+    """Cut a chart into parts: every point is in one of them.
+
+    Raises
+    ------
+    InputError
+        If the Dataset is no chart.
+    """
+    kind = _identity(chart).get("kind")
+    found = list(_motions(chart) if kind == "attractors" else _orbits(chart))
+    missing = np.asarray(chart.status.values == MISSING)
+    return [*found, Part("missing", "not computed yet", missing)]
+
+
+def counts_of(chart: Dataset) -> dict[str, int]:
+    """Points of each kind of part, counted with little memory."""
+    counts: dict[str, int] = {}
+    steps = [max(1, n) for n in chart.sizes.values()]
+    while np.prod(steps, dtype=float) > _BLOCK:
+        steps[int(np.argmax(steps))] = -(-max(steps) // 2)
+    ranges = [range(0, n, s) for n, s in zip(chart.sizes.values(), steps, strict=True)]
+    for begin in product(*ranges):
+        here = {name: slice(b, b + s) for name, b, s in zip(chart.sizes, begin, steps, strict=True)}
+        for part in parts_of(chart.isel(here)):
+            counts[part.kind] = counts.get(part.kind, 0) + int(part.where.sum())
+    return counts
+
+
+def title_of(chart: Dataset) -> str:
+    """What the chart is of."""
+    identity = _identity(chart)
+    return shown_name(str(identity.get("orbit") or identity.get("system")))
+
+
+def _identity(chart: Dataset) -> dict[str, Any]:
+    found = chart.attrs.get(ATTRIBUTE)
+    if not isinstance(found, dict) or "status" not in chart:
+        raise InputError("this is no chart of this package")
+    return found
+
+
+def _orbits(chart: Dataset) -> Iterator[Part]:
+    status, margin = chart.status.values, chart.margin.values
+    there, limit = status == CONVERGED, chart.limit.values
+    motion = there & (limit == NEITHER)
+    with np.errstate(invalid="ignore"):
+        yield Part("stable", "stable", motion & (margin > 0))
+        yield Part("neutral", "neutral", motion & (margin == 0))
+        yield Part("unstable", "unstable", motion & (margin < 0))
+    yield Part("admissible", "admissible", motion & np.isnan(margin))
+    lost = there & ~motion
+    names = _meanings(chart.limit.attrs)
+    several = _most_frequent(limit[lost])
+    for number in several:
+        text = names.get(str(number), str(number))
+        told = f"not admissible: {text}" if number >= 0 else "not admissible"
+        yield Part("limit", told, lost & (limit == number))
+    yield Part("limit", "not admissible: others", lost & ~np.isin(limit, several))
+    yield Part("none", "none found", ~there & (status != MISSING))
+
+
+def _motions(chart: Dataset) -> Iterator[Part]:
+    outcomes, lengths = chart.outcome.values, chart.transitions.values
+    periodic = outcomes == PERIODIC
+    several = _most_frequent(lengths[periodic])
+    for number in sorted(several):
+        yield Part("periodic", f"{number} transitions in a period", periodic & (lengths == number))
+    yield Part("periodic", "others that are periodic", periodic & ~np.isin(lengths, several))
+    rest = (EQUILIBRIUM, int(Outcome.RESTING))
+    for number, text in settled_texts().items():
+        if number == PERIODIC:
+            continue
+        kind = "none" if number == Outcome.ILLEGAL else "rest" if number in rest else "other"
+        kind = "periodic" if number == UNINTERRUPTED else kind
+        yield Part(kind, text, outcomes == number)
+
+
+def _most_frequent(numbers: np.ndarray) -> list[int]:
+    values, counts = np.unique(numbers, return_counts=True)
+    order = np.argsort(-counts, kind="stable")[:_SEVERAL]
+    return [int(value) for value in values[order]]
+
+
+def _meanings(attributes: Any) -> dict[str, str]:
+    found = attributes.get("meanings", {})
+    return dict(json.loads(found) if isinstance(found, str) else found)

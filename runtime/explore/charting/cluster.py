@@ -1,0 +1,129 @@
+"""Chunks on a Dask cluster: each worker computes chunks and writes them into the store."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import CancelledError
+from importlib import import_module
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError, missing_extra
+from nonsmooth.runtime.explore.charting.grid import Block
+from nonsmooth.runtime.explore.charting.problem import Problem
+from nonsmooth.runtime.explore.charting.store import Store, open_arrays, write_chunk
+
+__all__ = ["check_scheduler", "run_cluster"]
+
+_PATIENCE = "15s"  # for a scheduler that does not answer
+_UNSEEN = "the workers do not see {}: it has to be in a folder that all of them share"
+_AHEAD = 3  # chunks in the queue for each thread of the workers
+
+
+def check_scheduler() -> None:
+    """Say so if Dask is not installed."""
+    _distributed()
+
+
+def run_cluster(
+    address: str,
+    store: Store,
+    chunks: Iterable[int],
+    prepared: np.ndarray,
+    progress: Callable[[int], None],
+) -> None:
+    """Give chunks to the workers of a scheduler; what lost workers had goes to others.
+
+    Parameters
+    ----------
+    address : str
+        ``tcp://host:port`` of a scheduler whose workers see the store under the same path.
+    store : Store
+    chunks : iterable of int
+    prepared : array
+        What all chunks need to know of the whole grid.
+    progress : callable
+        Told how many chunks are done.
+
+    Raises
+    ------
+    InputError
+        If the scheduler does not answer, the workers have another version of the equations,
+        cannot write the store, or see another one.
+    NoConvergence
+        If workers die again and again at one chunk, or the scheduler is lost.
+    """
+    distributed = _distributed()
+    try:
+        client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, ValueError) as problem:
+        raise InputError(f"no Dask scheduler answers at {address}: {problem}") from None
+    queue, done, told = iter(chunks), 0, store.problem.identity()
+
+    def submit(number: int) -> Any:
+        grid = store.grid
+        place = (str(store.path), store.problem, told, grid.region(number))
+        return client.submit(_work, number, *place, grid.block(number), prepared, pure=False)
+
+    with client:
+        workers = max(1, sum(client.nthreads().values()))
+        running = distributed.as_completed(
+            [submit(n) for n in islice(queue, _AHEAD * workers)], loop=client.loop
+        )
+        for future in running:
+            number = _result(future, address)
+            if not store.holds(number):
+                raise InputError(_UNSEEN.format(store.path))
+            done += 1
+            progress(done)
+            for following in islice(queue, 1):
+                running.add(submit(following))
+
+
+def _work(
+    number: int,
+    path: str,
+    problem: Problem,
+    told: Mapping[str, Any],
+    region: tuple[slice, ...],
+    block: Block,
+    prepared: np.ndarray,
+) -> int:
+    """Compute and write one chunk, in a worker."""
+    if problem.identity() != told:
+        raise InputError("a worker has another version of the equations or of their kernels")
+    folder = Path(path)
+    try:
+        arrays = open_arrays(folder, problem)
+    except OSError:
+        raise InputError(_UNSEEN.format(folder)) from None
+    write_chunk(folder, arrays, region, problem.compute(block, prepared))
+    return number
+
+
+def _result(future: Any, address: str) -> int:
+    distributed = _distributed()
+    try:
+        return int(future.result())
+    except NonsmoothError:
+        raise
+    except distributed.KilledWorker:
+        raise NoConvergence(
+            "workers died again and again at one chunk, for want of memory perhaps: take smaller"
+            " chunks, or start again to go on with what is missing"
+        ) from None
+    except (CancelledError, OSError):
+        raise NoConvergence(
+            f"the scheduler at {address} is lost: start again to go on with what is missing"
+        ) from None
+
+
+def _distributed() -> Any:
+    """Dask's package, whose functions are untyped."""
+    try:
+        return import_module("distributed")
+    except ImportError:
+        raise missing_extra("chart", "dask[distributed]") from None

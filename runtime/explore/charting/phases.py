@@ -1,0 +1,139 @@
+"""Which limit of admissibility fails first, at many composed orbits.
+
+Each phase is followed by the compiled engine from its own start to the first boundary that it
+reaches: where that is the itinerary's, at its time, nothing was crossed before. Where the
+engine's rounding could decide, the guaranteed test of single orbits does.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.charting.problem import NEITHER, UNTOLD
+from nonsmooth.runtime.model.engine_layout import layout_of
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.piecewise import piecewise_at
+from nonsmooth.runtime.orbits.composed_admissible import assess_cycle
+from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, pass_through
+from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+
+__all__ = ["first_limits"]
+
+_CLOSE = 1e-6  # of a dwell time: nearer to its ends rounding may decide
+_EARLY = 1e-3  # the same for the boundary that ends the phase
+_ZERO = 1e-9  # of the terms of a boundary function
+_LONGER = 1.5  # than a dwell time nothing is looked for
+
+
+def first_limits(
+    system: SystemKernels,
+    cycle: Cycle,
+    points: np.ndarray,
+    numbers: np.ndarray,
+    dwell: np.ndarray,
+    starts: np.ndarray,
+) -> np.ndarray:
+    """Judge orbits of one itinerary.
+
+    Parameters
+    ----------
+    system : SystemKernels
+    cycle : Cycle
+    points : array (n, parameters)
+    numbers : array (n, size)
+        As `numbers_at` gives them.
+    dwell : array (n, p)
+    starts : array (n, p, N)
+        State at the start of each phase.
+
+    Returns
+    -------
+    array (n,) of int
+        `NEITHER` where the orbit is a motion; else of all boundaries, phase after phase, the
+        one that is crossed first, or `UNTOLD` where no guarantee reaches.
+    """
+    limit = np.full(len(points), NEITHER)
+    unsure = np.asarray((dwell <= 0).any(axis=-1))
+    engine, layout = compiled_engine(), True
+    try:
+        layout_of(cycle.structure)
+    except InputError:  # larger than the engine takes
+        layout = False
+    if engine is None or not layout:
+        unsure[:] = True
+    first, count = 0, len(cycle)
+    for place, configuration in enumerate(cycle.configurations):
+        rows = np.flatnonzero((limit == NEITHER) & ~unsure)
+        if engine is not None and len(rows):
+            times = dwell[rows, place]
+            ends = run_motions(
+                engine,
+                cycle.structure,
+                numbers,
+                rows,
+                starts[rows, place],
+                np.full(len(rows), configuration),
+                _LONGER * times,
+                1,
+                2,
+            )
+            reached, when = ends.kept_sets[:, 1], ends.kept_times[:, 1]
+            own = sum(1 << b for b in cycle.transitions[place].boundaries)
+            moved = ends.status == Status.TRANSITIONS
+            expected = moved & (reached == own) & (np.abs(when - times) <= _CLOSE * times)
+            expected &= ends.kept_configurations[:, 1] == cycle.configurations[(place + 1) % count]
+            close = np.where(reached & own, _EARLY, _CLOSE) * times
+            lowest = np.log2(np.where(moved, reached & -reached, 1)).astype(int)
+            at_once = when <= _CLOSE * times
+            rises = _rises(cycle, configuration, numbers[rows], starts[rows, place], lowest, times)
+            crossed = moved & (when < times - close) & ((when > close) | (at_once & rises))
+            limit[rows[crossed]] = first + lowest[crossed]
+            unsure[rows[~(expected | crossed)]] = True
+        first += len(cycle.structure.boundaries[configuration])
+    for row in np.flatnonzero(unsure).tolist():
+        limit[row] = _guaranteed(system, cycle, points[row], dwell[row], starts[row, 0])
+    return limit
+
+
+def _rises(
+    cycle: Cycle,
+    configuration: int,
+    numbers: np.ndarray,
+    starts: np.ndarray,
+    boundaries: np.ndarray,
+    times: np.ndarray,
+) -> np.ndarray:
+    """Where a boundary is crossed at the start of a phase, beyond all rounding."""
+    here = numbers_in(cycle.structure, numbers)
+    of_boundary = np.array([shape.row for shape in cycle.structure.boundaries[configuration]])
+    row = np.take_along_axis(here.rows, of_boundary[boundaries][:, None, None], axis=1)[:, 0]
+    field, normal = here.fields[:, configuration], row[:, :-1]
+    velocity = (field[:, :, :-1] * starts[:, None, :]).sum(axis=-1) + field[:, :, -1]
+    size = (np.abs(normal) * np.abs(starts)).sum(axis=-1) + np.abs(row[:, -1])
+    size += (np.abs(normal) * np.abs(velocity)).sum(axis=-1) * times
+    value = (normal * starts).sum(axis=-1) + row[:, -1]
+    rate = (normal * velocity).sum(axis=-1)
+    return np.asarray((np.abs(value) <= _ZERO * size) & (rate * times > _CLOSE * size))
+
+
+def _guaranteed(
+    system: SystemKernels, cycle: Cycle, point: np.ndarray, dwell: np.ndarray, start: np.ndarray
+) -> int:
+    """The same of one orbit, by its boundary functions."""
+    here = piecewise_at(system, point)
+    cycle = cycle.at(here.structure)
+    now = pass_through(cycle, numbers_in(here), dwell, start, np)
+    if not (dwell > 0).all():
+        return UNTOLD
+    try:
+        verdict = assess_cycle(cycle, here, now, dwell)
+    except InputError:
+        return UNTOLD
+    if not verdict.violations:
+        return NEITHER
+    first = verdict.violations[0]
+    before = sum(len(cycle.structure.boundaries[c]) for c in cycle.configurations[: first.phase])
+    names = [shape.name for shape in cycle.structure.boundaries[cycle.configurations[first.phase]]]
+    return before + names.index(first.boundary.partition("+")[0])

@@ -1,0 +1,211 @@
+"""A branch of periodic orbits over one parameter, and what can be asked of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.explore.continuation.amplitudes import amplitude_of
+from nonsmooth.runtime.explore.continuation.energy import energy_of
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
+from nonsmooth.runtime.explore.continuation.physical_parameters import composed_family
+from nonsmooth.runtime.explore.continuation.table_family import ComposedCurve
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["Branch"]
+
+
+@dataclass(frozen=True, eq=False)
+class Branch:
+    """Orbits of one itinerary along one parameter, in the order in which they follow.
+
+    Attributes
+    ----------
+    name : str
+        Of the orbit.
+    parameter : str
+    parameter_values : array (k,)
+        They turn at folds.
+    unknown_names : tuple of str
+    unknowns : array (k, n)
+    period : array (k,)
+    multipliers : array (k, r), complex
+        Those that may differ from zero, without the 1 that a first integral enforces.
+    trace : array (k,)
+        Of the Poincare map.
+    stability : tuple of str
+        "stable", "neutral", "unstable" or "undecided" of each point.
+    admissible : array (k,) of bool
+        Whether it is a motion of the real system.
+    events : tuple of Event
+        In their order; `Event.place` says between which points.
+    ends : tuple of str
+        Why the branch ends, at its beginning and at its end.
+    start : int
+        Which of the points it was followed from.
+    orbit : Orbit or ComposedOrbit
+        That point.
+    """
+
+    name: str
+    parameter: str
+    parameter_values: np.ndarray
+    unknown_names: tuple[str, ...]
+    unknowns: np.ndarray
+    period: np.ndarray
+    multipliers: np.ndarray
+    trace: np.ndarray
+    stability: tuple[str, ...]
+    admissible: np.ndarray
+    events: tuple[Event, ...]
+    ends: tuple[str, str]
+    start: int
+    orbit: Any = field(repr=False)
+
+    def __len__(self) -> int:
+        return len(self.parameter_values)
+
+    def orbit_at(self, place: int | Event) -> Orbit | ComposedOrbit:
+        """The orbit at a point of the branch, by its number, or at an event.
+
+        Raises
+        ------
+        InputError
+            If the branch has no such point.
+        """
+        if isinstance(place, Event):
+            z = np.array([*place.unknowns.values(), place.value])
+        elif -len(self) <= place < len(self):
+            z = np.append(self.unknowns[place], self.parameter_values[place])
+        else:
+            raise InputError(f"the branch has {len(self)} points, no point {place}")
+        orbit: Orbit | ComposedOrbit = curve_of(self.orbit, self.parameter, 1.0).at(z)
+        return orbit
+
+    def _motion_at(self, place: int) -> Orbit | Trajectory:
+        """The orbit at a point, or its motion, which needs no phase to last."""
+        curve = curve_of(self.orbit, self.parameter, 1.0)
+        if isinstance(curve, ComposedCurve):
+            return curve.motion(np.append(self.unknowns[place], self.parameter_values[place]))
+        orbit = self.orbit_at(place)
+        assert isinstance(orbit, Orbit)
+        return orbit
+
+    def next_itineraries(
+        self, event: Event, parameters: Mapping[str, Any] | None = None
+    ) -> tuple[ComposedOrbit, ...]:
+        """Admissible orbits of other itineraries just beyond a border collision.
+
+        Parameters of the system that the orbit does not determine have to be given.
+
+        Raises
+        ------
+        InputError
+            If the event is no border collision.
+        """
+        from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
+
+        return next_itineraries(self, event, parameters)
+
+    def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> ComposedOrbit:
+        """An orbit on the branch that meets this one at an event: `continue_orbit` follows it.
+
+        At a flip the one of twice the period, at a symmetry-breaking one without the symmetry,
+        at a branch point one on the branch that crosses. Parameters of the system that the
+        orbit does not determine have to be given.
+
+        Raises
+        ------
+        InputError
+            If no branch meets this one at the event, or the parameter is none of the system's.
+        NoConvergence
+            If no such orbit is found.
+        """
+        from nonsmooth.runtime.explore.continuation.switching import other_branch
+
+        return other_branch(self, event, parameters)
+
+    def quantity(self, name: str) -> np.ndarray:
+        """Values (k,) of something over the branch.
+
+        Parameters
+        ----------
+        name : str
+            "period", "frequency" (2 pi over the period), "trace", an unknown, the parameter, or
+            "amplitude_x" of a state x: half of what it sweeps in a period. Over the frequency of
+            a forcing that is the frequency response; of a conservative family over its period,
+            beside "frequency", the backbone. "energy" is that of a conservative family, in the
+            unit in which the first coordinate has the mass 1.
+
+        Raises
+        ------
+        InputError
+            For another name, or the energy where none is kept.
+        """
+        if name == self.parameter:
+            return self.parameter_values
+        if name == "frequency":
+            return np.asarray(2 * np.pi / self.period)
+        if name.startswith("amplitude_"):
+            state = name.removeprefix("amplitude_")
+            return np.array([amplitude_of(self._motion_at(k), state) for k in range(len(self))])
+        if name == "energy":
+            places = range(len(self))
+            return np.array([energy_of(composed_family(self, place)[0]) for place in places])
+        if name in ("period", "trace"):
+            found: np.ndarray = getattr(self, name)
+            return found
+        if name not in self.unknown_names:
+            known = ("period", "frequency", "energy", "trace", self.parameter, *self.unknown_names)
+            raise unknown_name("quantity", name, known)
+        return np.asarray(self.unknowns[:, self.unknown_names.index(name)])
+
+    def to_xarray(self) -> Any:
+        """The branch as an xarray Dataset over its points.
+
+        Raises
+        ------
+        MissingExtra
+            If xarray is not installed.
+        """
+        try:
+            import xarray
+        except ImportError:
+            raise missing_extra("chart", "xarray") from None
+        columns = {name: ("point", self.quantity(name)) for name in self.unknown_names}
+        return xarray.Dataset(
+            {
+                **columns,
+                "period": ("point", self.period),
+                "trace": ("point", self.trace),
+                "multiplier": (("point", "which"), self.multipliers),
+                "stability": ("point", np.array(self.stability)),
+                "admissible": ("point", self.admissible),
+            },
+            coords={self.parameter: ("point", self.parameter_values)},
+            attrs={"orbit": self.name, "events": [event.text for event in self.events]},
+        )
+
+    def plot(
+        self,
+        quantity: str | None = None,
+        axes: Any = None,
+        *,
+        over: str | None = None,
+        frequency: str = "angular",
+    ) -> Any:
+        """Draw a quantity over the parameter, or another one; see `drawing.draw_branch`."""
+        return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the branch to a file; `nonsmooth.load_branch` reads it."""
+        registered("save_branch")(self, path)

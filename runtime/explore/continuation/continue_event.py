@@ -1,0 +1,209 @@
+"""An event of a branch, followed in two parameters: where in the plane folds, flips, grazings lie.
+
+The orbit's equations are joined by one that holds at the event: for a fold and a branch point
+that their Jacobian is singular (the last entry of the solution of a bordered system), else
+that the event's monitor is zero. Its gradient and the derivatives by the second parameter
+are central differences, which slow Newton's method down but do not limit what it converges to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.continue_orbit import STEP, check_steps
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.family_of_orbit import check_interval, curve_of
+from nonsmooth.runtime.explore.continuation.locus import Locus
+from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
+from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.stepping import INTERRUPTED, trace_both_ways
+
+__all__ = ["MOST_POINTS", "continue_event"]
+
+_DIFFERENCE = 1e-5  # in units of the sizes
+MOST_POINTS = 500
+
+
+class _EventCurve:
+    """The points z = (unknowns, first parameter, second parameter) at which an event happens."""
+
+    def __init__(
+        self, curve: Curve, monitors: Monitors, event: Event, second: str, length: float
+    ) -> None:
+        self._curve, self._second = curve, second
+        self.names = (*curve.names, curve.parameter)
+        self.parameter = second
+        self.phases, self.dwell_names = curve.phases, curve.dwell_names
+        value = float(curve.orbit.given[second])
+        self.first = np.array([*event.unknowns.values(), event.value, value])
+        self.sizes = np.append(curve.sizes, length)
+        at = self.first[:-1]
+        self._monitors = monitors
+        self._monitor = _monitor_of(self._monitors, event)
+        self._vanishing = event.phase if event.kind == "vanishing-phase" else None
+        jacobian = self._scaled(curve, at)
+        left, _, right = np.linalg.svd(jacobian)
+        self._left, self._right = left[:, -1], right[-1]
+        self._unit = 1.0
+        self._unit = max(abs(self._value(curve, at + self.sizes[:-1] * 1e-2)), 1e-8)
+
+    def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """See `Curve`."""
+        curve, value = self._at(z[-1]), z[:-1]
+        residual, jacobian = curve.equations(value)
+        step = _DIFFERENCE * self.sizes
+        above, below = self._at(z[-1] + step[-1]), self._at(z[-1] - step[-1])
+        by_second = (above.equations(value)[0] - below.equations(value)[0]) / (2 * step[-1])
+        slopes = [
+            (self._value(curve, value + shift) - self._value(curve, value - shift)) / (2 * width)
+            for width, shift in zip(step[:-1], np.diag(step[:-1]), strict=True)
+        ]
+        slopes.append((self._value(above, value) - self._value(below, value)) / (2 * step[-1]))
+        whole = np.concatenate([jacobian, by_second[:, None]], axis=1)
+        return (
+            np.append(residual, self._value(curve, value)),
+            np.concatenate([whole, np.array(slopes)[None]]),
+        )
+
+    def dwell(self, z: np.ndarray) -> np.ndarray:
+        """See `Curve`; the one that vanishes along the locus is none."""
+        found = np.array(self._curve.dwell(z[:, :-1]))
+        if self._vanishing is not None:
+            found[:, self._vanishing] = 1.0
+        return found
+
+    def _at(self, second: float) -> Curve:
+        return self._curve.moved(self._second, float(second))
+
+    def _scaled(self, curve: Curve, z: np.ndarray) -> np.ndarray:
+        jacobian = curve.equations(z)[1] * self.sizes[:-1]
+        units = np.abs(jacobian).max(axis=1, keepdims=True)
+        return np.asarray(jacobian[:, :-1] / units)
+
+    def _value(self, curve: Curve, z: np.ndarray) -> float:
+        """What is zero at the event, in units of its change nearby."""
+        if self._vanishing is not None:
+            return float(curve.dwell(z[None])[0, self._vanishing] / self.sizes[self._vanishing])
+        if self._monitor.kind in ("fold", "branch-point"):
+            jacobian = self._scaled(curve, z)
+            bordered = np.block(
+                [[jacobian, self._left[:, None]], [self._right[None], np.zeros((1, 1))]]
+            )
+            right = np.zeros(len(bordered))
+            right[-1] = 1
+            return float(np.linalg.solve(bordered, right)[-1])
+        monitors = Monitors(curve, self._monitors.smooth, self._monitors.borders)
+        if self._monitor in monitors.smooth:
+            values = monitors.smooth_values(z[None], np.zeros((1, len(z))))[0]
+            return float(values[monitors.smooth.index(self._monitor)] / self._unit)
+        values, _ = monitors.border_values(z[None])
+        return float(values[0, monitors.borders.index(self._monitor)] / self._unit)
+
+
+def continue_event(
+    branch: Branch,
+    event: Event,
+    parameter: str,
+    interval: tuple[float, float],
+    *,
+    step: float = 2 * STEP,
+    points: int = MOST_POINTS,
+    progress: Callable[[int], object] | None = None,
+) -> Locus:
+    """Follow an event of a branch in the plane of two parameters.
+
+    Parameters
+    ----------
+    branch : Branch
+    event : Event
+        One of its events, but for limits of admissibility that no boundary explains.
+    parameter : str
+        The second one, among the numbers that were given for the orbit.
+    interval : (float, float)
+        Of the second parameter.
+    step : float
+        The largest one, as for `continue_orbit`; lengths of the first parameter in units of
+        the branch's range.
+    points : int
+        At most so many in each direction.
+    progress : callable, optional
+        Told how many points there are, as they come.
+
+    Returns
+    -------
+    Locus
+
+    Raises
+    ------
+    InputError
+        For an event that cannot be followed, a name that was not given or is the branch's
+        own, or an interval that does not hold the orbit.
+    Interrupted
+        By Ctrl-C; its `partial` is the Locus until then.
+
+    Examples
+    --------
+    >>> import nonsmooth
+    >>> orbit = nonsmooth.solve("dry-friction/symmetric")
+    >>> branch = nonsmooth.continue_orbit(orbit, "V", (0.6, 1.3))
+    >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
+    >>> locus = nonsmooth.continue_event(branch, flip, "eta", (3.9, 4.1))
+    >>> locus.parameters, locus.ends
+    (('V', 'eta'), ('end of the interval', 'end of the interval'))
+    """
+    if event.kind == "admissibility":
+        raise InputError("an event that no boundary explains cannot be followed")
+    if parameter == branch.parameter:
+        raise unknown_name(
+            "second parameter", parameter, [n for n in branch.orbit.given if n != parameter]
+        )
+    limits = check_interval(branch.orbit, parameter, interval)
+    check_steps(step, points)
+    length = float(np.ptp(branch.parameter_values)) or 1.0
+    curve = curve_of(branch.orbit, branch.parameter, length)
+    if curve.equations(curve.first)[1].shape[0] != len(curve.names):
+        raise InputError(f"{branch.name} is one of a family: its events are not followed")
+    known = np.column_stack([branch.unknowns, branch.parameter_values])
+    locus: Any = _EventCurve(
+        curve, monitors_of(curve, known), event, parameter, limits[1] - limits[0]
+    )
+    told = 0
+
+    def go_on(*_: np.ndarray) -> None:
+        nonlocal told
+        told += 1
+        if progress is not None:
+            progress(told)
+
+    path = trace_both_ways(locus, limits, step, points, go_on)
+    found = Locus(
+        branch.name,
+        event.kind,
+        event.boundary,
+        (branch.parameter, parameter),
+        path.points[:, -2:],
+        branch.unknown_names,
+        path.points[:, :-2],
+        path.ends,
+        path.start,
+        branch.orbit,
+    )
+    if INTERRUPTED in path.ends:
+        raise Interrupted(found)
+    return found
+
+
+def _monitor_of(monitors: Monitors, event: Event) -> Monitor:
+    """The monitor whose zero an event is."""
+    if event.kind == "vanishing-phase":
+        return Monitor(event.kind)
+    for monitor in (*monitors.smooth, *monitors.borders):
+        same = monitor.phase == (-1 if event.phase is None else event.phase)
+        if monitor.kind == event.kind and same and monitor.boundary == event.boundary:
+            return monitor
+    raise InputError(f"the branch does not watch this event: {event.text}")

@@ -1,0 +1,256 @@
+"""Periodic orbits followed over one parameter."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.family_of_orbit import check_interval, curve_of
+from nonsmooth.runtime.explore.continuation.locating import (
+    Found,
+    describe,
+    locate_all,
+    locate_limits,
+)
+from nonsmooth.runtime.explore.continuation.monitors import Monitor, monitors_of
+from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.stepping import (
+    INTERRUPTED,
+    Path,
+    tangent_at,
+    trace_both_ways,
+)
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting.newton import CONVERGED
+
+__all__ = ["STEP", "check_steps", "continue_orbit"]
+
+STEP, MOST_POINTS = 0.01, 2000
+MET = "it meets the branch that it doubles"
+SAME_END = 1e-6  # of a chord: other names of a dwell time that goes to zero
+_NEUTRAL = 1e-10  # distance of a multiplier from the unit circle that is not decided
+
+
+def continue_orbit(
+    orbit: Orbit | ComposedOrbit,
+    parameter: str,
+    interval: tuple[float, float],
+    *,
+    step: float = STEP,
+    points: int = MOST_POINTS,
+    stop: str | None = None,
+    resume: Branch | None = None,
+    progress: Callable[[int], object] | None = None,
+) -> Branch:
+    """Follow a periodic orbit over one parameter, through folds, in both directions.
+
+    It ends at the ends of the interval, or where a dwell time goes to zero; that of an orbit
+    whose phases repeat also where the repetitions become the same.
+
+    Parameters
+    ----------
+    orbit : Orbit or ComposedOrbit
+        A converged one.
+    parameter : str
+        One of the numbers that were given for it: a parameter, an unknown that was exchanged
+        for one, or ``"period"`` where that was given.
+    interval : (float, float)
+        Around the orbit's own value.
+    step : float
+        The largest one, of arclength: the parameter in units of the interval's length,
+        unknowns in units of their size.
+    points : int
+        At most so many in each direction.
+    stop : "admissible", optional
+        End also where the orbit ceases to be a motion of the real system.
+    resume : Branch, optional
+        An interrupted one of the same family: it goes on where it was left.
+    progress : callable, optional
+        Told how many points there are, as they come.
+
+    Returns
+    -------
+    Branch
+        With all events on it: folds, flips, Neimark-Sacker and branch points, and what ends
+        an itinerary, each on the branch to full precision.
+
+    Raises
+    ------
+    InputError
+        For an orbit that has not converged, a name that was not given, an interval that is
+        empty, does not hold the orbit or leaves the parameter's domain, options that are
+        none, or another family's branch to resume.
+    Interrupted
+        By Ctrl-C; its `partial` is the Branch until then, with its events.
+
+    Examples
+    --------
+    >>> import nonsmooth
+    >>> orbit = nonsmooth.solve("dry-friction/global-stick")
+    >>> branch = nonsmooth.continue_orbit(orbit, "V", (0.8, 1.3))
+    >>> branch.ends
+    ('end of the interval', 'ta goes to zero')
+    """
+    limits = _checked(orbit, parameter, interval, step, points, stop)
+    if resume is not None:
+        _check_same(orbit, parameter, limits, resume)
+        orbit = resume.orbit
+    curve = curve_of(orbit, parameter, limits[1] - limits[0])
+    known = None if resume is None else _path_of(curve, resume)
+    told = 0
+
+    def go_on(before: np.ndarray, z: np.ndarray) -> str | None:
+        nonlocal told
+        told += 1
+        if progress is not None:
+            progress(told)
+        parts = zip(curve.unevenness(before), curve.unevenness(z), strict=True)
+        if any(first @ second < 0 for first, second in parts):
+            return MET
+        if stop is not None and not curve.admissible(z[None])[0]:
+            return "the orbit is no motion of the real system beyond"
+        return None
+
+    path = trace_both_ways(curve, limits, step, points, go_on, known)
+    if INTERRUPTED not in path.ends:
+        return _branch(curve, path)
+    if len(path.points) < 2:
+        raise KeyboardInterrupt
+    raise Interrupted(_branch(curve, path))
+
+
+def _check_same(
+    orbit: Orbit | ComposedOrbit, parameter: str, limits: tuple[float, float], known: Branch
+) -> None:
+    """Refuse to go on with a branch of another orbit, parameter or value."""
+    if (known.name, known.parameter) != (orbit.name, parameter):
+        raise InputError(f"the branch to resume is of {known.name} over {known.parameter}")
+    for name, value in orbit.given.items():
+        if name != parameter and known.orbit.given.get(name) != value:
+            raise InputError(f"the branch to resume has another {name}")
+    values = known.parameter_values
+    if not (limits[0] <= values.min() and values.max() <= limits[1]):
+        raise InputError("the branch to resume leaves the interval")
+
+
+def _path_of(curve: Curve, branch: Branch) -> Path:
+    """A branch as the path that it was made from."""
+    points = np.column_stack([branch.unknowns, branch.parameter_values])
+    chords = np.gradient(points / curve.sizes, axis=0)
+    tangents = [tangent_at(curve, z, chord) for z, chord in zip(points, chords, strict=True)]
+    return Path(points, np.array(tangents), branch.ends, branch.start)
+
+
+def _branch(curve: Curve, path: Path) -> Branch:
+    """A path as a branch, with its events."""
+    points, ends = path.points, path.ends
+    found = locate_all(monitors_of(curve, points), points, path.tangents)
+    found = _with_meetings(curve, found, path)
+    allowed = curve.admissible(points)
+    vanished = _vanished(curve, points, ends)
+    found = [
+        each
+        for each in found
+        if not (
+            (each.event.border_collision or each.event.kind == "fold")
+            and any(abs(each.place - end.place) < SAME_END for end in vanished)
+        )
+    ]
+    found += vanished
+    found += locate_limits(curve, points, allowed, found)
+    found.sort(key=lambda each: each.place)
+    multipliers = curve.multipliers(points)
+    return Branch(
+        curve.orbit.name,
+        curve.parameter,
+        points[:, -1],
+        curve.names,
+        points[:, :-1],
+        curve.order * _period(curve, points),
+        multipliers**curve.order,
+        curve.traces(points),
+        tuple(_verdict(row, curve.conservative) for row in multipliers),
+        allowed,
+        tuple(replace(each.event, place=each.place) for each in found),
+        ends,
+        path.start,
+        curve.orbit,
+    )
+
+
+def _period(curve: Curve, points: np.ndarray) -> np.ndarray:
+    return np.asarray(curve.dwell(points).sum(axis=-1))
+
+
+def _with_meetings(curve: Curve, found: list[Found], path: Path) -> list[Found]:
+    """With one branch point where the branch turns to come back with its parts exchanged."""
+    for step, reason in zip((0, len(path.points) - 2), path.ends, strict=True):
+        names = [
+            each
+            for each in found
+            if step <= each.place <= step + 1 and each.event.kind in ("fold", "branch-point")
+        ]
+        if reason != MET or not names:
+            continue
+        turn = next((each for each in names if each.event.kind == "fold"), names[0])
+        event = describe(curve, Monitor("branch-point"), turn.point, turn.place, None)
+        found = [each for each in found if all(each is not name for name in names)] + [
+            turn._replace(event=event)
+        ]
+    return found
+
+
+def _vanished(curve: Curve, points: np.ndarray, ends: tuple[str, str]) -> list[Found]:
+    """Events at the ends where a dwell time has gone to zero."""
+    found = []
+    for place, reason in zip((0, len(points) - 1), ends, strict=True):
+        if reason.endswith("goes to zero"):
+            phase = curve.dwell_names.index(reason.removesuffix(" goes to zero"))
+            monitor = Monitor("vanishing-phase", phase, curve.phases[phase][1])
+            event = describe(curve, monitor, points[place], float(place), None)
+            found.append(Found(float(place), points[place], event))
+    return found
+
+
+def _verdict(multipliers: np.ndarray, conservative: bool) -> str:
+    """Of one point, from its multipliers over one part."""
+    largest = float(abs(multipliers).max(initial=0.0))
+    if not math.isfinite(largest):
+        return "undecided"
+    if conservative:
+        if largest - 1 > math.sqrt(_NEUTRAL):
+            return "unstable"
+        real = (abs(multipliers.imag) < math.sqrt(_NEUTRAL)).any()
+        return "undecided" if real and len(multipliers) else "neutral"
+    if abs(largest - 1) < _NEUTRAL:
+        return "undecided"
+    return "stable" if largest < 1 else "unstable"
+
+
+def _checked(
+    orbit: Any, parameter: str, interval: Any, step: float, points: int, stop: str | None
+) -> tuple[float, float]:
+    if not isinstance(orbit, Orbit | ComposedOrbit):
+        raise InputError(f"{type(orbit).__name__} is no orbit, such as nonsmooth.solve gives")
+    if orbit.status != CONVERGED:
+        raise InputError(f"{orbit.name} cannot be followed: {orbit.message}")
+    limits = check_interval(orbit, parameter, interval)
+    check_steps(step, points)
+    if stop not in (None, "admissible"):
+        raise InputError(f"stop = {stop!r} is neither 'admissible' nor None")
+    return limits
+
+
+def check_steps(step: float, points: int) -> None:
+    """Refuse a step or a number of points that is not positive."""
+    if not (math.isfinite(step) and step > 0):
+        raise InputError(f"step = {step} is not positive")
+    if isinstance(points, bool) or not isinstance(points, int) or points < 1:
+        raise InputError(f"points = {points} is not a positive integer")

@@ -1,0 +1,131 @@
+"""The energy of an undamped orbit, from the numbers of its system alone.
+
+A system's tables know accelerations, not masses. The energy is looked for as
+v M v / 2 + potential: M is symmetric and makes each stiffness M A symmetric, and energies on
+both sides of a transition agree on its boundary. That is linear in M and in the potentials'
+constants, and fixes M up to a factor wherever the masses are coupled.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, numbers_in
+
+__all__ = ["energy_of"]
+
+_ZERO = 1e-10  # relative size of a singular value, or of a number, that is zero
+_KEPT = 1e-7  # relative difference of the energy at the starts of two phases
+
+
+def energy_of(orbit: ComposedOrbit) -> float:
+    """Energy of a conservative orbit.
+
+    Its unit is that in which the first coordinate has the mass 1 (divide energies in other
+    units by that mass), and it is zero at the lowest of the equilibria of the configurations
+    that the orbit passes.
+
+    Raises
+    ------
+    InputError
+        If no energy is kept along the orbit.
+    """
+    numbers = numbers_in(piecewise(orbit.kernels, orbit.parameters))
+    cycle, states = orbit.cycle, orbit.states.astype(float)
+    forms = _forms(cycle, numbers, states.shape[1])
+    if forms is None:
+        raise InputError(f"no energy is kept along {orbit.name}")
+    extended = np.column_stack([states, np.ones(len(states))])
+    values = [
+        float(state @ forms[configuration] @ state) / 2
+        for configuration, state in zip(cycle.configurations, extended, strict=True)
+    ]
+    if np.ptp(values) > _KEPT * max(1.0, *map(abs, values)):
+        raise InputError(f"no energy is kept along {orbit.name}")
+    return values[0] - min(_lowest(form) for form in forms.values())
+
+
+class _Guess(NamedTuple):
+    """A mass matrix, and constants of the potentials."""
+
+    mass: np.ndarray
+    constants: dict[int, float]
+
+
+def _forms(cycle: Cycle, numbers: Numbers, size: int) -> dict[int, np.ndarray] | None:
+    """Symmetric matrices H of the energies (y, 1) H (y, 1) / 2, by configuration."""
+    visited, count = sorted(set(cycle.configurations)), size // 2
+    if size % 2 or not all(_undamped(numbers.fields[c], count) for c in visited):
+        return None
+    pairs = [(i, j) for i in range(count) for j in range(i + 1)]
+    units = np.eye(len(pairs) + len(visited))
+    guesses = [_guess(unit, pairs, visited, count) for unit in units]
+    missed = np.array([_missed(cycle, numbers, guess) for guess in guesses]).T
+    _, values, right = np.linalg.svd(missed)
+    rank = int(np.count_nonzero(values > _ZERO * max(1.0, float(values[0]))))
+    kept = right[rank:]
+    wanted = np.array([float(i == j) for i, j in pairs])
+    found = np.linalg.lstsq(kept[:, : len(pairs)].T, wanted, rcond=_ZERO)[0] @ kept
+    best = _guess(found, pairs, visited, count)
+    if np.linalg.eigvalsh(best.mass)[0] <= _ZERO:
+        return None
+    best = _guess(found / best.mass[0, 0], pairs, visited, count)
+    return {c: _form(numbers.fields[c], best, c) for c in visited}
+
+
+def _undamped(field: np.ndarray, count: int) -> bool:
+    """Whether a field is x' = v, v' = b - A x."""
+    kinematics = np.eye(count, 2 * count + 1, count)
+    return bool(np.array_equal(field[:count], kinematics) and not field[count:, count:-1].any())
+
+
+def _guess(
+    values: np.ndarray, pairs: list[tuple[int, int]], visited: list[int], count: int
+) -> _Guess:
+    mass = np.zeros((count, count))
+    for (i, j), value in zip(pairs, values, strict=False):
+        mass[i, j] = mass[j, i] = value
+    return _Guess(mass, dict(zip(visited, values[len(pairs) :].tolist(), strict=True)))
+
+
+def _form(field: np.ndarray, guess: _Guess, configuration: int) -> np.ndarray:
+    count = len(guess.mass)
+    form = np.zeros((2 * count + 1, 2 * count + 1))
+    stiffness = -guess.mass @ field[count:, :count]
+    form[:count, :count] = (stiffness + stiffness.T) / 2
+    form[count:-1, count:-1] = guess.mass
+    form[-1, :count] = form[:count, -1] = -guess.mass @ field[count:, -1]
+    form[-1, -1] = guess.constants[configuration]
+    return form
+
+
+def _missed(cycle: Cycle, numbers: Numbers, guess: _Guess) -> np.ndarray:
+    """What a guess misses of being an energy that is kept: linear in it."""
+    count, missed = len(guess.mass), []
+    forms = {c: _form(numbers.fields[c], guess, c) for c in guess.constants}
+    for configuration in forms:
+        stiffness = guess.mass @ numbers.fields[configuration][count:, :count]
+        missed.append((stiffness - stiffness.T).ravel())
+    for place, transition in enumerate(cycle.transitions):
+        before = forms[cycle.configurations[place]]
+        after = forms[cycle.configurations[(place + 1) % len(cycle)]]
+        reset = np.vstack(
+            [numbers.resets[transition.reset], np.eye(1, len(before), len(before) - 1)]
+        )
+        row = numbers.rows[cycle.rows[place]]
+        on = np.linalg.svd(row[None])[2][1:].T
+        missed.append((on.T @ (reset.T @ after @ reset - before) @ on).ravel())
+    return np.concatenate(missed)
+
+
+def _lowest(form: np.ndarray) -> float:
+    """Energy of a configuration's equilibrium; without one, where all states are zero."""
+    matrix, linear, constant = form[:-1, :-1], form[:-1, -1], form[-1, -1]
+    if np.linalg.eigvalsh(matrix)[0] <= _ZERO:
+        return float(constant) / 2
+    return float(constant - linear @ np.linalg.solve(matrix, linear)) / 2

@@ -1,0 +1,382 @@
+"""Events between neighbouring points of a branch, located on it to full precision.
+
+Between two points the numbers that are watched are looked at along the branch's cubic
+interpolation: a change of sign is an event, and so may be an extremum near zero. There the
+branch itself decides: the extremum is beyond zero, which makes two events, or touches it, or
+stays away.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from scipy.optimize import brentq, minimize_scalar
+
+from nonsmooth.runtime.explore.continuation.between_points import Samples, Track
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event
+from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors
+from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.stepping import on_chord
+
+__all__ = ["Found", "describe", "locate_all", "locate_limits"]
+
+_SAME = 1e-9  # of a chord: two names of one event
+_TOUCHING = 1e-6  # of a chord: two crossings of one number that are one touch
+_TOUCHED = 1e-11, 1e-13  # of an extremum's surroundings, of a usual value: zero but for rounding
+_NODES, _FIT = 8, 0.05  # of a polynomial; of the values around a zero: how far they may miss it
+_APART, _JUMP = 1e-3, 0.5  # so near to a zero no value is as large as those around it
+_MEETING = 1e-3  # of a chord: a branch that turns where it meets another one
+_NOTHING = 1e-9  # of a number made of multipliers
+_HALVINGS = 50
+_FINEST = 1e-15  # of a chord
+
+_TOUCHES = ", touched and not passed"
+
+# of several that fall together the first says most
+_PRECEDENCE = ("simultaneous", "tangent", "grazing", "entry", "condition")
+
+
+class Found(NamedTuple):
+    """An event with its point, and its place between the points of the branch."""
+
+    place: float
+    point: np.ndarray
+    event: Event
+
+
+def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> list[Found]:
+    """All events between the points (k, n + 1) of a branch, in their order."""
+    if len(points) < 2:
+        return []
+    track = Track(monitors, points, tangents)
+    samples = track.samples()
+    with np.errstate(all="ignore"):  # infinite where a boundary is touched
+        smooth = monitors.smooth_values(samples.points, samples.tangents)
+        border, _ = monitors.border_values(samples.points)
+    found: list[Found] = []
+    for watched, values in ((monitors.smooth, smooth), (monitors.borders, border)):
+        for column, monitor in enumerate(watched):
+            events = _located(_Watch(track, samples, monitor, column), values[:, column])
+            found += _touches_merged(sorted(events, key=lambda each: each.place))
+    found.sort(key=lambda each: each.place)
+    return _distinct(_at_meetings(found))
+
+
+class _Watch(NamedTuple):
+    """One of the numbers along a branch."""
+
+    track: Track
+    samples: Samples
+    monitor: Monitor
+    column: int
+
+    @property
+    def border(self) -> bool:
+        return bool(self.monitor.source)
+
+    def value(self, step: int, part: float) -> float:
+        return self.track.value(self.column, step, part, border=self.border)
+
+    def at_sample(self, number: int) -> float:
+        """Exact, where the samples' own values are those of the interpolation."""
+        return self.value(*self.track.at(float(self.samples.places[number])))
+
+
+def _located(watch: _Watch, values: np.ndarray) -> Iterator[Found]:
+    """Events of one number, from its values at the samples."""
+    signs, last = _signs(values), len(values) - 1
+    usual = float(np.nanmedian(abs(values))) if np.isfinite(values).any() else 0.0
+    if usual < _NOTHING and not watch.border:
+        return  # a multiplier that is 1 or -1 all along
+    changes = np.flatnonzero(signs[:-1] * signs[1:] < 0).tolist()
+    crossed: set[int] = set()
+    for number in changes:
+        window = range(max(0, number - 1), min(last, number + 2) + 1)
+        crossed |= _crossed(watch, window)
+    for number in _extrema(values, signs):
+        if crossed & {number - 1, number}:
+            continue
+        window = range(number - 1, number + 2)
+        if inside := _crossed(watch, window):
+            crossed |= inside
+            continue
+        yield from _around_extremum(watch, window, float(signs[number]), usual)
+    places = watch.samples.places
+    for number in sorted(crossed):
+        yield from _crossings(watch, float(places[number]), float(places[number + 1]))
+
+
+def _crossed(watch: _Watch, window: range) -> set[int]:
+    """Numbers of the samples in a window behind which the exact values change their sign."""
+    signs = _signs(np.array([watch.at_sample(k) for k in window]))
+    return {k for k, (s, t) in zip(window, pairwise(signs), strict=False) if s * t < 0}
+
+
+def _extrema(values: np.ndarray, signs: np.ndarray) -> list[int]:
+    """Samples where a number comes near to zero, as seen from its change around them."""
+    size = abs(values)
+    before, here, after = size[:-2], size[1:-1], size[2:]
+    same = (signs[:-2] == signs[1:-1]) & (signs[1:-1] == signs[2:])
+    with np.errstate(invalid="ignore"):
+        change = np.maximum(before, after) - here
+        near = same & (here <= before) & (here <= after) & (change > 0) & (here <= change)
+    return [int(k) + 1 for k in np.flatnonzero(near)]
+
+
+class _BeyondZero(Exception):
+    """An extremum is beyond zero: its place."""
+
+    def __init__(self, place: float) -> None:
+        self.place = place
+
+
+def _around_extremum(watch: _Watch, window: range, sign: float, usual: float) -> Iterator[Found]:
+    """Events around an extremum near zero: two crossings, one touch, or none."""
+    if watch.monitor.kind == "condition":
+        return  # what is touched and not crossed leads where it did
+    low, middle, high = watch.samples.places[list(window)].tolist()
+    around = max(abs(watch.at_sample(k)) for k in window)
+    error = _TOUCHED[0] * around + _TOUCHED[1] * usual
+
+    def height(place: float) -> float:
+        found = sign * watch.value(*watch.track.at(place))
+        if found < -error:
+            raise _BeyondZero(place)
+        return found if np.isfinite(found) else np.inf
+
+    try:
+        least = minimize_scalar(height, (low, middle, high), method="brent", tol=1e-9)
+    except ValueError:  # no minimum between them: the exact values fall to one side
+        return
+    except _BeyondZero as extremum:
+        yield from _crossings(watch, low, extremum.place)
+        yield from _crossings(watch, extremum.place, high)
+        return
+    if abs(least.fun) <= error:
+        step, part = watch.track.at(float(least.x))
+        yield from _event(watch, step, part)
+
+
+def _crossings(watch: _Watch, first: float, last: float) -> Iterator[Found]:
+    """Events where the number changes its sign between two places, step by step."""
+    nodes = [float(k) for k in range(math.floor(first) + 1, math.ceil(last))]
+    for begin, end in pairwise([first, *nodes, last]):
+        step, low = watch.track.at(begin)
+        high = end - step
+        before, after = watch.value(step, low), watch.value(step, high)
+        if not (before * after < 0 or before == 0):
+            continue
+        value = partial(watch.value, step)
+        largest = max(abs(before), abs(after))
+        part = _root(value, low, high, before, after)
+        if part is None or not _smooth_at(value, part, low, high, largest):
+            if watch.monitor.kind not in ("fold", "branch-point"):
+                continue  # a pole, or another maximum has become the highest
+            part = _fitted(value, low, high, largest)
+            if part is None:
+                continue
+        yield from _event(watch, step, part, (low, high))
+
+
+def _event(
+    watch: _Watch, step: int, part: float, around: tuple[float, float] | None = None
+) -> Iterator[Found]:
+    """The event at a place, if it is one; without places around it the number touches zero."""
+    track, monitor = watch.track, watch.monitor
+    curve, point = track.curve, track.point(step, part)
+    if point is None or not track.monitors.confirmed(monitor, point):
+        return
+    if monitor.kind == "condition" and around is not None:
+        sides = [track.point(step, side) for side in around]
+        before, after = curve.taken(curve.conditions(np.array(sides)))[:, monitor.phase]
+        if before == after:
+            return  # the others decide
+    time = None
+    if watch.border:
+        time = float(track.monitors.border_values(point[None])[1][0, watch.column])
+    event = describe(curve, monitor, point, step + part, time)
+    yield Found(step + part, point, event if around else _touching(event))
+
+
+def _touching(event: Event) -> Event:
+    return replace(event, touching=True, text=event.text.removesuffix(_TOUCHES) + _TOUCHES)
+
+
+def _touches_merged(found: list[Found]) -> list[Found]:
+    """Two crossings of one number that cannot be told apart are one touch."""
+    kept: list[Found] = []
+    for each in found:
+        if kept and each.place - kept[-1].place < _TOUCHING:
+            kept[-1] = kept[-1]._replace(event=_touching(kept[-1].event))
+        else:
+            kept.append(each)
+    return kept
+
+
+def _signs(values: np.ndarray) -> np.ndarray:
+    """Signs along a branch; a point where something is just zero has that of the one before."""
+    signs = np.sign(values)
+    for place in range(1, len(signs)):
+        if signs[place] == 0:
+            signs[place] = signs[place - 1]
+    return np.asarray(signs)
+
+
+def _smooth_at(
+    value: Callable[[float], float], part: float, low: float, high: float, largest: float
+) -> bool:
+    """Whether values beside a zero are small, as they are at no pole and at no jump."""
+    apart = _APART * (high - low)
+    sides = [max(part - apart, low), min(part + apart, high)]
+    return bool(max(abs(value(side)) for side in sides) <= _JUMP * largest)
+
+
+def _fitted(
+    value: Callable[[float], float], low: float, high: float, largest: float
+) -> float | None:
+    """The zero of a polynomial through values, for a place where they are mere rounding errors.
+
+    Where branches meet the equations do not determine the tangent.
+    """
+    nodes = low + (high - low) * (1 - np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)) / 2
+    values = np.array([value(float(node)) for node in nodes])
+    if not np.isfinite(values).all():
+        return None
+    even = Polynomial.fit(nodes[::2], values[::2], _NODES // 2 - 1, domain=[low, high])
+    if np.abs(even(nodes) - values).max() > _FIT * largest:
+        return None  # a pole, or a value that is not determined
+    fit = Polynomial.fit(nodes, values, _NODES - 1, domain=[low, high])
+    roots = [
+        root.real
+        for root in np.asarray(fit.roots(), dtype=complex).tolist()
+        if abs(root.imag) < _APART and low < root.real < high
+    ]
+    return roots[0] if len(roots) == 1 else None
+
+
+def _root(
+    value_at: Callable[[float], float], low: float, high: float, before: float, after: float
+) -> float | None:
+    """Where a function changes its sign; None where it is not defined in between."""
+
+    def value(part: float) -> float:
+        if part in (low, high):
+            return before if part == low else after
+        found = value_at(part)
+        if not np.isfinite(found):
+            raise ArithmeticError
+        return found
+
+    try:
+        return float(brentq(value, low, high, xtol=_FINEST, rtol=4 * np.finfo(float).eps))
+    except (ArithmeticError, RuntimeError):  # RuntimeError: no convergence at a jump
+        return None
+
+
+def _at_meetings(found: list[Found]) -> list[Found]:
+    """With one name only where a branch meets another one; it may turn there."""
+    folds = [each.place for each in found if each.event.kind == "fold"]
+    meetings: list[Found] = []
+    for each in found:
+        if each.event.kind == "branch-point" and not _near(each.place, meetings):
+            turns = any(abs(each.place - place) < _MEETING for place in folds)
+            meetings.append(_passed(each) if turns else each)
+    others = [
+        each
+        for each in found
+        if each.event.kind not in ("fold", "branch-point")
+        or (each.event.kind == "fold" and not _near(each.place, meetings))
+    ]
+    return sorted([*others, *meetings], key=lambda each: each.place)
+
+
+def _near(place: float, found: list[Found]) -> bool:
+    return any(abs(place - other.place) < _MEETING for other in found)
+
+
+def _passed(found: Found) -> Found:
+    text = found.event.text.removesuffix(_TOUCHES)
+    return found._replace(event=replace(found.event, touching=False, text=text))
+
+
+def _distinct(found: list[Found]) -> list[Found]:
+    """Without further names of one border collision."""
+    kept: list[Found] = []
+    for each in found:
+        kind, place = each.event.kind, each.place
+        others = [
+            other
+            for other in kept
+            if abs(other.place - place) < _SAME
+            and other.event.kind in _PRECEDENCE
+            and kind in _PRECEDENCE
+        ]
+        if not others:
+            kept.append(each)
+        elif _PRECEDENCE.index(kind) < _PRECEDENCE.index(others[0].event.kind):
+            kept[kept.index(others[0])] = each
+    return kept
+
+
+def locate_limits(
+    curve: Curve, points: np.ndarray, admissible: np.ndarray, found: list[Found]
+) -> list[Found]:
+    """Where admissibility changes between points and no border collision says why."""
+    limits = []
+    for row in np.flatnonzero(admissible[1:] != admissible[:-1]).tolist():
+        if any(row <= each.place <= row + 1 and each.event.border_collision for each in found):
+            continue
+        low, high = 0.0, 1.0
+        for _ in range(_HALVINGS):
+            middle = (low + high) / 2
+            point = on_chord(curve, points[row], points[row + 1], middle)
+            if point is None:
+                break
+            same = bool(curve.admissible(point[None])[0]) == bool(admissible[row])
+            low, high = (middle, high) if same else (low, middle)
+        inside, outside = (low, high) if admissible[row] else (high, low)
+        point = on_chord(curve, points[row], points[row + 1], inside)
+        beyond = on_chord(curve, points[row], points[row + 1], outside)
+        if point is None or beyond is None:
+            continue
+        violations = curve.at(beyond).admissibility.violations
+        monitor = Monitor("admissibility")
+        if violations:
+            monitor = Monitor("admissibility", violations[0].phase, violations[0].boundary)
+        limits.append(
+            Found(row + inside, point, describe(curve, monitor, point, row + inside, None))
+        )
+    return limits
+
+
+def describe(
+    curve: Curve, monitor: Monitor, point: np.ndarray, place: float, time: float | None
+) -> Event:
+    """The event of a monitor at a point of the branch."""
+    phase: int | None = None
+    configuration = where = ""
+    if monitor.phase >= 0:
+        phase = monitor.phase
+        configuration = curve.phases[phase % len(curve.phases)][0]
+        where = f": {monitor.boundary} in {configuration} (phase {phase + 1})"
+    when = "" if time is None else f" at t = {time:.6g}"
+    value = float(point[-1])
+    return Event(
+        monitor.kind,
+        curve.parameter,
+        value,
+        dict(zip(curve.names, point[:-1].tolist(), strict=True)),
+        phase,
+        configuration,
+        monitor.boundary,
+        time,
+        place,
+        f"{curve.parameter} = {value:.10g}: {KINDS[monitor.kind]}{where}{when}",
+    )

@@ -1,0 +1,86 @@
+"""A curve in the plane of two parameters along which an event happens."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["Locus"]
+
+
+@dataclass(frozen=True, eq=False)
+class Locus:
+    """A curve in the plane of two parameters along which an event happens.
+
+    Attributes
+    ----------
+    name : str
+        Of the orbit.
+    kind : str
+        A key of `nonsmooth.runtime.explore.continuation.event.KINDS`.
+    boundary : str
+        Empty where the event is no matter of one.
+    parameters : (str, str)
+    values : array (k, 2)
+        Of both parameters, in the order in which the points follow.
+    unknown_names : tuple of str
+    unknowns : array (k, n)
+    ends : tuple of str
+        Why it ends on either side.
+    start : int
+        Which of the points it was followed from.
+    orbit : Orbit or ComposedOrbit
+        That the branch of the event was followed from.
+    """
+
+    name: str
+    kind: str
+    boundary: str
+    parameters: tuple[str, str]
+    values: np.ndarray
+    unknown_names: tuple[str, ...]
+    unknowns: np.ndarray
+    ends: tuple[str, str]
+    start: int
+    orbit: Any = field(repr=False)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @property
+    def title(self) -> str:
+        """The event and the orbit in words."""
+        kind = self.kind.replace("-", " ")
+        return f"{kind}{' of ' * bool(self.boundary)}{self.boundary}: {self.name}"
+
+    def orbit_at(self, place: int) -> Orbit | ComposedOrbit:
+        """The orbit at a point of the curve, by its number.
+
+        Raises
+        ------
+        InputError
+            If the curve has no such point.
+        """
+        if not -len(self) <= place < len(self):
+            raise InputError(f"the curve has {len(self)} points, no point {place}")
+        first, second = self.values[place].tolist()
+        curve = curve_of(self.orbit, self.parameters[0], 1.0).moved(self.parameters[1], second)
+        orbit: Orbit | ComposedOrbit = curve.at(np.append(self.unknowns[place], first))
+        return orbit
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the curve in the plane of its parameters; see `drawing.draw_locus`."""
+        return registered("draw_locus")(self, axes)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the curve to a file; `nonsmooth.load_locus` reads it."""
+        registered("save_locus")(self, path)

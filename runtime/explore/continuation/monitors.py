@@ -1,0 +1,162 @@
+"""Numbers along a branch whose sign changes where something happens."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from nonsmooth.runtime.events.boundary_functions import PhaseWaves, ends_of, interior_maxima
+from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+
+__all__ = ["Monitor", "Monitors", "monitors_of"]
+
+_ZERO = 1e-9  # relative size below which a boundary function counts as zero at an end
+_SAMPLES = 7  # points at which is looked for what is zero all along
+_PAIR = 1e-6  # how near to -1, 1 or the unit circle a multiplier has to be at its event
+
+
+@dataclass(frozen=True)
+class Monitor:
+    """One of the numbers: the event's kind, phase and boundary, and where it is found."""
+
+    kind: str
+    phase: int = -1
+    boundary: str = ""
+    source: str = ""
+    column: int = 0
+
+
+@dataclass(frozen=True)
+class Monitors:
+    """All numbers that are watched along a branch.
+
+    Attributes
+    ----------
+    curve : Curve
+    smooth : tuple of Monitor
+        Of multipliers and the tangent.
+    borders : tuple of Monitor
+        Of boundaries and conditions.
+    """
+
+    curve: Curve
+    smooth: tuple[Monitor, ...]
+    borders: tuple[Monitor, ...]
+
+    def smooth_values(self, z: np.ndarray, tangents: np.ndarray) -> np.ndarray:
+        """Values (k, m) at points (k, n + 1) with their tangents."""
+        multipliers = self.curve.multipliers(z)
+        slopes = tangents[:, -1]
+        values = np.stack(
+            [_smooth(monitor.kind, multipliers, slopes) for monitor in self.smooth],
+            axis=-1,
+        )
+        if not self.curve.conservative:
+            # at a fold both change their signs
+            for column, monitor in enumerate(self.smooth):
+                if monitor.kind == "branch-point":
+                    with np.errstate(all="ignore"):
+                        values[:, column] /= slopes
+        return values
+
+    def border_values(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Values (k, m), and times since the start of the phase; NaN where there is none."""
+        values = np.full((len(z), len(self.borders)), np.nan)
+        times = np.full((len(z), len(self.borders)), np.nan)
+        conditions = self.curve.conditions(z)
+        for places, phases in self.curve.waves(z):
+            known = {waves.phase: _border(waves) for waves in phases}
+            for column, monitor in enumerate(self.borders):
+                found = known[monitor.phase]
+                if monitor.source == "condition":
+                    values[places, column] = conditions[places, monitor.column]
+                    times[places, column] = found["leaving"][1][:, 0]
+                    continue
+                numbers, when = found[monitor.source]
+                values[places, column] = numbers[:, monitor.column]
+                times[places, column] = when[:, monitor.column]
+        return values, times
+
+    def confirmed(self, monitor: Monitor, z: np.ndarray) -> bool:
+        """Whether a change of sign is that of the event, and not a pole or a neutral saddle."""
+        if monitor.kind in ("fold", *(m.kind for m in self.borders)):
+            return True
+        multipliers = self.curve.multipliers(z[None])[0]
+        if monitor.kind == "neimark-sacker":
+            near = abs(abs(multipliers) - 1) < _PAIR
+            return bool((near & (abs(multipliers.imag) > _PAIR)).any())
+        target = 1.0 if monitor.kind == "branch-point" else -1.0
+        return bool((abs(multipliers - target) < np.sqrt(_PAIR)).any())
+
+
+def _smooth(kind: str, multipliers: np.ndarray, slope: np.ndarray) -> np.ndarray:
+    if kind == "fold":
+        return slope
+    if kind in ("flip", "symmetry-breaking"):
+        return np.asarray((1 + multipliers).prod(axis=-1).real)
+    if kind == "branch-point":
+        return np.asarray((1 - multipliers).prod(axis=-1).real)
+    pairs = combinations(range(multipliers.shape[-1]), 2)
+    factors = [1 - multipliers[:, i] * multipliers[:, j] for i, j in pairs]
+    return np.asarray(np.prod(factors, axis=0).real)
+
+
+def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """Values and times (k, b) of each source."""
+    ends, (highest, when) = ends_of(waves), interior_maxima(waves)
+    begun = np.zeros_like(highest)
+    over = np.broadcast_to(waves.durations[:, None], highest.shape)
+    return {
+        "highest": (highest, when),
+        "start": (ends.starts[0], begun),
+        "beginning": (ends.starts[1], begun),
+        "stop": (ends.stops[0], over),
+        "leaving": (ends.stops[1], over),
+    }
+
+
+def monitors_of(curve: Curve, points: np.ndarray) -> Monitors:
+    """What is watched along a branch (k, n + 1).
+
+    A boundary function that is zero at an end of a phase all along the branch is one that the
+    phase begins or ends with: its rate is watched in its place.
+    """
+    some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
+    count = curve.multipliers(some).shape[-1]
+    smooth = [Monitor("fold")]
+    if count:
+        smooth.append(Monitor("flip" if curve.order != 2 else "symmetry-breaking"))
+        smooth.append(Monitor("branch-point"))
+    if count > 1 and not curve.conservative:
+        smooth.append(Monitor("neimark-sacker"))
+    groups = [phases for _, phases in curve.waves(some)]
+    borders: list[Monitor] = []
+    for number, waves in enumerate(groups[0]):
+        ends = [ends_of(phases[number]) for phases in groups]
+        begun = _always_zero([(end.starts, end.sizes) for end in ends])
+        over = _always_zero([(end.stops, end.sizes) for end in ends])
+        for place, name in enumerate(waves.names):
+            watched = waves.phase, name
+            borders.append(Monitor("grazing", *watched, "highest", place))
+            if waves.leaving is None:
+                continue  # the motion goes on: no end is one of its own
+            if not begun[0, place]:
+                borders.append(Monitor("entry", *watched, "start", place))
+            elif not begun[1, place]:
+                borders.append(Monitor("tangent", *watched, "beginning", place))
+            if place == waves.leaving:
+                borders.append(Monitor("tangent", *watched, "leaving", place))
+            elif not over[0, place]:
+                borders.append(Monitor("simultaneous", *watched, "stop", place))
+    for column, phase in enumerate(curve.condition_places):
+        watched = phase, curve.phases[phase][1]
+        borders.append(Monitor("condition", *watched, "condition", column))
+    return Monitors(curve, tuple(smooth), tuple(borders))
+
+
+def _always_zero(groups: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
+    """Which of functions and rates (2, b) are zero in units of their sizes, all along."""
+    zero = [abs(values) <= _ZERO * sizes for values, sizes in groups]
+    return np.asarray(np.concatenate(zero, axis=1).all(axis=1))

@@ -1,0 +1,296 @@
+"""The itineraries on the other side of a border collision.
+
+Next to it phases are inserted, dropped or exchanged. Every way through the system's
+transitions that replaces one or two phases at the collision is tried, and a simulation from
+there; what converges near the orbit and is a motion of the real system is returned.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.physical_parameters import SystemAt, composed_family
+from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.orbits.compose import compose
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.shooting.cycle_newton import solve_cycle
+from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of
+from nonsmooth.runtime.shooting.symmetry import closing, whole_cycle
+from nonsmooth.runtime.simulation.last_cycle import itinerary_of
+from nonsmooth.runtime.simulation.simulate import simulate
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+
+__all__ = ["next_itineraries"]
+
+_DISTANCES = (1e-3, 1e-2)  # from the collision, in units of the branch's range
+_LONGER, _MOST_WAYS = 2, 300  # phases that a way may have more; ways
+_SHORT = 0.02  # of the phases that are replaced: a new one
+_SHORTEST = 1e-9  # of the period: what lasts less is no phase
+_NEAR = 0.3  # of the period: how much another orbit's may differ
+_TRANSITIONS = 400
+
+_Phases = tuple[tuple[str, str], ...]
+
+
+def next_itineraries(
+    branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
+) -> tuple[ComposedOrbit, ...]:
+    """Admissible orbits of other itineraries just beyond a border collision.
+
+    Parameters
+    ----------
+    branch : Branch
+    event : Event
+        One of its border collisions.
+    parameters : mapping of str to str, number or Value, optional
+        Those of the system that the orbit does not determine.
+
+    Returns
+    -------
+    tuple of ComposedOrbit
+        One for each itinerary, those on the side that the branch leaves first: each can be
+        continued in its turn. Parameters that the orbit left open are as large as they have
+        to be at the collision, and one more.
+
+    Raises
+    ------
+    InputError
+        If the event is no border collision, or an exchanged unknown is the branch's parameter.
+    """
+    if not event.border_collision:
+        raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
+    base, system_at = _neighbour(branch, event, parameters)
+    span = float(np.ptp(branch.parameter_values)) or max(1.0, abs(event.value))
+    side = _side(branch, event)
+    found: dict[_Phases, ComposedOrbit] = {}
+    own = _canonical(base.itinerary)
+    ways = _candidates(base, event)
+    for sign in (side, -side):
+        for distance in _DISTANCES:
+            try:
+                here, period = system_at(event.value + sign * distance * span)
+                orbits = list(_composed(base, ways, here, event, period))
+            except InputError:  # beyond a domain
+                break
+            if sign == side and period is None:
+                orbits += _simulated(base, here)
+            for orbit in orbits:
+                name = _canonical(orbit.itinerary)
+                if name != own and name not in found and _near(float(orbit.period), base):
+                    found[name] = orbit
+            if orbits:
+                break
+    return tuple(found.values())
+
+
+def _neighbour(
+    branch: Branch, event: Event, chosen: Mapping[str, Any] | None
+) -> tuple[ComposedOrbit, SystemAt]:
+    """The composed orbit at the branch's point beside the event, admissible if there is one.
+
+    And what gives the physical parameters, and the period if it is given, at other values.
+    """
+    places = [math.floor(event.place), math.ceil(event.place)]
+    if places[0] == places[1]:  # the end of the branch
+        places = [places[0] - 1, places[0] + 1]
+    places = [place for place in places if 0 <= place < len(branch)]
+    place = next((k for k in places if branch.admissible[k]), places[0])
+    return composed_family(branch, place, chosen)
+
+
+def _side(branch: Branch, event: Event) -> int:
+    """On which side of the event the branch is no motion any more: 1 above, -1 below."""
+    before, behind = int(np.floor(event.place)), int(np.ceil(event.place))
+    last = len(branch) - 1
+    inside = before if before == behind == last or branch.admissible[before] else behind
+    if before == behind:
+        inside = before - 1 if before == last else before + 1
+    return 1 if branch.parameter_values[inside] < event.value else -1
+
+
+class _Way(NamedTuple):
+    """Another itinerary of the part that is solved for, from the phase before the collision.
+
+    Phases `begin` ... `end` of the old one are replaced by so many.
+    """
+
+    itinerary: _Phases
+    begin: int
+    end: int
+    phases: int
+
+
+def _first(base: ComposedOrbit, event: Event) -> tuple[int, int]:
+    """Phase from which the part is looked at, and how many it has."""
+    symmetry = base.symmetry
+    count = len(base.itinerary) // (1 if symmetry is None else symmetry.order)
+    return 0 if symmetry is not None or event.phase is None else (event.phase - 1) % count, count
+
+
+def _candidates(base: ComposedOrbit, event: Event) -> list[_Way]:
+    """Other itineraries, by the ways through the transitions."""
+    if event.phase is None:
+        return []
+    first, count = _first(base, event)
+    phases = [base.itinerary[(first + k) % len(base.itinerary)] for k in range(count + 1)]
+    found: dict[_Phases, _Way] = {}
+    for begin, end, way in _ways(base.cycle.structure, phases, (event.phase - first) % count):
+        itinerary = (*phases[:begin], *way, *phases[end + 1 : count])
+        found.setdefault(itinerary, _Way(itinerary, begin, end, len(way)))
+    return list(found.values())[:_MOST_WAYS]
+
+
+def _composed(
+    base: ComposedOrbit,
+    ways: Sequence[_Way],
+    parameters: Mapping[str, Any],
+    event: Event,
+    period: Value | None,
+) -> Iterator[ComposedOrbit]:
+    """Admissible orbits of these itineraries near the orbit."""
+    point, symmetry = piecewise(base.kernels, parameters), base.symmetry
+    first, count = _first(base, event)
+    dwell = np.roll(base.dwell_times, -first)[:count].astype(float)
+    state = base.states[first].astype(float)
+    length = np.nan if period is None else float(period) * count / len(base.itinerary)
+    for way in ways:
+        try:
+            cycle = (
+                cycle_of(point.structure, way.itinerary)
+                if symmetry is None
+                else whole_cycle(point, symmetry, way.itinerary)
+            )
+        except InputError:  # leads nowhere
+            continue
+        closed, part = closing(point, cycle, symmetry)
+        replaced = float(dwell[way.begin : way.end + 1].sum())
+        rows = [
+            [*dwell[: way.begin], *split, *dwell[way.end + 1 :]]
+            for split in _splits(replaced, way.phases, event.time)
+        ]
+        solved = _solved(part, numbers_of(closed), np.array(rows), state, length)
+        if solved is None or not _near(solved[0].sum() * len(base.itinerary) / count, base):
+            continue
+        orbit = compose(
+            base.kernels,
+            parameters,
+            way.itinerary,
+            solved[0].tolist(),
+            solved[1].tolist(),
+            period=period,
+            symmetry=None if symmetry is None else symmetry.matrix,
+        )
+        if orbit.converged and orbit.admissibility.verdict is True:
+            yield orbit
+
+
+def _solved(
+    part: Cycle, flat: np.ndarray, dwell: np.ndarray, state: np.ndarray, length: float
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """The first of several guesses that converges, from a start or the one that fits best."""
+    count = len(dwell)
+    numbers = np.repeat(flat[None], count, axis=0)
+    for start in (np.repeat(state[None], count, axis=0), None):
+        with np.errstate(all="ignore"):
+            try:
+                found = solve_cycle(part, numbers, dwell, start, np.full(count, length))
+            except np.linalg.LinAlgError:
+                continue
+        least = _SHORTEST * found.dwell.sum(axis=-1)
+        sound = np.flatnonzero((found.status == CONVERGED) & (found.dwell.min(axis=-1) > least))
+        if len(sound):
+            return found.dwell[sound[0]], found.starts[sound[0], 0]
+    return None
+
+
+def _ways(
+    structure: Structure, phases: Sequence[tuple[str, str]], at: int
+) -> Iterator[tuple[int, int, _Phases]]:
+    """Ways that replace phases begin ... end at a collision, shorter ones first.
+
+    The last of the phases given is where the cycle goes on.
+    """
+    count = len(phases) - 1
+    spans = [(at, at), (at - 1, at), (at, at + 1), (at - 1, at - 1), (at - 1, at + 1)]
+    found = [
+        (begin, end, way)
+        for begin, end in spans
+        if 0 <= begin <= end < count
+        for way in _paths(
+            structure, phases[begin][0], phases[end + 1][0], end - begin + 1 + _LONGER
+        )
+        if way != tuple(phases[begin : end + 1])
+    ]
+    yield from sorted(found, key=lambda each: len(each[2]) - (each[1] - each[0]))
+
+
+def _paths(structure: Structure, source: str, target: str, most: int) -> Iterator[_Phases]:
+    """Sequences of at most so many phases from one configuration to another."""
+    waiting: list[tuple[str, _Phases]] = [(source, ())]
+    while waiting:
+        configuration, way = waiting.pop(0)
+        if way and configuration == target:
+            yield way
+        if len(way) == min(most, 3):
+            continue
+        index = structure.configuration(configuration)
+        names = [shape.name for shape in structure.boundaries[index]]
+        for boundary, behind in structure.exits(index):  # several at once: a collision
+            following = structure.configurations[behind]
+            waiting.append((following, (*way, (configuration, names[boundary]))))
+
+
+def _splits(total: float, count: int, time: float | None) -> list[list[float]]:
+    """Guesses of the dwell times of new phases in place of old ones: all but one are short."""
+    short = _SHORT * total
+    found = [[total / count] * count]
+    for place in range(count):
+        split = [short] * count
+        split[place] = total - (count - 1) * short
+        found.append(split)
+    if time is not None and count > 1 and 0 < time < total:
+        middle = [short] * (count - 2)
+        found.append([time, *middle, max(total - time - sum(middle), short)])
+    return found
+
+
+def _simulated(base: ComposedOrbit, parameters: Mapping[str, Any]) -> list[ComposedOrbit]:
+    """Where a motion from the orbit's start settles, if it is periodic."""
+    configuration = base.itinerary[0][0]
+    start = base.states[0].astype(float).tolist()
+    try:
+        motion = simulate(base.kernels, parameters, start, configuration, transitions=_TRANSITIONS)
+        itinerary, dwell, begin = itinerary_of(motion)
+        orbit = compose(base.kernels, parameters, itinerary, dwell.tolist(), begin.tolist())
+        if orbit.converged and orbit.admissibility.verdict is True:
+            return [orbit]
+    except InputError:  # no such motion, or it does not come back
+        pass
+    return []
+
+
+def _near(period: float, base: ComposedOrbit) -> bool:
+    """Whether an orbit of such a period may be the same one at the collision."""
+    return abs(period / float(base.period) - 1) < _NEAR
+
+
+def _canonical(itinerary: Sequence[tuple[str, str]]) -> _Phases:
+    """The same for all rotations and repetitions of an itinerary."""
+    phases = tuple(itinerary)
+    for length in range(1, len(phases)):
+        if len(phases) % length == 0 and phases[:length] * (len(phases) // length) == phases:
+            phases = phases[:length]
+            break
+    return min(phases[k:] + phases[:k] for k in range(len(phases)))

@@ -1,0 +1,65 @@
+"""What a branch is drawn as unless something else is asked for: a frequency response, ...."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+
+__all__ = ["forcing_frequencies", "is_forced", "system_of", "usual_quantities"]
+
+
+def is_forced(branch: Branch) -> bool:
+    """Whether the system of a branch is under harmonic forcing."""
+    return bool(structure_of(system_of(branch.orbit)).forcing)
+
+
+def system_of(orbit: Orbit | ComposedOrbit) -> SystemKernels:
+    """Tables and kernels of an orbit's system."""
+    return orbit.kernels.system if isinstance(orbit, Orbit) else orbit.kernels
+
+
+def forcing_frequencies(branch: Branch) -> np.ndarray | None:
+    """Angular frequency (k,) of the first forcing, if the branch's parameter is its measure.
+
+    It is where it is proportional to the parameter; None elsewhere.
+    """
+    if not is_forced(branch):
+        return None
+    orbit, name = branch.orbit, branch.parameter
+    kernels = system_of(orbit)
+    values = branch.parameter_values
+    speeds = []
+    for value in (values.min(), values.max()):
+        try:
+            system = piecewise(kernels, {**orbit.parameters, name: float(value)})
+        except InputError:  # an orbit that leaves parameters of its system open
+            return None
+        (cosine, sine), *_ = system.structure.forcing
+        speeds.append(float(system.fields[0, sine, cosine]))
+    low, high = values.min(), values.max()
+    if low == high or low == 0 or not math.isclose(speeds[0] / low, speeds[1] / high):
+        return None
+    return np.asarray(values * (speeds[1] / high))
+
+
+def usual_quantities(branch: Branch) -> tuple[str, ...]:
+    """The amplitude of each coordinate of a forced system, whose period is given; else the period.
+
+    Over the frequency of the forcing that is the frequency response.
+    """
+    if not is_forced(branch):
+        return ("period",)
+    structure = structure_of(system_of(branch.orbit))
+    return tuple(f"amplitude_{structure.states[place]}" for place, _ in structure.coordinates)

@@ -1,0 +1,309 @@
+"""Pseudo-arclength continuation: tangent predictor, Newton corrector, step control.
+
+Lengths are measured in the curve's own units: unknowns in those of their size, the parameter
+in that of its interval.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+
+__all__ = [
+    "INTERRUPTED",
+    "Path",
+    "correct",
+    "on_chord",
+    "scaled_rows",
+    "tangent_at",
+    "trace_both_ways",
+    "trace_path",
+]
+
+MOST_ITERATIONS = 8
+TOLERANCE = 1e-9  # of the last step, which Newton's method squares
+LEAST_STEP = 1e-3  # in units of the largest one
+LEAST_COSINE = 0.97  # between the tangents at both ends of a step
+FAR = 0.3  # of a step: how far the corrector may go
+_APPROACHES, _LEAST_APPROACH = 60, 1e-2  # to a singular end; of the rest of the way
+_SAME_POINT = 1e-12  # a branch that begins at an end of its interval has no step to it
+_NO_ROW = 1e-10  # relative size of a row that says nothing
+MOST_GROWTH = 100.0  # of an unknown, in units of its size at first
+GROWN = "the orbit grows a hundredfold: a resonance"
+CLOSED = "the branch is closed"
+INTERRUPTED = "interrupted"
+LOST = "the branch is lost: no smaller step leads on"
+
+
+class Path(NamedTuple):
+    """Points (k, n + 1) of a branch in their order, and their tangents, one direction all along.
+
+    Why it ends, on either side, and which of the points it was followed from.
+    """
+
+    points: np.ndarray
+    tangents: np.ndarray
+    ends: tuple[str, str]
+    start: int
+
+
+def tangent_at(curve: Curve, z: np.ndarray, like: np.ndarray) -> np.ndarray:
+    """Unit tangent (n + 1,) in the curve's units, turned to another one."""
+    _, jacobian = curve.equations(z)
+    scaled = scaled_rows(jacobian * curve.sizes)[0]
+    direction = np.linalg.svd(scaled)[2][-1]
+    if direction @ like < 0:
+        direction = -direction
+    return np.asarray(direction)
+
+
+def correct(
+    curve: Curve, guess: np.ndarray, normal: np.ndarray, offset: float | None = None
+) -> tuple[np.ndarray, int] | None:
+    """The point of the branch on a plane, by Newton's method; None where it fails.
+
+    Parameters
+    ----------
+    guess : array (n + 1,)
+    normal : array (n + 1,)
+        Of the plane, in the curve's units.
+    offset : float, optional
+        The plane is ``normal @ (z / sizes) == offset``; it contains the guess by default.
+
+    Returns
+    -------
+    tuple
+        The point, and the number of iterations.
+    """
+    w = guess / curve.sizes
+    level = float(normal @ w) if offset is None else offset
+    with np.errstate(all="ignore"):
+        for iteration in range(1, MOST_ITERATIONS + 1):
+            residual, jacobian = curve.equations(w * curve.sizes)
+            if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
+                return None
+            rows, units = scaled_rows(jacobian * curve.sizes)
+            matrix = np.concatenate([rows, normal[None]])
+            right = np.append(-residual / units, level - normal @ w)
+            try:
+                step = (
+                    np.linalg.solve(matrix, right)
+                    if len(matrix) == len(w)
+                    else np.linalg.lstsq(matrix, right, rcond=None)[0]
+                )
+            except np.linalg.LinAlgError:
+                return None
+            w = w + step
+            if not np.isfinite(w).all():
+                return None
+            if float(np.abs(step).max()) <= TOLERANCE:
+                return w * curve.sizes, iteration
+    return None
+
+
+def on_chord(curve: Curve, first: np.ndarray, last: np.ndarray, part: float) -> np.ndarray | None:
+    """The point of the branch across from a part of the chord between two of its points."""
+    chord = (last - first) / curve.sizes
+    found = correct(curve, first + part * (last - first), chord / np.linalg.norm(chord))
+    return None if found is None else found[0]
+
+
+def trace_both_ways(
+    curve: Curve,
+    limits: tuple[float, float],
+    step: float,
+    most: int,
+    go_on: Callable[[np.ndarray, np.ndarray], str | None],
+    known: Path | None = None,
+) -> Path:
+    """Follow a branch from its first point in both directions; see `trace_path`.
+
+    The parameter increases at first. Neighbouring points are not the same. Ctrl-C ends the
+    path where it is: such an end is INTERRUPTED. A path that is known goes on at these ends.
+    """
+    if known is None:
+        direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])
+        known = Path(curve.first[None], direction[None], (INTERRUPTED, INTERRUPTED), 0)
+    points, tangents, ends, start = known.points, known.tangents, list(known.ends), known.start
+    for side, sign in ((0, -1), (-1, 1)):
+        if ends[side] != INTERRUPTED:
+            continue
+        begin = points[side], sign * tangents[side]
+        steps, reason = _walked(trace_path(curve, begin, limits, step, most, go_on))
+        ends[side] = reason
+        if side == 0:
+            steps.reverse()
+            start += len(steps)
+        found = np.array([z for z, _ in steps]).reshape(-1, points.shape[1])
+        ahead = np.array([sign * tangent for _, tangent in steps]).reshape(found.shape)
+        order = slice(None, None, 1 if side == 0 else -1)
+        points = np.concatenate([found, points][order])
+        tangents = np.concatenate([ahead, tangents][order])
+        if reason == CLOSED:
+            ends = [CLOSED, CLOSED]
+        if reason == INTERRUPTED:
+            break
+    gaps = np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1)
+    apart = np.append(True, gaps > _SAME_POINT)
+    start = int(np.count_nonzero(apart[: start + 1])) - 1
+    return Path(points[apart], tangents[apart], (ends[0], ends[1]), start)
+
+
+def _walked(
+    path: Iterator[tuple[np.ndarray, np.ndarray, str]],
+) -> tuple[list[tuple[np.ndarray, np.ndarray]], str]:
+    """Points and tangents of a path, and why it ends."""
+    steps: list[tuple[np.ndarray, np.ndarray]] = []
+    reason = INTERRUPTED
+    try:
+        for z, tangent, reason in path:  # noqa: B007 - the last one is the answer
+            steps.append((z, tangent))
+    except KeyboardInterrupt:
+        reason = INTERRUPTED
+    return steps, reason
+
+
+def trace_path(
+    curve: Curve,
+    begin: tuple[np.ndarray, np.ndarray],
+    limits: tuple[float, float],
+    step: float,
+    most: int,
+    go_on: Callable[[np.ndarray, np.ndarray], str | None],
+) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
+    """Follow a branch from one of its points, without that point.
+
+    Parameters
+    ----------
+    begin : (array (n + 1,), array (n + 1,))
+        The point, and its tangent in the curve's units.
+    limits : tuple of float
+        Of the parameter.
+    step : float
+        The largest one.
+    most : int
+        Points.
+    go_on : callable
+        Says of a point and the next one why the branch should end there, or None.
+
+    Yields
+    ------
+    tuple
+        Point, tangent, and why the branch ends there: empty while it goes on.
+    """
+    first, direction = z, tangent = begin
+    length, walked = step / 4, 0.0
+    for _ in range(most):
+        while True:
+            found = _step(curve, z, tangent, length)
+            if found is not None:
+                break
+            length /= 2
+            if length < LEAST_STEP * step:
+                yield z, tangent, LOST
+                return
+        following, ahead, easy = found
+        ended = _ended(curve, z, following, limits)
+        if ended is not None:
+            point, reason = ended
+            yield point, tangent_at(curve, point, ahead), reason
+            return
+        walked += length
+        gap = float(np.linalg.norm((following - first) / curve.sizes))
+        if walked > 4 * step and gap < 0.75 * length and ahead @ direction > LEAST_COSINE:
+            yield first, direction, CLOSED
+            return
+        before, z, tangent = z, following, ahead
+        unknowns = float(np.abs(z[:-1] / curve.sizes[:-1]).max())
+        reason = go_on(before, z) or ("" if unknowns < MOST_GROWTH else GROWN)
+        yield z, tangent, reason
+        if reason:
+            return
+        if easy:
+            length = min(1.5 * length, step * max(1.0, unknowns))
+    yield z, tangent, f"{most} points"
+
+
+def _step(
+    curve: Curve, z: np.ndarray, tangent: np.ndarray, length: float
+) -> tuple[np.ndarray, np.ndarray, bool] | None:
+    """One step: point, tangent, and whether a longer one may be tried; None where it fails."""
+    guess = z + length * tangent * curve.sizes
+    found = correct(curve, guess, tangent)
+    if found is None:
+        return None
+    point, iterations = found
+    if np.linalg.norm((point - guess) / curve.sizes) > FAR * length:
+        return None
+    ahead = tangent_at(curve, point, tangent)
+    cosine = float(ahead @ tangent)
+    if cosine < LEAST_COSINE:
+        return None
+    return point, ahead, iterations <= 4 and cosine > 1 - (1 - LEAST_COSINE) / 3
+
+
+def _ended(
+    curve: Curve, z: np.ndarray, following: np.ndarray, limits: tuple[float, float]
+) -> tuple[np.ndarray, str] | None:
+    """Where a step passes an end of the interval, or a dwell time goes to zero."""
+    waits = curve.dwell(np.stack([z, following, np.zeros_like(z)]))
+    ends: list[tuple[float, np.ndarray, float, str]] = []
+    for k, name in enumerate(curve.dwell_names):
+        before, after, constant = waits[:, k].tolist()
+        if after <= 0:
+            part = before / (before - after)
+            normal = np.array([curve.dwell(unit[None])[0, k] - constant for unit in np.eye(len(z))])
+            ends.append((part, normal * curve.sizes, -constant, f"{name} goes to zero"))
+    axis = np.zeros(len(z))
+    axis[-1] = 1
+    for limit, sign in zip(limits, (-1, 1), strict=True):
+        if sign * following[-1] >= sign * limit:
+            part = (limit - z[-1]) / (following[-1] - z[-1])
+            ends.append((part, axis, limit / curve.sizes[-1], "end of the interval"))
+    if not ends:
+        return None
+    part, normal, offset, reason = min(ends, key=lambda end: end[0])
+    found = correct(curve, z + part * (following - z), normal, offset)
+    if found is None:
+        return _before(curve, z, following, normal, offset), reason
+    point = found[0]
+    if reason.startswith("end"):
+        point[-1] = (
+            limits[0] if abs(point[-1] - limits[0]) < abs(point[-1] - limits[1]) else limits[1]
+        )
+    return point, reason
+
+
+def _before(
+    curve: Curve, z: np.ndarray, following: np.ndarray, normal: np.ndarray, offset: float
+) -> np.ndarray:
+    """A point of a step as near to the plane of an end as it can be, where that is singular.
+
+    The equations determine a point the less the nearer it is to the end: each is guessed from
+    the two before it, the error of which shrinks with the square of the distance.
+    """
+    before, inside, part = following, z, 0.5
+    for _ in range(_APPROACHES):
+        level, height = (float(normal @ (point / curve.sizes)) for point in (inside, before))
+        target = level + part * (offset - level)
+        guess = inside + (target - level) / (height - level) * (before - inside)
+        found = correct(curve, guess, normal, target)
+        if found is not None:
+            before, inside, part = inside, found[0], 0.5
+        elif part > _LEAST_APPROACH:
+            part /= 2
+        else:
+            break
+    return inside
+
+
+def scaled_rows(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rows in units of their largest entry, and these units; rows of rounding errors stay small."""
+    units = np.abs(matrix).max(axis=1)
+    largest = float(units.max(initial=0.0))
+    units = np.maximum(units, _NO_ROW * largest) if largest > 0 else np.ones_like(units)
+    return matrix / units[:, None], units

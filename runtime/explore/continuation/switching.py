@@ -1,0 +1,172 @@
+"""The other branch where two of them meet: twice the period, a lost symmetry, a crossing.
+
+At such a point the equations of the other family leave two directions open. One is the tangent
+of the branch that is known; the other one leads, at first order, to the other branch.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.physical_parameters import SystemAt, composed_family
+from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
+from nonsmooth.runtime.explore.continuation.table_family import PERIOD, ComposedCurve
+from nonsmooth.runtime.orbits.compose import compose
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+
+__all__ = ["other_branch"]
+
+_LENGTHS = (0.02, 0.005, 0.05, 0.1, 0.001)  # of the step from one branch to the other
+_FAR = 10.0  # of that step: how far the corrector may go
+_APART = 0.5  # of that step: how far from the meeting point an orbit has to be
+_OPEN = 1e-3  # largest singular value, relative, of a direction that is open
+
+
+def other_branch(
+    branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
+) -> ComposedOrbit:
+    """An orbit on the branch that meets this one at an event, close to it.
+
+    At a flip it has twice the itinerary, and nearly twice the period; at a symmetry-breaking it
+    is solved for without the symmetry; at a branch point it has the same itinerary. It may exist
+    on either side of the event, and be no motion of the real system (`admissibility` says).
+
+    Parameters
+    ----------
+    branch : Branch
+    event : Event
+        A flip, a symmetry-breaking or a branch point of it.
+    parameters : mapping of str to str, number or Value, optional
+        Those of the system that the orbit does not determine.
+
+    Returns
+    -------
+    ComposedOrbit
+        `continue_orbit` follows it; an admissible one where one is found.
+
+    Raises
+    ------
+    InputError
+        For another kind of event, or a parameter that is none of the system's.
+    NoConvergence
+        If no such orbit is found.
+    """
+    if not event.switches:
+        raise InputError(f"no other branch meets this one at a {event.kind}: {event.text}")
+    base, system_at = composed_family(branch, _away(event), parameters)
+    parameter = branch.parameter if branch.parameter in base.parameters else PERIOD
+    if parameter == PERIOD and base.given_period is None:
+        raise InputError(f"{branch.parameter} is no parameter of {base.system}: follow one that is")
+    curve = ComposedCurve(base, parameter, float(np.ptp(branch.parameter_values)) or 1.0)
+    meeting = _meeting(branch, event, base, system_at)
+    if event.kind == "branch-point":
+        other, copies = curve, 1
+    else:
+        copies = curve.order * (2 if event.kind == "flip" else 1)
+        unfolded = _unfolded(base, copies // curve.order)
+        other = ComposedCurve(unfolded, parameter, float(curve.sizes[-1]))
+    times = copies // curve.order if parameter == PERIOD else 1
+    start = _repeated(curve, meeting, copies, times)
+    along = _repeated(curve, curve.first - meeting, copies, times)
+    direction = _open_direction(other, start, along / other.sizes)
+    signs = (1, -1) if event.kind == "branch-point" else (1,)
+    tried = [(sign * direction, length) for length in _LENGTHS for sign in signs]
+    found = [orbit for each in tried if (orbit := _beside(other, start, *each)) is not None]
+    if not found:
+        raise NoConvergence(f"no orbit was found on the other branch: {event.text}")
+    if not any(orbit.converged for orbit in found):
+        raise NoConvergence(
+            f"the other branch has one value of {parameter} only, which does not tell its orbits"
+            f" apart: {event.text}"
+        )
+    found.sort(key=lambda orbit: not orbit.converged or orbit.admissibility.verdict is not True)
+    return found[0]
+
+
+def _away(event: Event) -> int:
+    """The point of the branch beside the event that is not too near to it."""
+    before = math.floor(event.place)
+    if event.place == before:
+        return before - 1 if before else 1
+    return before if event.place - before > 0.5 else before + 1
+
+
+def _meeting(branch: Branch, event: Event, base: ComposedOrbit, system_at: SystemAt) -> np.ndarray:
+    """Where the branches meet, as an orbit composed at all physical parameters."""
+    orbit = branch.orbit_at(event)
+    if isinstance(orbit, ComposedOrbit):
+        return np.array([*event.unknowns.values(), event.value])
+    parameters, period = system_at(event.value)
+    dwell = [float(time) for time in orbit.dwell_times.values() if time > 0]
+    found = compose(base.kernels, parameters, base.itinerary, dwell, period=period)
+    if not found.converged:
+        raise InputError(f"{base.name} at {event.parameter} = {event.value:.10g}: {found.message}")
+    value = float(found.period) if branch.parameter not in parameters else event.value
+    return np.array([*found.dwell_times, *found.states[0], value])
+
+
+def _unfolded(base: ComposedOrbit, periods: int) -> ComposedOrbit:
+    """The same orbit without its symmetry, passed through so many times."""
+    period = base.given_period
+    return compose(
+        base.kernels,
+        base.parameters,
+        base.itinerary * periods,
+        np.tile(base.dwell_times.astype(float), periods).tolist(),
+        base.states[0].astype(float).tolist(),
+        period=None if period is None else _times(period, periods),
+    )
+
+
+def _times(period: Value, count: int) -> Value:
+    """So many periods, exactly."""
+    if period.exact is not None:
+        return as_value(period.exact * count)
+    return parse(f"{count}*({period.text})")
+
+
+def _repeated(curve: ComposedCurve, z: np.ndarray, copies: int, times: int) -> np.ndarray:
+    """Unknowns of a part as those of so many parts one after the other."""
+    count = len(curve.dwell_names)
+    return np.concatenate([np.tile(z[:count], copies), z[count:-1], times * z[-1:]])
+
+
+def _open_direction(curve: ComposedCurve, z: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """Unit vector, in the curve's units, of what is open across the branch that is known."""
+    rows, _ = scaled_rows(curve.equations(z)[1] * curve.sizes)
+    _, values, right = np.linalg.svd(rows)
+    values = np.pad(values, (0, len(right) - len(values)))
+    if values[-2] > _OPEN * values[0]:
+        raise NoConvergence("the equations leave no direction open: no other branch meets here")
+    first, second = right[-2:] @ along
+    across = second * right[-2] - first * right[-1]
+    return np.asarray(across / np.linalg.norm(across))
+
+
+def _beside(
+    curve: ComposedCurve, start: np.ndarray, direction: np.ndarray, length: float
+) -> ComposedOrbit | None:
+    """An orbit so far from the meeting point along a direction, if there is one."""
+    guess = start + length * direction * curve.sizes
+    found = correct(curve, guess, direction)
+    if found is None or not (curve.dwell(found[0][None]) > 0).all():
+        return None
+    if np.linalg.norm((found[0] - guess) / curve.sizes) > _FAR * length:
+        return None
+    orbit = curve.at(found[0])
+    if orbit.status not in (CONVERGED, SINGULAR):
+        return None
+    dwell = orbit.dwell_times[: len(curve.dwell_names)]
+    reached = np.concatenate([dwell, orbit.states[0]]).astype(float) - start[:-1]
+    return orbit if np.linalg.norm(reached / curve.sizes[:-1]) > _APART * length else None

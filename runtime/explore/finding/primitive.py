@@ -1,0 +1,185 @@
+"""Candidates solved as periodic orbits, over their primitive period and each once."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import FORCING_PHASE
+from nonsmooth.runtime.orbits.compose import compose, compose_many
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.shooting.newton import SINGULAR
+from nonsmooth.runtime.shooting.symmetry import Symmetry
+from nonsmooth.runtime.shooting.translations import up_to_shift
+from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, variation
+
+__all__ = [
+    "add_orbit",
+    "admissible",
+    "converging",
+    "image_of",
+    "in_a_family",
+    "orbit_scale",
+    "primitive_orbit",
+    "same_orbit",
+]
+
+_SAME = 1e-7  # difference of two orbits, in units of the period and of the states' scales
+_TURNS, _MOST = 1e-9, 1e-4  # of the turns of one orbit: at least, or what its digits leave
+
+
+def primitive_orbit(
+    kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate
+) -> ComposedOrbit | None:
+    """The admissible orbit near a candidate, over its primitive period; None if there is none."""
+    orbit = _composed(kernels, point, candidate)
+    if orbit is None or not orbit.converged or not (orbit.dwell_times > 0).all():
+        return None
+    part = _part(orbit)
+    if part is not None:
+        return primitive_orbit(kernels, point, part)
+    return orbit if admissible(orbit) else None
+
+
+def in_a_family(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate) -> bool:
+    """Whether the orbit near a candidate is one of a family, as there are where energy is kept."""
+    orbit = _composed(kernels, point, candidate)
+    return orbit is not None and orbit.status == SINGULAR and bool((orbit.dwell_times > 0).all())
+
+
+def admissible(orbit: ComposedOrbit) -> bool:
+    """Whether an orbit is a motion of the system, and this can be told."""
+    try:
+        return orbit.admissibility.verdict is True
+    except InputError:  # a phase that lasts too long for a guarantee
+        return False
+
+
+def orbit_scale(orbit: ComposedOrbit) -> np.ndarray:
+    """Scale (N,) of each state along an orbit."""
+    now = orbit.passage
+    states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.translations)
+    before = [
+        np.append(start, 1.0) @ orbit.piecewise.fields[c].T
+        for start, c in zip(now.starts, orbit.cycle.configurations, strict=False)
+    ]
+    waits = orbit.dwell_times[:, None]
+    return variation(
+        orbit.cycle.structure, states, np.concatenate([now.fields * waits, before * waits])
+    )
+
+
+def same_orbit(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
+    """Whether two cycles are one orbit; a doubled one begins at either of its turns."""
+    start = other.state if isinstance(other, Candidate) else other.states[0]
+    if orbit.cycle.uninterrupted:  # one in each configuration, at whatever phase it begins
+        return orbit.itinerary == other.itinerary
+    if sorted(orbit.itinerary) != sorted(other.itinerary):
+        return False
+    near, scale = _SAME * orbit.period, 10 * _SAME * orbit_scale(orbit)
+    return any(
+        orbit.itinerary == other.itinerary[turn:] + other.itinerary[:turn]
+        and (np.abs(orbit.dwell_times - np.roll(other.dwell_times, -turn)) <= near).all()
+        and (np.abs(orbit.states_up_to_shift[-turn] - start) <= scale).all()
+        for turn in range(len(other.itinerary))
+    )
+
+
+def add_orbit(orbits: list[ComposedOrbit], orbit: ComposedOrbit) -> None:
+    """Add an orbit that is not there yet."""
+    if not any(same_orbit(known, orbit) for known in orbits):
+        orbits.append(orbit)
+
+
+def converging(
+    kernels: SystemKernels,
+    point: PiecewiseLinear,
+    candidates: Iterable[Candidate],
+    threads: int | None = 1,
+) -> Iterator[Candidate]:
+    """Candidates from which Newton's method converges, moved to where it does, each once."""
+    groups: dict[Itinerary, list[Candidate]] = defaultdict(list)
+    for candidate in candidates:
+        if (candidate.dwell_times > 0).all():
+            groups[candidate.itinerary].append(candidate)
+    for itinerary, group in groups.items():
+        values = {name: np.full(len(group), float(v)) for name, v in point.parameters.items()}
+        found = compose_many(
+            kernels,
+            itinerary,
+            values,
+            np.array([c.dwell_times for c in group]),
+            np.array([c.state for c in group]),
+            threads=threads,
+        )
+        good = found.converged & (found.dwell_times > 0).all(axis=1)
+        states = found.states[good]
+        if not len(states):
+            continue
+        entries = states.reshape(-1, states.shape[-1])
+        scale = variation(point.structure, entries, np.zeros((1, entries.shape[1])))
+        kept: list[np.ndarray] = []
+        for dwell, state in zip(found.dwell_times[good], states[:, 0], strict=True):
+            cycle = np.concatenate([dwell / dwell.sum(), state / scale])
+            if not any((np.abs(cycle - known) <= _SAME).all() for known in kept):
+                kept.append(cycle)
+                yield Candidate(itinerary, dwell, state, 0.0)
+
+
+def image_of(orbit: ComposedOrbit, symmetry: Symmetry) -> Candidate:
+    """The image of an orbit under a symmetry of its system."""
+    structure = orbit.cycle.structure
+    phases = []
+    for configuration, transition in zip(
+        orbit.cycle.configurations, orbit.cycle.transitions, strict=True
+    ):
+        image = symmetry.configurations[configuration]
+        places = symmetry.boundaries[configuration]
+        names = [structure.boundaries[image][places[b]].name for b in sorted(transition.boundaries)]
+        phases.append((structure.configurations[image], "+".join(names) or FORCING_PHASE))
+    itinerary = tuple(phases)
+    turn = canonical(itinerary)
+    return Candidate(
+        itinerary[turn:] + itinerary[:turn],
+        np.roll(orbit.dwell_times, -turn),
+        symmetry.matrix @ orbit.states[turn],
+        0.0,
+    )
+
+
+def _composed(
+    kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate
+) -> ComposedOrbit | None:
+    """What Newton's method reaches from a candidate, if that takes time in each of its phases."""
+    if not (candidate.dwell_times > 0).all():
+        return None
+    return compose(
+        kernels,
+        point.parameters,
+        candidate.itinerary,
+        candidate.dwell_times.tolist(),
+        candidate.state.tolist(),
+    )
+
+
+def _part(orbit: ComposedOrbit) -> Candidate | None:
+    """The shortest part that an orbit repeats, in its phases, dwell times and states."""
+    count = len(orbit.itinerary)
+    near = min(max(_TURNS, 100 * 10.0**-orbit.digits), _MOST)
+    scale = orbit_scale(orbit)
+    for length in range(1, count // 2 + 1):
+        turns, rest = divmod(count, length)
+        if rest or orbit.itinerary != orbit.itinerary[:length] * turns:
+            continue
+        dwell = orbit.dwell_times.reshape(turns, length)
+        states = orbit.states_up_to_shift.reshape(turns, length, -1)
+        if (np.abs(dwell - dwell[0]) <= near * orbit.period).all() and (
+            np.abs(states - states[0]) <= near * scale
+        ).all():
+            return Candidate(orbit.itinerary[:length], dwell[0], orbit.states[0], 0.0)
+    return None

@@ -1,0 +1,136 @@
+"""Motions that stay in one configuration: equilibria, and what a forcing makes of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import FORCING_PHASE
+from nonsmooth.runtime.orbits.compose import compose
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.simulation.starting import configurations_of, on_circles
+
+__all__ = ["Equilibrium", "equilibria", "forcing_turns", "responses"]
+
+_DEPENDENT = 1e-10  # relative singular value below which equations are dependent
+_NEUTRAL = 1e-9  # real part, in units of the largest eigenvalue
+_MOST_TURNS = 24  # of the first forcing, until all meet again
+_WHOLE = 1e-9  # of a turn
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """A state in which a system without forcing stays, with no other one next to it.
+
+    Attributes
+    ----------
+    system : str
+    parameters : dict of str to Value
+    configuration : str
+    names : tuple of str
+        Of the states.
+    state : array (N,)
+    eigenvalues : array (k,), complex
+        Of the motions next to it in its configuration, those that decay most slowly first.
+    """
+
+    system: str
+    parameters: dict[str, Value]
+    configuration: str
+    names: tuple[str, ...]
+    state: np.ndarray
+    eigenvalues: np.ndarray
+
+    @property
+    def verdict(self) -> str:
+        """Stable, unstable, or neutral where motions next to it neither decay nor grow."""
+        if not self.eigenvalues.size:
+            return "stable"
+        error = _NEUTRAL * float(np.abs(self.eigenvalues).max())
+        largest = float(self.eigenvalues.real.max())
+        if abs(largest) <= error:
+            return "neutral"
+        return "stable" if largest < 0 else "unstable"
+
+
+def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
+    """Isolated equilibria that are motions of a system without forcing, each once."""
+    structure = system.structure
+    if structure.forcing:
+        return []
+    found: list[Equilibrium] = []
+    for configuration, name in enumerate(structure.configurations):
+        field = system.fields[configuration]
+        constraints = system.rows[list(structure.constraints[configuration])]
+        state = _root(np.concatenate([field, constraints]))
+        if state is None or any(np.allclose(state, known.state) for known in found):
+            continue
+        (where,) = configurations_of(
+            structure, system.fields[None], system.rows[None], state[None], name
+        )
+        if where != configuration:
+            continue
+        values = _eigenvalues(field[:, :-1], constraints[:, :-1])
+        found.append(
+            Equilibrium(structure.name, system.parameters, name, structure.states, state, values)
+        )
+    return found
+
+
+def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
+    """How often each forcing turns until all begin anew; None if they never do."""
+    speeds = np.abs([system.fields[0, sine, cosine] for cosine, sine in system.structure.forcing])
+    if not speeds.size:
+        return ()
+    for first in range(1, _MOST_TURNS + 1):
+        turns = first * speeds / speeds[0]
+        if (np.abs(turns - np.round(turns)) <= _WHOLE).all() and (turns > _WHOLE).all():
+            return tuple(int(turn) for turn in np.round(turns))
+    return None
+
+
+def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[ComposedOrbit | None]:
+    """What the forcing makes of each configuration that is not left, as orbits to be judged.
+
+    None throughout without a forcing, or where forcings have no common period.
+    """
+    structure, turns = system.structure, forcing_turns(system)
+    if not turns:
+        return [None] * len(structure.configurations)
+    cosine, sine = structure.forcing[0]
+    period = 2 * np.pi * turns[0] / abs(float(system.fields[0, sine, cosine]))
+    start = on_circles(system, np.zeros((1, len(structure.states))), np.zeros(1))[0]
+    return [
+        compose(kernels, system.parameters, [(name, FORCING_PHASE)], [period], start.tolist())
+        for name in structure.configurations
+    ]
+
+
+def _root(affine: np.ndarray) -> np.ndarray | None:
+    """Where affine functions (m, N + 1) vanish; None if that is nowhere, or not at one point."""
+    rows = np.abs(affine).max(axis=1)
+    affine = affine[rows > 0] / rows[rows > 0, None]
+    columns = np.abs(affine[:, :-1]).max(axis=0, initial=0.0)
+    if not columns.all() or len(affine) < len(columns):
+        return None
+    matrix = affine[:, :-1] / columns
+    left, values, right = np.linalg.svd(matrix, full_matrices=False)
+    if values[-1] <= _DEPENDENT * values[0]:
+        return None
+    state = right.T @ (left.T @ -affine[:, -1] / values)
+    missed = np.abs(matrix @ state + affine[:, -1])
+    size = (np.abs(matrix) @ np.abs(state) + np.abs(affine[:, -1])).max()
+    return state / columns if (missed <= _DEPENDENT * size).all() else None
+
+
+def _eigenvalues(matrix: np.ndarray, normals: np.ndarray) -> Any:
+    """Eigenvalues of a field on what the constraints leave."""
+    _, values, rest = np.linalg.svd(np.concatenate([normals, np.zeros_like(matrix)]))
+    free = rest[values <= _DEPENDENT * max(values[0], np.finfo(float).tiny)].T
+    found = np.linalg.eigvals(free.T @ matrix @ free).astype(complex)
+    return found[np.lexsort((found.imag, -found.real.round(12)))]

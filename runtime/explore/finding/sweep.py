@@ -1,0 +1,422 @@
+"""Attractors by brute force: over one parameter, or over a plane of starts."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.explore.finding.find import Found
+from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
+from nonsmooth.runtime.explore.finding.settled import settled
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, load_system
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
+from nonsmooth.runtime.simulation.simulate import follow as follow_motion
+from nonsmooth.runtime.simulation.starting import configuration_of, start_state
+
+__all__ = ["Basins", "Sweep", "basins", "sweep"]
+
+_CHUNK = 64  # values of the parameter between two reports of progress
+_FIRST_LOOK = 60  # transitions, about
+_KEPT = 65  # entries at the end of a motion that is classified
+_LARGEST_PLANE = 4_000_000  # starts
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Sweep:
+    """Samples of a state over a parameter, after transients: a bifurcation diagram.
+
+    Attributes
+    ----------
+    system : str
+    parameters : dict of str to Value
+        All others than the one that is swept.
+    parameter, state : str
+    configuration : str or None
+        At each entry of which the state was taken; None where the forcing's phase says when.
+    phase : float or None
+        Of the forcing, in radians, at which the state was taken once in each of its periods.
+    values : array (n,)
+    samples : array (n, m)
+        NaN where a motion entered the configuration less often, or ended.
+    outcomes : array (n,) of int
+        What the motions settle on: numbers of `nonsmooth.runtime.explore.finding.settled`.
+    start : array (N,)
+    transient : int
+        Transitions, or periods of the forcing, before the first sample.
+    follow : bool
+        Whether motions start where the one before ended.
+    done : int
+        How many of the values were looked at: all of them unless it was interrupted.
+    next_start : array (N,)
+        Where the motion at the next value starts.
+    """
+
+    system: str
+    parameters: dict[str, Value]
+    parameter: str
+    state: str
+    configuration: str | None
+    phase: float | None
+    values: np.ndarray
+    samples: np.ndarray
+    outcomes: np.ndarray
+    start: np.ndarray
+    transient: int
+    follow: bool
+    done: int
+    next_start: np.ndarray
+
+    @property
+    def when(self) -> str:
+        """When the state was taken."""
+        if self.configuration is not None:
+            return f"at each entry of {self.configuration}"
+        return f"at the phase {self.phase:g} of the forcing"
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the diagram to a file; `nonsmooth.load_sweep` reads it."""
+        registered("save_sweep")(self, path)
+
+
+@dataclass(frozen=True, eq=False)
+class Basins:
+    """Where the starts of a plane lead.
+
+    Attributes
+    ----------
+    found : Found
+        The attractors.
+    x, y : str
+        States along the axes; the others are those of `start`.
+    x_values : array (n,)
+    y_values : array (m,)
+    labels : array (m, n) of int
+        As `Found.labels`; `Outcome.ILLEGAL` where a start belongs to no configuration.
+    start : array (N,)
+    """
+
+    found: Found
+    x: str
+    y: str
+    x_values: np.ndarray
+    y_values: np.ndarray
+    labels: np.ndarray
+    start: np.ndarray
+
+
+def sweep(
+    system: str | SystemKernels | DeclaredSystem,
+    parameters: Mapping[str, object],
+    name: str,
+    values: Any,
+    start: Mapping[str, object],
+    *,
+    state: str,
+    configuration: str | None = None,
+    phase: float | None = None,
+    transient: int = 1000,
+    samples: int = 60,
+    follow: bool = True,
+    threads: int | None = None,
+    resume: Sweep | None = None,
+    progress: Callable[[int], None] = lambda done: None,
+) -> Sweep:
+    """Follow motions over one parameter and take a state again and again.
+
+    Parameters
+    ----------
+    parameters : mapping
+        All others than `name`.
+    values : array (n,)
+    start : mapping of state to number
+        Where every motion starts.
+    configuration : str, optional
+        The state is taken at each entry of it.
+    phase : float, optional
+        Or once in each period of the forcing, when that has this phase, in radians. Of several
+        forcings the first one counts.
+    transient : int
+        Transitions before the first sample; with a phase, periods of the forcing.
+    samples : int
+        Transitions among which the samples are taken; with a phase, samples.
+    follow : bool
+        Whether the motions at a value start where those before it ended, if that is possible,
+        chunk by chunk of values; with a phase value by value. Else all start at `start`.
+    resume : Sweep, optional
+        An interrupted one of the same question: what it has is not computed again.
+    progress : callable
+        Told how many values are done.
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers, a phase where there is no forcing, or another question's
+        sweep to resume.
+    Interrupted
+        By Ctrl-C; its `partial` is the Sweep until then.
+    """
+    kernels = kernels_of(system)
+    structure = structure_of(kernels)
+    if state not in structure.states:
+        raise unknown_name("state", state, structure.states)
+    if (configuration is None) == (phase is None):
+        raise InputError("the state is taken at a configuration, or at a phase: give one of them")
+    if configuration is not None:
+        structure.configuration(configuration)
+    elif not structure.forcing:
+        raise InputError(f"{kernels.name} has no forcing, whose phase could be waited for")
+    try:
+        grid = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        grid = np.empty(0)
+    if grid.ndim != 1 or not grid.size or not np.isfinite(grid).all():
+        raise InputError(f"the values of {name} are no row of finite numbers")
+    if name in parameters:
+        raise InputError(f"parameter {name} is both given and swept")
+    first = start_state(structure, start)
+    question = Sweep(
+        system=kernels.name,
+        parameters={key: as_value(value) for key, value in parameters.items()},
+        parameter=name,
+        state=state,
+        configuration=configuration,
+        phase=None if phase is None else float(phase),
+        values=grid,
+        samples=np.full((grid.size, checked_count("samples", samples, 1)), np.nan),
+        outcomes=np.full(grid.size, int(Outcome.UNCLASSIFIED)),
+        start=first,
+        transient=checked_count("transient", transient, 0),
+        follow=follow,
+        done=0,
+        next_start=first,
+    )
+    diagram = question if resume is None else _resumed(question, resume)
+    look = _at_entries if phase is None else _at_phase
+    followed = diagram.done > 0
+    forced = [each for pair in structure.forcing for each in pair]
+    try:
+        while diagram.done < grid.size:
+            end = min(diagram.done + (_CHUNK if phase is None else 1), grid.size)
+            here = slice(diagram.done, end)
+            found, outcomes, last, possible = look(kernels, diagram, here, threads)
+            followed |= possible
+            begin = last.copy() if follow and np.isfinite(last).all() else first
+            if len(forced) > 2:  # at other frequencies they are together at other times
+                begin[forced] = first[forced]
+            taken, ends = diagram.samples.copy(), diagram.outcomes.copy()
+            taken[here], ends[here] = found, outcomes
+            diagram = replace(diagram, samples=taken, outcomes=ends, done=end, next_start=begin)
+            progress(end)
+    except KeyboardInterrupt:
+        raise Interrupted(diagram) from None
+    if not followed:
+        raise InputError(f"for no value of {name} are the parameters and the start possible")
+    return diagram
+
+
+def _resumed(question: Sweep, known: Sweep) -> Sweep:
+    """What is known of a question; InputError if it is of another one."""
+    for field in fields(Sweep):
+        if field.name in ("samples", "outcomes", "done", "next_start"):
+            continue
+        if not np.array_equal(getattr(question, field.name), getattr(known, field.name)):
+            raise InputError(f"the sweep to resume has another {field.name}")
+    if known.samples.shape != question.samples.shape:
+        raise InputError("the sweep to resume has another number of samples")
+    return known
+
+
+# samples, what the motions settle on, where the last one ended, whether one was possible
+Looked = tuple[np.ndarray, np.ndarray, np.ndarray, bool]
+
+
+def _at_entries(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
+    """Samples at the entries of a configuration, for some of the values."""
+    structure, taken = structure_of(kernels), diagram.samples.shape[1]
+    point = {**diagram.parameters, diagram.parameter: diagram.values[here]}
+    motions = simulate_many(
+        kernels,
+        point,
+        diagram.next_start,
+        transitions=diagram.transient + taken,
+        keep=max(taken, _KEPT),
+        threads=threads,
+    )
+    # a motion that ended early has kept entries of its transient too
+    places = motions.transitions[:, None] - np.arange(taken)[::-1]
+    where = structure.configuration(str(diagram.configuration))
+    entered = (motions.last_configurations[:, -taken:] == where) & (places > diagram.transient)
+    states = motions.last_states[:, -taken:, structure.states.index(diagram.state)]
+    outcomes = settled(kernels, point, motions, threads).outcomes
+    possible = bool((motions.status >= 0).any())
+    return np.where(entered, states, np.nan), outcomes, motions.states[-1], possible
+
+
+def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
+    """Samples at a phase of the forcing, for one value: the motion as a stroboscope shows it."""
+    taken, first = diagram.samples.shape[1], diagram.start
+    illegal = np.array([int(Outcome.ILLEGAL)])
+    nothing = np.full((1, taken), np.nan), illegal, np.full(len(first), np.nan), False
+    point = {**diagram.parameters, diagram.parameter: float(diagram.values[here][0])}
+    try:
+        system = piecewise(kernels, point)
+        start, chosen = _beginning(system, diagram.next_start, first)
+    except InputError:
+        return nothing
+    (cosine, sine), *_ = system.structure.forcing
+    speed = float(system.fields[0, sine, cosine])
+    angle = np.arctan2(start[sine], start[cosine])
+    wait = float((diagram.phase or 0.0) - angle) % (2 * np.pi)
+    times = (wait + 2 * np.pi * (diagram.transient + np.arange(taken))) / speed
+    run = follow_motion(system, start, chosen, float(times[-1] + 2 * np.pi / speed))
+    states = np.full((taken, len(start)), np.nan)
+    reached = times <= run.end if run.status != Status.QUIET else np.full(taken, True)
+    phases = np.searchsorted(run.times, times[reached], side="right") - 1
+    for place, entry, time in zip(
+        np.flatnonzero(reached), phases.tolist(), times[reached], strict=True
+    ):
+        since = np.array([time - run.times[entry]])
+        where = int(run.configurations[entry])
+        states[place] = flow_states(system, where, since, run.states[entry])[0]
+    column = system.structure.states.index(diagram.state)
+    if not np.isfinite(states[-1]).all():
+        return states[None, :, column], illegal, states[-1], True
+    # what is at rest has moved by rounding, as no start may; the entry into its phase is exact
+    try:
+        last, _ = _beginning(system, states[-1], run.states[phases[-1]])
+    except InputError:
+        return states[None, :, column], illegal, states[-1], True
+    goes_on = simulate_many(
+        kernels, point, last[None], transitions=_KEPT, keep=_KEPT, threads=threads
+    )
+    outcomes = settled(kernels, point, goes_on, threads).outcomes
+    return states[None, :, column], outcomes, last, True
+
+
+def _beginning(
+    system: PiecewiseLinear, wanted: np.ndarray, other: np.ndarray
+) -> tuple[np.ndarray, int]:
+    """The first of two states that a motion may start at, and its configuration."""
+    try:
+        return wanted, configuration_of(system, wanted)
+    except InputError:
+        return other, configuration_of(system, other)
+
+
+def basins(
+    found: Found,
+    x: tuple[str, float, float, int],
+    y: tuple[str, float, float, int],
+    start: Mapping[str, object] | None = None,
+    *,
+    threads: int | None = None,
+    progress: Callable[[int], None] = lambda done: None,
+) -> Basins:
+    """Label a plane of starts by the attractor they lead to.
+
+    Parameters
+    ----------
+    found : Found
+    x, y : (state, lower, upper, count)
+    start : mapping of state to number, optional
+        The other states; 0 for those that are not named.
+    progress : callable
+        Told how many rows of y are done.
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers.
+    Interrupted
+        By Ctrl-C; the rest of its `partial` is not classified.
+    """
+    kernels = load_system(found.system)
+    axes, base = plane_of_starts(kernels, x, y, start)
+    attractors = _attractors(found, kernels)
+    labels = np.full((axes[1].size, axes[0].size), int(Outcome.UNCLASSIFIED))
+    plane = Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
+    rows = max(1, 20_000 // axes[0].size)
+    try:
+        for low_row in range(0, axes[1].size, rows):
+            here = slice(low_row, low_row + rows)
+            starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
+            starts[..., found.names.index(x[0])] = axes[0]
+            starts[..., found.names.index(y[0])] = axes[1][here, None]
+            arrived = _arrivals(found, attractors, starts.reshape(-1, base.size), threads)
+            labels[here] = arrived.reshape(-1, axes[0].size)
+            progress(min(low_row + rows, axes[1].size))
+    except KeyboardInterrupt:
+        raise Interrupted(plane) from None
+    return plane
+
+
+def plane_of_starts(
+    kernels: SystemKernels,
+    x: tuple[str, float, float, int],
+    y: tuple[str, float, float, int],
+    start: Mapping[str, object] | None = None,
+) -> tuple[list[np.ndarray], np.ndarray]:
+    """Both axes of a plane of starts, and the state that holds its other coordinates.
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers.
+    """
+    structure, axes = structure_of(kernels), []
+    for name, low, high, count in (x, y):
+        if name not in structure.states:
+            raise unknown_name("state", name, structure.states)
+        if not (np.isfinite([low, high]).all() and low < high):
+            raise InputError(f"{name}: {low!r} to {high!r} is no interval")
+        axes.append(np.linspace(low, high, checked_count(f"count of {name}", count, 2)))
+    if x[0] == y[0]:
+        raise InputError(f"both axes are {x[0]}")
+    if axes[0].size * axes[1].size > _LARGEST_PLANE:
+        raise InputError(f"more than {_LARGEST_PLANE} starts")
+    others: dict[str, object] = {name: 0 for name in structure.states} | dict(start or {})
+    return axes, start_state(structure, others)
+
+
+def _attractors(found: Found, kernels: SystemKernels) -> Attractors:
+    """What was found, in the order of its labels."""
+    point = piecewise(kernels, found.parameters)
+    orbits = tuple(entry.orbit for entry in found.orbits)
+    equilibria = tuple(entry.equilibrium for entry in found.equilibria)
+    return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
+
+
+def _arrivals(
+    found: Found, attractors: Attractors, starts: np.ndarray, threads: int | None
+) -> np.ndarray:
+    """Labels of starts: followed four times longer as long as they are not classified."""
+    values = {name: float(value) for name, value in found.parameters.items()}
+    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
+    length = found.transitions
+    lengths = [length]
+    while length > 2 * _FIRST_LOOK:
+        length //= 4
+        lengths.insert(0, length)
+    for length in lengths:
+        open_ = np.flatnonzero(labels == Outcome.UNCLASSIFIED)
+        if not open_.size:
+            break
+        motions = simulate_many(
+            found.system, values, starts[open_], transitions=length, keep=_KEPT, threads=threads
+        )
+        labels[open_] = attractors.labels(motions)
+        if length == found.transitions:
+            labels[open_] = attractors.measured(motions, labels[open_], threads)
+    return labels

@@ -1,0 +1,190 @@
+"""Along one parameter: where an orbit is admissible, and where it is not determined."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
+from nonsmooth.runtime.model.parameters import resolve
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.orbits.orbit import STATUS
+from nonsmooth.runtime.orbits.solve import solve_derived as solve
+from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
+
+__all__ = ["Interval", "admissible_intervals", "singular_values"]
+
+_HALVINGS = 60  # more than a double has bits
+
+
+@dataclass(frozen=True)
+class Interval:
+    """Values of a parameter for which an orbit is admissible.
+
+    Attributes
+    ----------
+    lower, upper : float
+    below, above : str
+        What fails beyond either end; empty at an end of the range that was searched.
+    """
+
+    lower: float
+    upper: float
+    below: str
+    above: str
+
+
+def admissible_intervals(
+    orbit: str,
+    parameter: str,
+    lower: float,
+    upper: float,
+    parameters: Mapping[str, object] | None = None,
+    *,
+    points: int = 4000,
+) -> tuple[Interval, ...]:
+    """Intervals of one parameter in which an orbit exists and is admissible.
+
+    Whether it is is found on an even grid; the ends between neighbours that differ are
+    bisected to the last bit. An interval between two points of the grid is not seen. Open
+    parameters are taken as large as it needs.
+
+    Parameters
+    ----------
+    orbit : str
+        ``system/orbit``.
+    parameter : str
+        The one that varies, from `lower` to `upper`.
+    lower, upper : float
+    parameters : mapping of str to number, optional
+        The others; absent ones take the reference point's values.
+    points : int
+        Of the grid.
+
+    Raises
+    ------
+    InputError
+        For a wrong name, an empty range, or too few points.
+    """
+    kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
+
+    def allowed(values: np.ndarray) -> np.ndarray:
+        found = solve_many(orbit, **(others | {parameter: values}))
+        return np.asarray(found.admissible)
+
+    inside = allowed(grid)
+    changes = np.flatnonzero(inside[1:] != inside[:-1])
+    ends = _bisected(allowed, grid[changes], grid[changes + 1], inside[changes])
+    starts = [grid[0]] if inside[0] else []
+    stops = [grid[-1]] if inside[-1] else []
+    for place, (below, above) in zip(changes, ends, strict=True):
+        (stops if inside[place] else starts).append(below if inside[place] else above)
+    reasons = {
+        (above if not inside[place] else below): _failure(
+            kernels, others, parameter, below if not inside[place] else above
+        )
+        for place, (below, above) in zip(changes, ends, strict=True)
+    }
+    return tuple(
+        Interval(float(a), float(b), reasons.get(a, ""), reasons.get(b, ""))
+        for a, b in zip(sorted(starts), sorted(stops), strict=True)
+    )
+
+
+def singular_values(
+    orbit: str,
+    parameter: str,
+    lower: float,
+    upper: float,
+    parameters: Mapping[str, object] | None = None,
+    *,
+    points: int = 4000,
+) -> tuple[float, ...]:
+    """Values of one parameter at which an explicit orbit is not determined.
+
+    They are the sign changes of the determinants of the linear equations that give it;
+    arguments as for `admissible_intervals`.
+
+    Raises
+    ------
+    InputError
+        As there, and for an orbit that is not explicit.
+    """
+    kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
+    if kernels.reduced:
+        raise InputError(f"{orbit} is not explicit: its unknowns {', '.join(kernels.reduced)} move")
+
+    def determinants(values: np.ndarray) -> np.ndarray:
+        named = others | {parameter: values}
+        arrays = [np.broadcast_to(named[n], values.shape) for n in kernels.parameter_names]
+        rows = np.stack(arrays, axis=-1)
+        spectrum, _ = kernels.spectrum(rows)
+        return np.asarray(kernels.expand(rows, spectrum, None)[1])
+
+    found: list[float] = []
+    for column in range(determinants(grid).shape[-1]):
+
+        def positive(values: np.ndarray, column: int = column) -> np.ndarray:
+            return np.asarray(determinants(values)[:, column] > 0)
+
+        signs = positive(grid)
+        changes = np.flatnonzero(signs[1:] != signs[:-1])
+        ends = _bisected(positive, grid[changes], grid[changes + 1], signs[changes])
+        found += [float((below + above) / 2) for below, above in ends]
+    return tuple(sorted(found))
+
+
+def _line(
+    orbit: str,
+    parameter: str,
+    lower: float,
+    upper: float,
+    parameters: Mapping[str, object] | None,
+    points: int,
+) -> tuple[OrbitKernels, dict[str, Any], np.ndarray]:
+    """Kernels, the other parameters as floats, and a grid inside the range."""
+    kernels = load_orbit(orbit)
+    if not kernels.derived:
+        raise InputError(f"{kernels.name} is composed: intervals need equations that are derived")
+    if parameter not in kernels.parameter_names:
+        raise unknown_name("parameter", parameter, kernels.parameter_names)
+    if not np.isfinite([lower, upper]).all() or not lower < upper:
+        raise InputError(f"the range of {parameter}, {lower} to {upper}, is empty")
+    if points < 2:
+        raise InputError(f"points = {points}: a grid has two at least")
+    point = resolve(kernels, {**(parameters or {}), parameter: upper})
+    others = {name: float(v) for name, v in point.values.items() if name != parameter}
+    step = (upper - lower) / points
+    return kernels, others, np.linspace(lower + step / 2, upper - step / 2, points)
+
+
+def _bisected(
+    decide: Callable[[np.ndarray], np.ndarray],
+    below: np.ndarray,
+    above: np.ndarray,
+    at_below: np.ndarray,
+) -> list[tuple[float, float]]:
+    """Neighbouring doubles between which an answer changes."""
+    for _ in range(_HALVINGS if len(below) else 0):
+        middle = (below + above) / 2
+        same = decide(middle) == at_below
+        below, above = np.where(same, middle, below), np.where(same, above, middle)
+    return list(zip(below.tolist(), above.tolist(), strict=True))
+
+
+def _failure(kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, value: float) -> str:
+    """What fails at a point that is not admissible."""
+    orbit = solve(kernels.address, {**others, parameter: value}, throw=False)
+    if orbit.status == SINGULAR:
+        return "the equations are singular"
+    if orbit.status != CONVERGED:
+        return STATUS[orbit.status].partition(":")[0]
+    violations = orbit.admissibility.violations
+    if not violations:
+        return "the margin is within the rounding"
+    first = violations[0]
+    return f"{first.boundary} is crossed in {first.configuration} at t = {first.time:.6g}"

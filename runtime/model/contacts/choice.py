@@ -1,0 +1,256 @@
+"""The choice of the law at a state, in double precision.
+
+What is at its limit within rounding, or slips without acceleration, may go either way: each way
+is followed to its end and judged by the first derivatives that are not zero along the flow of
+the configuration that it leads to. One way that is consistent is the outcome.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.model.contacts.law import HOLDING, Event, Law, Regimes
+from nonsmooth.runtime.model.contacts.stages import Path, Stage, requirements
+
+__all__ = ["Chooser", "Located", "Outcome", "signs_along"]
+
+_UNIT = 16 * np.finfo(float).eps
+_SWEEPS = 200  # of the iteration that guesses what holds
+
+
+class Located(NamedTuple):
+    """A state at an event, extended by 1, and how well it is known.
+
+    Attributes
+    ----------
+    state : array (N + 1,)
+    sizes : array (N + 1,)
+        Sums of absolute values behind each coordinate.
+    moved : array (N + 1,)
+        Its change within the error of the time.
+    error : float
+        Of the time.
+    """
+
+    state: np.ndarray
+    sizes: np.ndarray
+    moved: np.ndarray
+    error: float
+
+
+class Outcome(NamedTuple):
+    """What follows an event: one path, or several where the law leaves it open.
+
+    Attributes
+    ----------
+    targets : tuple of int
+        Configurations that may follow.
+    paths : tuple of paths
+        A path to each.
+    """
+
+    targets: tuple[int, ...]
+    paths: tuple[Path, ...]
+
+
+class _Signs(NamedTuple):
+    """Requirements of a stage as rows, their sizes, signs wanted, and their contacts."""
+
+    rows: np.ndarray
+    bounds: np.ndarray
+    positive: np.ndarray
+    contacts: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Chooser:
+    """The law of a system at one parameter point.
+
+    Attributes
+    ----------
+    law : Law
+    fields : array (configurations, N, N + 1)
+    rows : array (R, N + 1)
+    """
+
+    law: Law
+    fields: np.ndarray
+    rows: np.ndarray
+    _known: dict[tuple[Event, Stage], _Signs | None] = field(default_factory=dict)
+
+    def outcome(self, event: Event, at: Located) -> Outcome:
+        """What follows an event."""
+        ways = dict.fromkeys(self._ways(event, event.reached, (), at))
+        targets = {path: self.law.configuration(path[-1].regimes, event.others) for path in ways}
+        existing = {path: target for path, target in targets.items() if target is not None}
+        if len(existing) == 1:
+            found = existing
+        else:
+            found = {
+                path: target
+                for path, target in existing.items()
+                if self._consistent(event, path, target, at)
+            }
+        if not found:
+            found = existing
+        by_target = {target: path for path, target in reversed(found.items())}
+        return Outcome(tuple(by_target), tuple(by_target.values()))
+
+    def _ways(
+        self, event: Event, reached: frozenset[int], behind: Path, at: Located
+    ) -> Iterator[Path]:
+        """Paths that no sign contradicts: what slips gets its kinetic limit, till none is added."""
+        for regimes in self._solutions(event, reached, at):
+            path = (*behind, Stage(reached, regimes))
+            slipping = {
+                i
+                for i in event.resting
+                if self.law.contacts[i].friction and regimes[i] not in HOLDING
+            }
+            if slipping <= reached:
+                yield path
+            else:
+                yield from self._ways(event, reached | slipping, path, at)
+
+    def _solutions(self, event: Event, reached: frozenset[int], at: Located) -> list[Regimes]:
+        """Regimes of all contacts that solve one step; several where some are tied."""
+        guess = self._guess(event, reached, at)
+        tied = self._tied(event, Stage(reached, guess), at)
+        if tied == frozenset():
+            return [guess]
+        options = [
+            self.law.contacts[i].regimes if i in event.resting else (regime,)
+            for i, regime in enumerate(guess)
+        ]
+        if tied is not None:
+            options = [o if i in tied else (guess[i],) for i, o in enumerate(options)]
+        return [
+            regimes
+            for regimes in product(*options)
+            if self._tied(event, Stage(reached, regimes), at) is not None
+        ]
+
+    def _tied(self, event: Event, stage: Stage, at: Located) -> frozenset[int] | None:
+        """Contacts of a step whose functions are zero within rounding; None if it is wrong."""
+        signs = self._signs(event, stage)
+        if signs is None:
+            return None
+        values = signs.rows @ at.state
+        errors = _UNIT * (signs.bounds @ at.sizes) + abs(signs.rows @ at.moved)
+        zero = abs(values) <= errors
+        if ((values > 0) != signs.positive)[~zero].any():
+            return None
+        return frozenset(signs.contacts[zero].tolist())
+
+    def _signs(self, event: Event, stage: Stage) -> _Signs | None:
+        """The requirements of a step in numbers; None for regimes that do not go together."""
+        key = event, stage
+        if key not in self._known:
+            self._known[key] = self._derived(event, stage)
+        return self._known[key]
+
+    def _derived(self, event: Event, stage: Stage) -> _Signs | None:
+        if self.law.configuration(stage.regimes, event.others) is None:
+            return None
+        needed = requirements(self.law, event, stage, self._entry)
+        factors = [
+            (np.array(list(each.function.values()), dtype=float), list(each.function))
+            for each in needed
+        ]
+        return _Signs(
+            np.array([f @ self.rows[places] for f, places in factors]),
+            np.array([abs(f) @ abs(self.rows[places]) for f, places in factors]),
+            np.array([each.positive for each in needed]),
+            np.array([each.contact for each in needed]),
+        )
+
+    def _entry(self, row: int) -> float:
+        return float(self.rows[row, -1])
+
+    def _consistent(self, event: Event, path: Path, target: int, at: Located) -> bool:
+        """Whether each step's functions have their signs along the flow of the target."""
+        for stage in path:
+            signs = self._signs(event, stage)
+            if signs is None:
+                return False
+            found = signs_along(signs.rows, signs.bounds, self.fields[target], at)
+            if ((found > 0) != signs.positive).any():
+                return False
+        return True
+
+    def _guess(self, event: Event, reached: frozenset[int], at: Located) -> Regimes:
+        """Regimes by the forces that minimise the quadratic form in their box, one by one."""
+        law, resting, regimes = self.law, event.resting, list(event.regimes)
+        values = (self.rows @ at.state).tolist()
+        matrix = [[self._entry(row) for row in each] for each in law.coupling]
+        forces = [
+            0.0
+            if i in resting
+            else values[contact.slipping]
+            if regime == "slip"
+            else values[contact.overshooting]
+            if regime == "overshoot"
+            else 0.0
+            for i, (contact, regime) in enumerate(zip(law.contacts, regimes, strict=True))
+        ]
+        box = {i: _box(law, i, i in reached, values) for i in resting}
+        moves = {i: values[law.free[event.others][i]] + _dot(matrix[i], forces) for i in resting}
+        for _ in range(_SWEEPS):
+            largest = change = 0.0
+            for i in resting:
+                low, high = box[i]
+                force = min(max(forces[i] - moves[i] / matrix[i][i], low), high)
+                step = force - forces[i]
+                forces[i] = force
+                for j in resting:
+                    moves[j] += matrix[j][i] * step
+                change, largest = max(change, abs(step)), max(largest, abs(force))
+            if change <= _UNIT * largest:
+                break
+        for i in resting:
+            low, high = box[i]
+            if law.contacts[i].friction:
+                over = "overshoot" if forces[i] <= low else "stick"
+                regimes[i] = "slip" if forces[i] >= high else over
+            else:
+                regimes[i] = "free" if forces[i] >= high else "contact"
+        return tuple(regimes)
+
+
+def signs_along(rows: np.ndarray, bounds: np.ndarray, along: np.ndarray, at: Located) -> np.ndarray:
+    """Signs (k,) of the first derivatives along a field that are not zero within their errors.
+
+    Parameters
+    ----------
+    rows, bounds : arrays (k, N + 1)
+        Affine functions, and the sums of absolute values behind their entries.
+    along : array (N, N + 1)
+    at : Located
+    """
+    matrix = np.vstack([along, np.zeros(len(at.state))])
+    found = np.zeros(len(rows), dtype=int)
+    for _ in range(len(at.state)):
+        following, values = rows @ matrix, rows @ at.state
+        drift = np.maximum(at.error * abs(following @ at.state), abs(rows @ at.moved))
+        decided = abs(values) > _UNIT * (bounds @ at.sizes) + drift
+        found = np.where((found == 0) & decided, np.sign(values).astype(int), found)
+        rows, bounds = following, bounds @ abs(matrix)
+    return found
+
+
+def _box(law: Law, index: int, kinetic: bool, values: Sequence[float]) -> tuple[float, float]:
+    """Least and largest force of a contact at rest; a stop pushes against its direction."""
+    contact = law.contacts[index]
+    if not contact.friction:
+        return -np.inf, 0.0
+    limit = max(values[contact.kinetic if kinetic else contact.static], 0.0)
+    return -limit, limit
+
+
+def _dot(row: Sequence[float], vector: Sequence[float]) -> float:
+    return sum(a * b for a, b in zip(row, vector, strict=True))

@@ -1,0 +1,148 @@
+"""One step of the choice between sticking and slipping, in any arithmetic.
+
+A step takes what each contact at rest does: those that hold bear whatever force keeps them at
+rest, the others that of their limit. It is right where no force is above its limit, no stop
+pulls, and all that slips accelerates its way, or would do so if the stops that hold it let go:
+signs of affine functions, which are combinations of the declared ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from nonsmooth.runtime.model.contacts.law import HOLDING, Event, Law, Regimes
+
+__all__ = ["Combination", "Path", "Requirement", "Stage", "requirements", "signs"]
+
+Combination = dict[int, Any]  # coefficients of rows
+
+
+class Stage(NamedTuple):
+    """A step: contacts whose limit is the kinetic one, and what each contact does."""
+
+    reached: frozenset[int]
+    regimes: Regimes
+
+
+Path = tuple[Stage, ...]  # the steps of a choice; the last has the regimes behind the event
+
+
+class Requirement(NamedTuple):
+    """The sign of a combination of rows: positive, or not; and the contact that it is about."""
+
+    function: Combination
+    positive: bool
+    contact: int
+
+
+def signs(law: Law, event: Event, stage: Stage) -> list[bool]:
+    """Which of the functions of a step are to be positive; the others are not."""
+    found: list[bool] = []
+    for i in _judged(law, event, stage):
+        kept = stage.regimes[i] in HOLDING
+        found += [not kept] * (2 if kept and law.contacts[i].friction else 1)
+    return found
+
+
+def requirements(
+    law: Law, event: Event, stage: Stage, entry: Callable[[int], Any]
+) -> list[Requirement]:
+    """What has to hold in a step.
+
+    Parameters
+    ----------
+    law : Law
+    event : Event
+    stage : Stage
+    entry : function
+        The constant of a row: an entry of the coupling.
+
+    Raises
+    ------
+    ZeroDivisionError
+        Where the directions that hold depend on each other.
+    """
+    resting, regimes = event.resting, stage.regimes
+    kept = [i for i in resting if regimes[i] in HOLDING]
+    given = {
+        j: _force(law, j, regimes[j], j not in resting or j in stage.reached)
+        for j in range(len(regimes))
+        if j not in kept
+    }
+    free = law.free[event.others]
+    accelerations = {
+        i: _sum([(1, {free[i]: 1}), *((_coupling(law, i, j, entry), f) for j, f in given.items())])
+        for i in resting
+    }
+    reactions = _reactions(law, kept, accelerations, entry)
+    rubbing = [i for i in kept if law.contacts[i].friction]
+    idle = law.idling(event, regimes)
+    released = _reactions(law, rubbing, accelerations, entry) if idle else {}
+    found = []
+    for i in _judged(law, event, stage):
+        contact = law.contacts[i]
+        if i in kept:
+            reaction = reactions[i]
+            found.append(Requirement(reaction, False, i))
+            if contact.friction:
+                limit = {contact.kinetic if i in stage.reached else contact.static: 1}
+                forward = _sum([(1, reaction), (-1, limit)])
+                backward = _sum([(-1, reaction), (-1, limit)])
+                found[-1:] = [Requirement(forward, False, i), Requirement(backward, False, i)]
+        else:
+            bearing = released if i in idle else reactions
+            parts = ((_coupling(law, i, k, entry), force) for k, force in bearing.items())
+            sign = 1 if regimes[i] == "overshoot" else -1
+            moves = _sum([(1, accelerations[i]), *parts])
+            found.append(Requirement(_sum([(sign, moves)]), True, i))
+    return found
+
+
+def _judged(law: Law, event: Event, stage: Stage) -> list[int]:
+    """Contacts of which something is required."""
+    untouched = law.untouched(event, stage.regimes)
+    return [i for i in event.resting if i not in untouched]
+
+
+def _coupling(law: Law, i: int, j: int, entry: Callable[[int], Any]) -> Any:
+    return entry(law.coupling[i][j]) if law.couples[i][j] else 0
+
+
+def _force(law: Law, index: int, regime: str, kinetic: bool) -> Combination:
+    """Force of a contact that does not hold: of the kinetic law, or of the static limit."""
+    contact = law.contacts[index]
+    if regime == "slip":
+        return {contact.slipping if kinetic else contact.static: 1}
+    if regime == "overshoot":
+        return {contact.overshooting: 1} if kinetic else {contact.static: -1}
+    return {}
+
+
+def _reactions(
+    law: Law,
+    kept: Sequence[int],
+    accelerations: dict[int, Combination],
+    entry: Callable[[int], Any],
+) -> dict[int, Combination]:
+    """Reactions that leave what holds without acceleration: elimination without exchanges."""
+    matrix = [[_coupling(law, i, j, entry) for j in kept] for i in kept]
+    right = [_sum([(-1, accelerations[i])]) for i in kept]
+    count = len(kept)
+    for k in range(count):
+        for i in range(k + 1, count):
+            factor = matrix[i][k] / matrix[k][k]
+            matrix[i] = [a - factor * b for a, b in zip(matrix[i], matrix[k], strict=True)]
+            right[i] = _sum([(1, right[i]), (-factor, right[k])])
+    for k in reversed(range(count)):
+        known = ((-matrix[k][j], right[j]) for j in range(k + 1, count))
+        right[k] = _sum([(1 / matrix[k][k], _sum([(1, right[k]), *known]))])
+    return dict(zip(kept, right, strict=True))
+
+
+def _sum(terms: Sequence[tuple[Any, Combination]]) -> Combination:
+    total: Combination = {}
+    for factor, combination in terms:
+        for row, coefficient in combination.items():
+            total[row] = total.get(row, 0) + factor * coefficient
+    return total

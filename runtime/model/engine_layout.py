@@ -1,0 +1,98 @@
+"""The integers and numbers that the compiled engine reads, packed from the Python records.
+
+`runtime/engine/tables.h` says what they mean; both files change together.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import chain
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import Structure
+
+__all__ = ["layout_of", "numbers_of"]
+
+# the limits of runtime/engine/tables.h
+MOST_STATES, MOST_BOUNDARIES, MOST_FUNCTIONS, MOST_MODES = 16, 31, 64, 32
+
+
+@cache
+def layout_of(structure: Structure) -> np.ndarray:
+    """All that does not depend on parameters, as int32.
+
+    Raises
+    ------
+    InputError
+        For a system larger than the compiled engine's limits.
+    """
+    for what, largest, most in (
+        ("states", len(structure.states), MOST_STATES),
+        ("boundaries of a configuration", _largest(structure.boundaries), MOST_BOUNDARIES),
+        ("modes of a configuration", _largest(structure.shapes), MOST_MODES),
+        ("functions of a configuration", max(structure.functions), MOST_FUNCTIONS),
+    ):
+        if largest > most:
+            raise InputError(f"{structure.name} has {largest} {what}; the engine takes {most}")
+    modes = list(chain(*structure.shapes))
+    boundaries = list(chain(*structure.boundaries))
+    # what may act in several orders is left to the decider
+    ordered = [{t.boundaries for t in found if t.order} for found in structure.transitions]
+    listed = tuple(
+        tuple(t for t in found if t.boundaries not in several)
+        for found, several in zip(structure.transitions, ordered, strict=True)
+    )
+    transitions = list(chain(*listed))
+    conditions = [condition for t in transitions for condition in t.conditions]
+    pairs = list(dict.fromkeys((row, along) for row, along, _ in conditions))
+    header = [
+        len(structure.states),
+        len(structure.configurations),
+        structure.rows,
+        structure.resets,
+        len(modes),
+        sum(structure.functions),
+        len(boundaries),
+        len(transitions),
+        len(pairs),
+        len(conditions),
+    ]
+    parts = [
+        header,
+        _starts(structure.shapes),
+        [mode.length for mode in modes],
+        [int(mode.oscillates) for mode in modes],
+        np.cumsum([0, *structure.functions]).tolist(),
+        _starts(structure.boundaries),
+        [b.row for b in boundaries],
+        [int(b.reached) for b in boundaries],
+        _starts(listed),
+        [sum(1 << b for b in t.boundaries) for t in transitions],
+        [t.target for t in transitions],
+        [t.reset for t in transitions],
+        np.cumsum([0, *(len(t.conditions) for t in transitions)]).tolist(),
+        [pairs.index((row, along)) for row, along, _ in conditions],
+        [int(holds) for _, _, holds in conditions],
+        [row for row, _ in pairs],
+        [along for _, along in pairs],
+    ]
+    packed = np.array(list(chain(*parts)), dtype=np.int32)
+    packed.flags.writeable = False
+    return packed
+
+
+def numbers_of(system: PiecewiseLinear) -> np.ndarray:
+    """Fields, rows, resets, exponents and flows of one point, flat, in double precision."""
+    parts = (system.fields, system.rows, system.resets, *system.exponents, *system.flows)
+    return np.concatenate([np.asarray(part, dtype=float).ravel() for part in parts])
+
+
+def _largest(groups: tuple[tuple[object, ...], ...]) -> int:
+    return max(map(len, groups))
+
+
+def _starts(groups: tuple[tuple[object, ...], ...]) -> list[int]:
+    return [int(x) for x in np.cumsum([0, *map(len, groups)])]

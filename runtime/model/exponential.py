@@ -1,0 +1,63 @@
+"""Flows as exponentials of vector fields, in mpmath numbers to all their digits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import exact_ball, middle
+from nonsmooth.runtime.core.errors import NoConvergence
+from nonsmooth.runtime.core.values import flint_precision
+
+__all__ = ["exponential"]
+
+_GUARD = 32  # bits
+
+
+def exponential(field: np.ndarray, time: Any, mp: Any) -> np.ndarray:
+    """Flow of y' = A y + b: the exponential of a time of the field, in ball arithmetic.
+
+    Parameters
+    ----------
+    field : array (N, N + 1) of mpmath numbers or integers
+        A, then b.
+    time : mpmath number
+    mp : context of mpmath
+        The result is good to its precision.
+
+    Returns
+    -------
+    array (N, N + 1) of mpmath numbers
+        Matrix, then constant.
+
+    Raises
+    ------
+    NoConvergence
+        If no precision is enough, as where the motion grows beyond all numbers.
+    """
+    from flint import arb, arb_mat
+
+    size = len(field)
+    entries = [mp.mpf(x) for x in field.ravel().tolist()]
+    bits = mp.prec + _GUARD
+    for _ in range(12):
+        with flint_precision(bits):
+            scaled = [exact_ball(x) * exact_ball(time) for x in entries]
+            whole = arb_mat(size + 1, size + 1, [*scaled, *[arb(0)] * (size + 1)])
+            found = whole.exp().entries()[: size * (size + 1)]
+            sure = all(
+                ball.rel_accuracy_bits() >= mp.prec or ball.rad() < _least(arb, found, mp.prec)
+                for ball in found
+            )
+        if sure:
+            numbers = np.array([middle(mp, ball) for ball in found], dtype=object)
+            return numbers.reshape(size, size + 1)
+        bits *= 2
+    raise NoConvergence(f"the flow over the time {mp.nstr(time, 6)} cannot be computed")
+
+
+def _least(arb: Any, found: list[Any], bits: int) -> Any:
+    """Error that does not count beside the largest entry."""
+    largest = max((abs(ball).upper() for ball in found), default=arb(1))
+    return largest * arb((1, -bits))

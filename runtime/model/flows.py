@@ -1,0 +1,45 @@
+"""States inside a configuration from its closed-form flow, for many times at once."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+
+__all__ = ["flow_states", "functions_of"]
+
+
+def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
+    """Functions of time of a configuration: an array (n,) of times gives (n, functions)."""
+    columns = []
+    modes = system.structure.shapes[configuration]
+    for mode, (rate, frequency) in zip(modes, system.exponents[configuration], strict=True):
+        growth = np.exp(rate * times) if rate else np.ones_like(times)
+        parts = [growth * np.cos(frequency * times)] if mode.oscillates else [growth]
+        if mode.oscillates:
+            parts.append(growth * np.sin(frequency * times))
+        for power in range(mode.length):
+            columns += [times**power * part if power else part for part in parts]
+    return np.stack(columns, axis=-1)
+
+
+def flow_states(
+    system: PiecewiseLinear, configuration: int, times: np.ndarray, starts: np.ndarray
+) -> np.ndarray:
+    """States after times in one configuration.
+
+    Parameters
+    ----------
+    times : array (n,)
+    starts : array (n, N) or (N,)
+
+    Returns
+    -------
+    array (n, N)
+    """
+    functions = functions_of(system, configuration, times)
+    flows = system.flows[configuration]
+    extended = np.concatenate([starts, np.ones((*starts.shape[:-1], 1))], axis=-1)
+    if starts.ndim == 1:
+        return np.asarray(functions @ (flows @ extended))
+    return np.asarray(np.einsum("nf,fij,nj->ni", functions, flows, extended, optimize=True))

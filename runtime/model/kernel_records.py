@@ -1,0 +1,353 @@
+"""Records of the emitted tables and kernels: of a system, and of an orbit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from scipy.linalg import expm
+
+from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.core.vectorised import vectorised
+
+__all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
+
+
+@dataclass(frozen=True)
+class ParameterTable:
+    """Name, meaning and domain of a parameter; an absent end is infinite.
+
+    `closed` says whether the lower end belongs to the domain, `upper_closed` the upper one.
+    """
+
+    name: str
+    description: str
+    lower: str | None
+    upper: str | None
+    closed: bool
+    upper_closed: bool
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """A boundary watched along one phase: one row of the boundary functions.
+
+    Attributes
+    ----------
+    phase : int
+    name : str
+    open_parameter : str or None
+        Parameter that the orbit's equations leave open; it enters the function as
+        ``open_coefficient * value``.
+    open_coefficient : float
+    begins : bool
+        Whether the phase begins on the boundary.
+    """
+
+    phase: int
+    name: str
+    open_parameter: str | None
+    open_coefficient: float
+    begins: bool
+
+
+@dataclass(frozen=True)
+class SystemKernels:
+    """Tables and kernels of one system.
+
+    Attributes
+    ----------
+    name : str
+        What loads it again: its name if it is built in, the whole path of the file or folder
+        that a user gave, or ``NAME@HASH`` of a System that was declared in Python.
+    module : module
+        The emitted tables and kernels.
+    compiled : module or None
+        The same kernels in C, as many as there are.
+    """
+
+    name: str
+    module: ModuleType
+    compiled: ModuleType | None
+
+    @property
+    def built_in(self) -> bool:
+        """Whether this is one of the systems that the package brings along."""
+        return self.module.__name__.startswith("nonsmooth.generated.")
+
+    @property
+    def table(self) -> dict[str, Any]:
+        """The generated table of the system."""
+        table: dict[str, Any] = self.module.SYSTEM
+        return table
+
+    @cached_property
+    def parameters(self) -> tuple[ParameterTable, ...]:
+        """Physical parameters and their domains."""
+        return tuple(ParameterTable(**entry) for entry in self.table["parameters"])
+
+    @property
+    def configurations(self) -> tuple[str, ...]:
+        """Names of the configurations."""
+        return tuple(self.table["configurations"])
+
+    @property
+    def rows(self) -> int:
+        """Number of affine functions that the system declares."""
+        return int(self.module.KERNELS["rows"][1][0][0])
+
+    def source(self, kernel: str) -> Callable[..., Any]:
+        """A kernel over any arithmetic: takes its arrays as sequences, and ``lib``."""
+        function: Callable[..., Any] = getattr(self.module, kernel)
+        return function
+
+    def evaluate(self, kernel: str, *arrays: Any) -> Any:
+        """A kernel in double precision, broadcast over leading axes."""
+        return self._callable(kernel)(*arrays)
+
+    def flow(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
+        """State after a time in one configuration; physical coordinates, nondimensional.
+
+        Parameters
+        ----------
+        configuration : str
+        parameters : array (..., p)
+            In the order of `parameters`.
+        time : array (...)
+        state : array (..., N)
+
+        Raises
+        ------
+        InputError
+            For an unknown configuration.
+        """
+        if configuration not in self.configurations:
+            raise unknown_name("configuration", configuration, self.configurations)
+        parameters = np.asarray(parameters, dtype=float)
+        kernel = f"flow_{configuration.replace('-', '_')}"
+        if kernel not in self.module.KERNELS:
+            return self._exponential(configuration, parameters, time, state)
+        names = [p.name for p in self.parameters]
+        places = [names.index(name) for name in self.table["spectrum_parameters"]]
+        spectrum, _ = self.evaluate("spectrum", parameters[..., places])
+        return self.evaluate(kernel, parameters, spectrum, time, state)
+
+    def _exponential(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
+        """Flow without a closed form: exp(t [[A, b], [0, 0]]) takes (y, 1) along."""
+        size, place = len(self.table["states"]), self.configurations.index(configuration)
+        fields = self.evaluate("fields", parameters)
+        field = fields[..., place * size : (place + 1) * size, :]
+        matrix = np.concatenate([field, np.zeros_like(field[..., :1, :])], axis=-2)
+        state = np.asarray(state, dtype=float)
+        extended = np.concatenate([state, np.ones_like(state[..., :1])], axis=-1)
+        propagator = expm(matrix * np.asarray(time, dtype=float)[..., None, None])
+        return (propagator @ extended[..., None])[..., :size, 0]
+
+    @cache  # noqa: B019 - systems live as long as the process
+    def _callable(self, kernel: str) -> Callable[..., Any]:
+        # some kernels have no C
+        compiled = getattr(self.compiled, f"{self.table['name'].replace('-', '_')}_{kernel}", None)
+        if compiled is not None:
+            function: Callable[..., Any] = compiled
+            return function
+        inputs, outputs = self.module.KERNELS[kernel]
+        return vectorised(self.source(kernel), inputs, outputs)
+
+
+@dataclass(frozen=True, eq=False)
+class SavedTable:
+    """The table of an orbit that a file of results holds, with that orbit as the reference.
+
+    Attributes
+    ----------
+    name : str
+        Of the orbit; where it has none of its own, the address.
+    address : str
+        What loads it again: the whole path ``FILE.json:N``.
+    entries : dict
+        As the table of a declared orbit.
+    """
+
+    name: str
+    address: str
+    entries: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class OrbitKernels:
+    """Tables and kernels of one orbit of a system.
+
+    Attributes
+    ----------
+    system : SystemKernels
+    orbit : str
+        Its name among the system's orbits; empty for one that the system does not declare.
+    saved : SavedTable or None
+        The table where a file of results holds it.
+    """
+
+    system: SystemKernels
+    orbit: str
+    saved: SavedTable | None = None
+
+    @property
+    def name(self) -> str:
+        """``system/orbit``, or ``FILE.py:orbit`` and the like where it is not built in."""
+        if self.saved is not None:
+            return self.saved.name
+        return f"{self.system.name}{'/' if self.system.built_in else ':'}{self.orbit}"
+
+    @property
+    def address(self) -> str:
+        """What loads it again."""
+        return self.name if self.saved is None else self.saved.address
+
+    @property
+    def derived(self) -> bool:
+        """Whether there are kernels of this orbit; else it is composed from its system's.
+
+        Then the table holds the phases, the reason, the names of the start's unknowns, the
+        parameter that gives the period, and a reference, and nothing else here applies.
+        """
+        return bool(self.table["derived"])
+
+    @property
+    def table(self) -> dict[str, Any]:
+        """The table of the orbit, generated or saved."""
+        if self.saved is not None:
+            return self.saved.entries
+        table: dict[str, Any] = self.system.module.ORBITS[self.orbit]
+        return table
+
+    @cached_property
+    def parameters(self) -> tuple[ParameterTable, ...]:
+        """Parameters of the equations."""
+        return tuple(ParameterTable(**entry) for entry in self.table["parameters"])
+
+    @cached_property
+    def open_parameters(self) -> tuple[ParameterTable, ...]:
+        """Parameters that only admissibility depends on."""
+        return tuple(ParameterTable(**entry) for entry in self.table["open_parameters"])
+
+    @cached_property
+    def other_parameters(self) -> tuple[ParameterTable, ...]:
+        """Parameters of the system that this orbit does not depend on, or does not leave free."""
+        return tuple(ParameterTable(**entry) for entry in self.table["other_parameters"])
+
+    @cached_property
+    def required(self) -> dict[str, str]:
+        """Values that parameters must have for such an orbit to exist, as text."""
+        return dict(self.table["required"])
+
+    @cached_property
+    def solved_for(self) -> tuple[str, ...]:
+        """Parameters among the unknowns."""
+        others = [p.name for p in self.other_parameters]
+        return tuple(name for name in self.unknowns if name in others)
+
+    @cached_property
+    def parameter_names(self) -> tuple[str, ...]:
+        """Names of the equations' parameters, in the kernels' order."""
+        return tuple(p.name for p in self.parameters)
+
+    @cached_property
+    def unknowns(self) -> tuple[str, ...]:
+        """Names of the unknowns, in the kernels' order."""
+        return tuple(self.table["unknowns"])
+
+    @cached_property
+    def dwell_times(self) -> tuple[str, ...]:
+        """Names of the dwell times, one for each phase; not all need be unknowns."""
+        return tuple(self.table["dwell_times"])
+
+    @cached_property
+    def timed(self) -> tuple[str, ...]:
+        """Dwell times among the unknowns."""
+        return tuple(name for name in self.unknowns if name in self.dwell_times)
+
+    def durations(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Dwell time of each phase, from parameters and unknowns.
+
+        One that is no unknown is the period, what the others leave of it, or zero.
+        """
+        return {
+            name: sum(factor * values[term] for term, factor in terms.items())
+            for name, terms in zip(self.dwell_times, self.table["durations"], strict=True)
+        }
+
+    @cached_property
+    def reduced(self) -> tuple[str, ...]:
+        """Names of the reduced unknowns."""
+        return tuple(self.table["reduced"])
+
+    @cached_property
+    def boundaries(self) -> tuple[Boundary, ...]:
+        """Rows of the boundary functions."""
+        return tuple(Boundary(*row) for row in self.table["boundaries"])
+
+    @cached_property
+    def combined(self) -> dict[str, dict[str, int]]:
+        """Parameters that are sums of multiples of physical ones, e = ur - us."""
+        return dict(self.table["combined"])
+
+    @cached_property
+    def spectrum_places(self) -> list[int]:
+        """Where among the parameters those of the spectrum stand."""
+        return [self.parameter_names.index(n) for n in self.system.table["spectrum_parameters"]]
+
+    def source(self, kernel: str) -> Callable[..., Any]:
+        """A kernel of this orbit over any arithmetic."""
+        return self.system.source(f"{self.orbit.replace('-', '_')}_{kernel}")
+
+    def evaluate(self, kernel: str, *arrays: Any) -> Any:
+        """A kernel of this orbit in double precision, broadcast over leading axes."""
+        return self.system.evaluate(f"{self.orbit.replace('-', '_')}_{kernel}", *arrays)
+
+    def spectrum(self, parameters: Any, lib: Any = None) -> tuple[Any, Any]:
+        """Spectrum and its derivatives at the equations' parameters.
+
+        Without ``lib`` for arrays (..., p) of floats; with it for one point in that
+        arithmetic.
+        """
+        if lib is not None:
+            found: tuple[Any, Any] = self.system.source("spectrum")(
+                [parameters[i] for i in self.spectrum_places], lib=lib
+            )
+            return found
+        values = np.asarray(parameters, dtype=float)
+        result: tuple[Any, Any] = self.system.evaluate(
+            "spectrum", values[..., self.spectrum_places]
+        )
+        return result
+
+    def expand(self, parameters: Any, spectrum: Any, reduced: Any) -> tuple[Any, Any]:
+        """All unknowns from the reduced ones, and determinants in units of their bounds.
+
+        Floats, arrays (..., n) and (..., d); d is the number of linear systems that were
+        solved on the way.
+        """
+        arrays = (parameters, spectrum, *([reduced] if self.reduced else []))
+        found = self.evaluate("expand", *arrays)
+        if isinstance(found, tuple):
+            return found
+        return found, np.ones((*np.shape(found)[:-1], 0))
+
+    @property
+    def solver(self) -> Callable[..., Any] | None:
+        """The compiled solver of this orbit, if there is one."""
+        return self._compiled("solve")
+
+    @property
+    def admissible(self) -> Callable[..., Any] | None:
+        """The compiled admissibility test of this orbit, if there is one."""
+        return self._compiled("admissible")
+
+    def _compiled(self, name: str) -> Callable[..., Any] | None:
+        if self.system.compiled is None:
+            return None
+        prefix = f"{self.system.table['name']}_{self.orbit}".replace("-", "_")
+        return getattr(self.system.compiled, f"{prefix}_{name}", None)

@@ -1,0 +1,262 @@
+"""Tables and kernels of systems and orbits, compiled or not: the one door to generated/.
+
+Systems are built in, or users declare them: in a FILE.py, as a folder that
+`nonsmooth generate` wrote, or as a System in Python.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from functools import cache
+from importlib import import_module
+from importlib.resources import files
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.model.kernel_records import (
+    Boundary,
+    OrbitKernels,
+    ParameterTable,
+    SystemKernels,
+)
+from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
+from nonsmooth.runtime.model.loading.load import (
+    Loaded,
+    load_declared,
+    load_named,
+    load_path,
+    located,
+    orbits_of,
+)
+
+__all__ = [
+    "Boundary",
+    "OrbitKernels",
+    "ParameterTable",
+    "SystemKernels",
+    "backend",
+    "is_saved",
+    "kernels_of",
+    "load_orbit",
+    "load_system",
+    "orbit_names",
+    "orbits_in",
+    "system_names",
+]
+
+_PACKAGE = "nonsmooth.generated"
+_PROVENANCE = "PROVENANCE.json"
+_REMEDY = "run `nonsmooth regenerate`, or install the package again"
+_FIND = (
+    "it names none: `nonsmooth find {} ... --save found.json` finds its orbits,"
+    " then found.json:1 is the first of them"
+)
+
+
+def system_names() -> tuple[str, ...]:
+    """Names of the generated systems."""
+    return tuple(_provenance()["systems"])
+
+
+def orbit_names() -> tuple[str, ...]:
+    """Names ``system/orbit`` of all generated orbits."""
+    return tuple(
+        f"{system}/{orbit}"
+        for system in system_names()
+        for orbit in load_system(system).module.ORBITS
+    )
+
+
+def orbits_in(system: str) -> tuple[str, ...]:
+    """Names of the orbits of a system, of whatever kind; InputError if there is no such system."""
+    if system in system_names():
+        return tuple(f"{system}/{orbit}" for orbit in load_system(system).module.ORBITS)
+    origin = _located(system, None)
+    if origin is None:
+        raise unknown_name("system", system, system_names())
+    return tuple(f"{system}:{orbit}" for orbit in _orbits(origin))
+
+
+def backend() -> str:
+    """Which kernels are used: "c" when they are built, else "numpy".
+
+    The environment variable NONSMOOTH_BACKEND chooses; asking for C that is not there is an
+    InputError.
+    """
+    return "numpy" if _compiled_module() is None else "c"
+
+
+def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitKernels:
+    """Tables and kernels of an orbit.
+
+    Parameters
+    ----------
+    orbit : str or Itinerary
+        ``system/orbit`` of a built-in system; ``FILE.py:orbit`` or ``FOLDER:orbit`` of a
+        user's own; ``FILE.json`` or ``FILE.json:N`` of a saved one; or an itinerary, which is
+        derived.
+    beside : Path, optional
+        As for `load_system`.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, generated files that are cut, edited or foreign, or a file that
+        fails.
+    """
+    if not isinstance(orbit, str) and isinstance(orbit, DeclaredOrbit):
+        return _orbit(_kernels(load_declared(orbit.system, (orbit,))), orbit.name)
+    name = _text(orbit, "orbit")
+    if is_saved(name):
+        kernels: OrbitKernels = registered("saved_kernels")(name, beside)
+        return kernels
+    place, colon, label = name.rpartition(":")
+    if colon and (origin := _located(place, beside)) is not None:
+        found = _declared(origin, label)
+        if found is not None:
+            return _orbit(found, label)
+        raise unknown_name("orbit", name, [f"{place}:{known}" for known in _orbits(origin)])
+    system, _, label = name.partition("/")
+    if system in system_names():
+        built_in = load_system(system)
+        if label in built_in.module.ORBITS:
+            return _orbit(built_in, label)
+    elif (origin := _located(name, beside)) is not None:
+        known = ", ".join(f"{name}:{label}" for label in _orbits(origin))
+        raise InputError(
+            f"{name} is a system, not an orbit; "
+            + (f"its orbits: {known}" if known else _FIND.format(name))
+        )
+    raise unknown_name("orbit", name, orbit_names())
+
+
+def load_system(system: str | DeclaredSystem, beside: Path | None = None) -> SystemKernels:
+    """Tables and kernels of a system.
+
+    Parameters
+    ----------
+    system : str or System
+        Name of a built-in system, a FILE.py that defines `system` and, if it likes, `orbits`,
+        a folder that `nonsmooth generate` wrote, or a System, which is derived.
+    beside : Path, optional
+        Folder in which a file or folder is looked for too, where it is not in its place.
+
+    Raises
+    ------
+    InputError
+        As for `load_orbit`.
+    """
+    if not isinstance(system, str) and isinstance(system, DeclaredSystem):
+        return _kernels(load_declared(system))
+    name = _text(system, "system")
+    if name in system_names():
+        return _system(name, backend())
+    origin = _located(name, beside)
+    found = None if origin is None else _declared(origin)
+    if found is None:
+        raise unknown_name("system", name, system_names())
+    return found
+
+
+def is_saved(name: str) -> bool:
+    """Whether a name is that of an orbit in a file of results: ``FILE.json``, ``FILE.json:N``."""
+    return name.endswith(".json") or name.rpartition(":")[0].endswith(".json")
+
+
+def kernels_of(system: str | SystemKernels | DeclaredSystem) -> SystemKernels:
+    """Tables and kernels of what stands for a system; errors as for `load_system`."""
+    return system if isinstance(system, SystemKernels) else load_system(system)
+
+
+def _text(name: Any, kind: str) -> str:
+    if not isinstance(name, str | os.PathLike):
+        raise InputError(f"a {type(name).__name__} is no {kind}, and no name of one")
+    return str(os.fspath(name))
+
+
+def _located(name: str, beside: Path | None) -> Loaded | Path | None:
+    """What a user declared under a name, or where it is; None for a name of neither."""
+    return load_named(name) or located(name, beside)
+
+
+def _declared(origin: Loaded | Path, orbit: str | None = None) -> SystemKernels | None:
+    """The system that a user declared, with an orbit; None if there is no such orbit."""
+    if isinstance(origin, Path):
+        loaded = load_path(origin, orbit, compiled=_chosen() != "numpy")
+        return None if loaded is None else _kernels(loaded)
+    return _kernels(origin) if orbit is None or orbit in origin.module.ORBITS else None
+
+
+def _orbits(origin: Loaded | Path) -> tuple[str, ...]:
+    return orbits_of(origin) if isinstance(origin, Path) else tuple(origin.module.ORBITS)
+
+
+def _kernels(loaded: Loaded) -> SystemKernels:
+    return SystemKernels(loaded.name, loaded.module, loaded.compiled)
+
+
+@cache
+def _orbit(system: SystemKernels, orbit: str) -> OrbitKernels:
+    return OrbitKernels(system, orbit)
+
+
+@cache
+def _system(name: str, chosen: str) -> SystemKernels:
+    stem = name.replace("-", "_")
+    file = f"{stem}.py"
+    try:
+        expected = _provenance()["files"][file]["sha256"]
+        found = hashlib.sha256(files(_PACKAGE).joinpath(file).read_bytes()).hexdigest()
+    except (OSError, KeyError, TypeError):
+        raise InputError(f"generated/{file} is missing or unrecorded: {_REMEDY}") from None
+    if found != expected:
+        raise InputError(f"generated/{file} is not the file that {_PROVENANCE} records: {_REMEDY}")
+    module = import_module(f"{_PACKAGE}.{stem}")
+    compiled = _compiled_module() if chosen == "c" else None
+    if compiled is not None:
+        derivation = getattr(compiled, f"derivation_{stem}", None)
+        if derivation != module.DERIVATION:
+            raise InputError(
+                f"the compiled kernels of {name} are of another derivation than generated/{file}:"
+                " install the package again, or set NONSMOOTH_BACKEND=numpy"
+            )
+    return SystemKernels(name, module, compiled)
+
+
+@cache
+def _provenance() -> dict[str, Any]:
+    try:
+        record = json.loads(files(_PACKAGE).joinpath(_PROVENANCE).read_text(encoding="utf-8"))
+        named = isinstance(record["systems"], list) and isinstance(record["files"], dict)
+        if not named or not all(isinstance(name, str) for name in record["systems"]):
+            raise TypeError
+    except (OSError, ValueError, KeyError, TypeError):
+        raise InputError(f"generated/{_PROVENANCE} is missing, cut or foreign: {_REMEDY}") from None
+    return dict(record)
+
+
+def _chosen() -> str:
+    chosen = os.environ.get("NONSMOOTH_BACKEND", "")
+    if chosen not in ("", "c", "numpy"):
+        raise InputError(f"NONSMOOTH_BACKEND is {chosen!r}, neither 'c' nor 'numpy'")
+    return chosen
+
+
+def _compiled_module() -> ModuleType | None:
+    chosen = _chosen()
+    if chosen == "numpy":
+        return None
+    try:
+        return import_module(f"{_PACKAGE}._kernels")
+    except ImportError:
+        if chosen == "c":
+            raise InputError(
+                "NONSMOOTH_BACKEND is 'c', but the compiled kernels are not built:"
+                " install the package again with a C compiler at hand"
+            ) from None
+        return None

@@ -1,0 +1,96 @@
+"""Names of a composed orbit's unknowns, and names as people see them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Container, Mapping, Sequence
+from itertools import groupby
+
+from nonsmooth.runtime.model.structure import FORCING_PHASE
+
+__all__ = ["cycle_label", "dwell_names", "itinerary_text", "shown_name", "start_names", "symbol"]
+
+_GREEK = re.compile(
+    "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
+    "|upsilon|phi|chi|psi|omega"
+)
+
+
+def cycle_label(system: str, count: int) -> str:
+    """What an orbit of so many phases is called that no declaration names."""
+    return f"{system}, {count} phase{'' if count == 1 else 's'}"
+
+
+def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
+    """Names of dwell times that were not declared: tau1, tau2, ... where these are free."""
+    stem = "tau"
+    while any(f"{stem}{i}" in taken for i in range(1, count + 1)):
+        stem = f"dwell_{stem}"
+    return tuple(f"{stem}{i}" for i in range(1, count + 1))
+
+
+def start_names(
+    states: Sequence[str], taken: Container[str], declared: Mapping[str, str] | None = None
+) -> tuple[str, ...]:
+    """Names of the states at the start: those declared, or x10 for x1 where that is free."""
+    known = declared or {}
+    return tuple(
+        known.get(name, name if f"{name}0" in taken or f"{name}0" in states else f"{name}0")
+        for name in states
+    )
+
+
+def shown_name(name: str) -> str:
+    """System, or system/orbit, of a name that may be that of a file or of an orbit in one.
+
+    Examples
+    --------
+    >>> shown_name("/home/me/gear.py:rattle"), shown_name("dry-friction/symmetric")
+    ('gear/rattle', 'dry-friction/symmetric')
+    """
+    if not (os.path.isabs(name) or ":" in name or name.endswith(".py")):
+        return name
+    system, _, orbit = os.path.basename(name).partition(":")
+    return "/".join(filter(None, (system.removesuffix(".py"), orbit)))
+
+
+def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
+    """Configurations and the boundaries by which they are left; equal phases are counted.
+
+    Examples
+    --------
+    >>> itinerary_text([("slip", "belt-reached"), ("stick", "belt-breaks")])
+    'slip, belt-reached -> stick, belt-breaks'
+    >>> itinerary_text([("free", "right"), ("free", "left"), ("free", "left")])
+    'free, right -> 2 x (free, left)'
+    """
+    phases = []
+    for (configuration, boundary), repeated in groupby(itinerary):
+        count = len(list(repeated))
+        text = f"{configuration}, {boundary}"
+        if boundary == FORCING_PHASE:
+            text = f"{configuration}, no boundary is reached"
+        phases.append(text if count == 1 else f"{count} x ({text})")
+    return " -> ".join(phases)
+
+
+def symbol(name: str) -> str:
+    r"""LaTeX of a name: Greek names are letters, what follows the letter is an index.
+
+    Examples
+    --------
+    >>> symbol("z10"), symbol("tau1"), symbol("ta"), symbol("V")
+    ('z_{10}', '\\tau_{1}', 't_{a}', 'V')
+    """
+    match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
+    if match is None:
+        return rf"\mathrm{{{name}}}".replace("_", r"\_")
+    stem, index = match.groups()
+    if _GREEK.fullmatch(stem):
+        base = f"\\{stem}"
+    elif len(stem) <= 2:
+        base, index = stem[0], stem[1:] + index
+    else:
+        base = rf"\mathrm{{{stem}}}"
+    return f"{base}_{{{index}}}" if index else base

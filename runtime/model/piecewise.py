@@ -1,0 +1,315 @@
+"""A system at a parameter point: affine rows, fields, flows and resets, in any arithmetic.
+
+`piecewise` gives the numbers of one point, `numbers_at` those of many points in double
+precision, `piecewise_in` those of one point in another arithmetic. Coordinates are the
+system's own: positions, then velocities, for motions of second order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.modes import NumericModes, numeric_modes
+from nonsmooth.runtime.model.parameters import check_constraints, constrained, in_domains, value_of
+from nonsmooth.runtime.model.structure import Modes, Structure, mode_shapes, structure_of
+
+__all__ = [
+    "PiecewiseLinear",
+    "PointGroup",
+    "numbers_at",
+    "parameter_points",
+    "piecewise",
+    "piecewise_at",
+    "piecewise_in",
+    "system_parameters",
+]
+
+
+@dataclass(frozen=True, eq=False)
+class PiecewiseLinear:
+    """A system at one parameter point, in one arithmetic: entries are its numbers.
+
+    In other arithmetics than double precision a system whose flows have no closed form has
+    neither modes, exponents nor flows: its flow is the exponential of the field.
+
+    Attributes
+    ----------
+    structure : Structure
+    parameters : dict of str to Value
+    fields : array (configurations, N, N + 1)
+        ``y' = A y + b``: A, then b as the last column.
+    rows : array (R, N + 1)
+        Affine functions ``n y + c``: n, then c.
+    resets : array (S, N, N + 1)
+    exponents : for each configuration an array (modes, 2)
+        Real and imaginary parts.
+    flows : for each configuration an array (functions, N, N + 1)
+        ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
+    """
+
+    structure: Structure
+    parameters: dict[str, Value]
+    fields: np.ndarray
+    rows: np.ndarray
+    resets: np.ndarray
+    exponents: tuple[np.ndarray, ...]
+    flows: tuple[np.ndarray, ...]
+
+    @property
+    def numbers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Fields, rows and resets."""
+        return self.fields, self.rows, self.resets
+
+
+def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
+    """All parameters of a system, checked, in its order.
+
+    Raises
+    ------
+    InputError
+        For an unknown or missing name, a value outside its domain, or values that break a
+        constraint.
+    """
+    tables = {p.name: p for p in kernels.parameters}
+    _check_names(kernels, given)
+    values = {name: value_of(table, given[name]) for name, table in tables.items()}
+    check_constraints(kernels, values)
+    return values
+
+
+def piecewise(
+    system: str | SystemKernels | DeclaredSystem, parameters: Mapping[str, object]
+) -> PiecewiseLinear:
+    """A system at one parameter point, in double precision.
+
+    Parameters
+    ----------
+    system : str, System or SystemKernels
+    parameters : mapping of str to str, number or Value
+        All physical parameters of the system.
+
+    Raises
+    ------
+    InputError
+        As for `system_parameters` and `structure_of`.
+    """
+    kernels = kernels_of(system)
+    values = system_parameters(kernels, parameters)
+    found = piecewise_at(kernels, np.array([float(value) for value in values.values()]))
+    return replace(found, parameters=values)
+
+
+def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
+    """A system at a checked parameter point (p,), in double precision."""
+    values = {p.name: as_value(x) for p, x in zip(kernels.parameters, point.tolist(), strict=True)}
+    fields, rows, resets = (part[0] for part in _evaluated(kernels, point[None]))
+    structure = structure_of(kernels)
+    if structure.modes is not None:
+        exponents, flows = (part[0] for part in _closed_modes(kernels, point[None]))
+        return _record(structure, values, fields, rows, resets, exponents, flows)
+    found = _numeric(structure, fields)
+    structure = structure.with_modes(tuple(modes.shapes for modes in found))
+    size = len(structure.states)
+    return PiecewiseLinear(
+        structure,
+        values,
+        fields.reshape(-1, size, size + 1),
+        rows,
+        resets.reshape(-1, size, size + 1),
+        tuple(modes.exponents for modes in found),
+        tuple(modes.flows for modes in found),
+    )
+
+
+def parameter_points(
+    kernels: SystemKernels, parameters: Mapping[str, Any]
+) -> tuple[np.ndarray, tuple[int, ...]]:
+    """Points (n, p) of parameters that broadcast against each other, and their common shape.
+
+    A point outside a domain, or one that breaks a constraint, is NaN.
+
+    Raises
+    ------
+    InputError
+        For an unknown or missing name, or arrays that do not fit.
+    """
+    tables = {p.name: p for p in kernels.parameters}
+    _check_names(kernels, parameters)
+    arrays = []
+    for name, table in tables.items():
+        given = parameters[name]
+        if isinstance(given, str | Value):
+            given = float(value_of(table, given))
+        try:
+            array = np.asarray(given, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError(f"parameter {name} is no array of real numbers") from None
+        arrays.append(np.where(in_domains(table, array), array, np.nan))
+    if not arrays:  # a declaration in numbers alone
+        return np.empty((1, 0)), ()
+    try:
+        joined = np.broadcast_arrays(*arrays)
+    except ValueError:
+        shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(tables, arrays, strict=True))
+        raise InputError(f"the parameters do not broadcast: {shapes}") from None
+    points = np.stack([array.ravel() for array in joined], axis=-1)
+    columns = dict(zip(tables, points.T, strict=True))
+    points[~constrained(kernels, columns)] = np.nan
+    return points, joined[0].shape
+
+
+class PointGroup(NamedTuple):
+    """Numbers of parameter points whose configurations have the same modes.
+
+    Attributes
+    ----------
+    structure : Structure
+        With these modes.
+    places : array (k,) of int
+        Which of the points they are.
+    flat : array (k, size)
+        Fields, rows, resets, exponents and flows, one after the other.
+    """
+
+    structure: Structure
+    places: np.ndarray
+    flat: np.ndarray
+
+
+def numbers_at(kernels: SystemKernels, points: np.ndarray) -> list[PointGroup]:
+    """Numbers at points (n, p), grouped by their modes: one group for flows in closed form."""
+    structure, count = structure_of(kernels), len(points)
+    parts = _evaluated(kernels, points)
+    if structure.modes is not None:
+        parts = (*parts, *_closed_modes(kernels, points))
+        return [PointGroup(structure, np.arange(count), _flat(parts))]
+    groups: dict[Modes, list[tuple[int, np.ndarray]]] = {}
+    for place in range(count):
+        try:
+            found = _numeric(structure, parts[0][place])
+        except InputError:  # no numbers, or eigenvalues that cannot be told from each other
+            modes = (mode_shapes([(1, False)]),) * len(structure.configurations)
+            size = len(structure.states) * (len(structure.states) + 1)
+            numbers = np.full((2 + size) * len(modes), np.nan)
+        else:
+            modes = tuple(each.shapes for each in found)
+            arrays = [*(m.exponents for m in found), *(m.flows for m in found)]
+            numbers = np.concatenate([array.ravel() for array in arrays])
+        groups.setdefault(modes, []).append((place, numbers))
+    known = _flat(parts)
+    result: list[PointGroup] = []
+    for modes, members in groups.items():
+        places = np.array([place for place, _ in members])
+        flat = np.concatenate([known[places], np.stack([n for _, n in members])], axis=1)
+        result.append(PointGroup(structure.with_modes(modes), places, flat))
+    return result
+
+
+def _flat(parts: Iterable[np.ndarray]) -> np.ndarray:
+    return np.concatenate([p.reshape(len(p), p.shape[1] * p.shape[2]) for p in parts], axis=1)
+
+
+def _numeric(structure: Structure, fields: np.ndarray) -> list[NumericModes]:
+    """Modes of each configuration from stacked fields (configurations N, N + 1)."""
+    size = len(structure.states)
+    if not np.isfinite(fields).all():
+        raise InputError(f"the vector fields of {structure.name} are not finite")
+    return [numeric_modes(field) for field in fields.reshape(-1, size, size + 1)]
+
+
+def piecewise_in(
+    system: str | SystemKernels | DeclaredSystem, parameters: Mapping[str, object], lib: Any
+) -> PiecewiseLinear:
+    """A system at one parameter point in another arithmetic, Mpmath or Balls.
+
+    Entries are that arithmetic's numbers, or integers, in arrays of objects.
+
+    Raises
+    ------
+    InputError
+        As for `piecewise`.
+    """
+    kernels = kernels_of(system)
+    structure = structure_of(kernels)
+    values = system_parameters(kernels, parameters)
+    numbers = {name: lib.number(value) for name, value in values.items()}
+    point = list(numbers.values())
+    fields, rows, resets = (
+        _objects(kernels.source(kernel)(point, lib=lib)) for kernel in ("fields", "rows", "resets")
+    )
+    if structure.modes is None:
+        size = len(structure.states)
+        fields, resets = (part.reshape(-1, size, size + 1) for part in (fields, resets))
+        return PiecewiseLinear(structure, values, fields, rows, resets, (), ())
+    spectrum, _ = kernels.source("spectrum")(
+        [numbers[name] for name in kernels.table["spectrum_parameters"]], lib=lib
+    )
+    exponents, flows = (
+        _objects(part) for part in kernels.source("modes")(point, spectrum, lib=lib)
+    )
+    return _record(structure, values, fields, rows, resets, exponents, flows)
+
+
+def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
+    names = [p.name for p in kernels.parameters]
+    for name in given:
+        if name not in names:
+            raise unknown_name("parameter", str(name), names)
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+
+
+def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Fields, rows and resets at points (n, p), each (n, rows, columns)."""
+    return tuple(kernels.evaluate(kernel, points) for kernel in ("fields", "rows", "resets"))
+
+
+def _closed_modes(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Exponents (n, modes, 2) and flows (n, rows, N + 1) in closed form."""
+    names = [p.name for p in kernels.parameters]
+    places = [names.index(name) for name in kernels.table["spectrum_parameters"]]
+    spectrum, _ = kernels.evaluate("spectrum", points[:, places])
+    exponents, flows = kernels.evaluate("modes", points, spectrum)
+    return exponents, flows
+
+
+def _objects(rows: Sequence[Sequence[Any]]) -> np.ndarray:
+    array = np.empty((len(rows), len(rows[0])), dtype=object)
+    for i, row in enumerate(rows):
+        array[i, :] = row
+    return array
+
+
+def _record(
+    structure: Structure,
+    values: dict[str, Value],
+    fields: np.ndarray,
+    rows: np.ndarray,
+    resets: np.ndarray,
+    exponents: np.ndarray,
+    flows: np.ndarray,
+) -> PiecewiseLinear:
+    """Cut stacked arrays into configurations."""
+    size = len(structure.states)
+    counts = [len(modes) for modes in structure.shapes]
+    ends = np.cumsum([0, *counts])
+    stops = np.cumsum([0, *structure.functions]) * size
+    return PiecewiseLinear(
+        structure,
+        values,
+        fields.reshape(-1, size, size + 1),
+        rows,
+        resets.reshape(-1, size, size + 1),
+        tuple(exponents[a:b].copy() for a, b in pairwise(ends)),
+        tuple(flows[a:b].copy().reshape(-1, size, size + 1) for a, b in pairwise(stops)),
+    )

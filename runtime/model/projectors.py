@@ -1,0 +1,84 @@
+"""Spectral projectors of clusters of eigenvalues, in as many digits as they need.
+
+With a circle of centre m and radius r between the cluster and all other eigenvalues,
+
+    P = (1 + ((B - m)/r)^n)^-1
+
+is its projector in the limit of n = 2, 4, 8, ...: no eigenvalue or eigenvector is used, so that
+they may be equal, defective, or anything between.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from flint import acb, acb_mat
+
+from nonsmooth.runtime.core.values import flint_precision
+
+__all__ = ["chain", "exponential_of"]
+
+_BITS = 600  # to which a projector is known: its last power may be tiny
+_MOST_BITS = 120_000
+_TINY = 1e-6  # radius of a circle around equal eigenvalues, relative to the nearest other one
+
+
+def chain(
+    matrix: np.ndarray, group: list[complex], others: list[complex], real: bool, constant: bool
+) -> Iterator[tuple[complex, np.ndarray]]:
+    """The centre mu of a cluster of eigenvalues of B, and (B - mu)^k P for k = 0, 1, ....
+
+    Parameters
+    ----------
+    matrix : array (N, N)
+        B, exact.
+    group, others : list of complex
+        The eigenvalues, roughly.
+    real : bool
+        Whether the cluster has with each eigenvalue the conjugate one.
+    constant : bool
+        Whether the centre is zero.
+
+    Raises
+    ------
+    ValueError
+        If no circle of some width has the cluster alone inside.
+    """
+    middle = sum(group) / len(group)
+    inside = max(abs(v - middle) for v in group)
+    outside = min((abs(v - middle) for v in others), default=math.inf)
+    if outside < 1.2 * inside:
+        raise ValueError("no circle has the cluster alone inside")
+    size, farthest = len(matrix), max((abs(v - middle) for v in others), default=0.0)
+    radius = math.sqrt(max(inside, _TINY * outside) * outside) if others else 1.0
+    steps = math.ceil(math.log2(_BITS / math.log2(outside / radius))) if others else 0
+    bits = math.ceil(2**steps * math.log2(max(farthest / radius, 2.0))) + 2 * _BITS
+    if bits > _MOST_BITS:
+        raise ValueError("the circle is too narrow")
+    with flint_precision(bits):
+        exact, unit = acb_mat(matrix.tolist()), _unit(size)
+        projector = unit
+        if others:
+            power = (exact - unit * acb(middle)) * (1 / acb(radius))
+            for _ in range(steps):
+                power = (power * power).mid()
+            projector = (unit + power).inv().mid()
+        centre = (exact * projector).trace() / len(group)
+        centre = acb(0) if constant else acb(centre.real.mid(), 0 if real else centre.imag.mid())
+        shifted, term = exact - unit * centre, projector
+    while True:
+        yield complex(centre), np.array(term.tolist()).astype(complex)
+        with flint_precision(bits):
+            term = (shifted * term).mid()
+
+
+def exponential_of(matrix: np.ndarray) -> np.ndarray:
+    """The matrix e^B, each entry to its last digit."""
+    with flint_precision(_BITS):
+        return np.array(acb_mat(matrix.tolist()).exp().tolist()).astype(complex).real
+
+
+def _unit(size: int) -> acb_mat:
+    return acb_mat(np.eye(size, dtype=int).tolist())

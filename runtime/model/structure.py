@@ -1,0 +1,276 @@
+"""What a system is apart from its parameters: configurations, boundaries, transitions by index."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cache, cached_property, lru_cache
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.model.contacts.law import Law, law_of
+from nonsmooth.runtime.model.contacts.stages import Path
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+
+__all__ = [
+    "FORCING_PHASE",
+    "BoundaryShape",
+    "ContactShape",
+    "ModeShape",
+    "Modes",
+    "Structure",
+    "TransitionShape",
+    "mode_shapes",
+    "structure_of",
+]
+
+FORCING_PHASE = "forcing-phase"  # in an itinerary: the phase of the first forcing begins anew
+
+
+@dataclass(frozen=True)
+class ModeShape:
+    """Functions of time with one exponent: t^k e^(st) cos(wt), and sines where it oscillates.
+
+    `places` are the functions' places among those of the configuration: for each power k the
+    cosine's, then the sine's if there is one.
+    """
+
+    length: int
+    oscillates: bool
+    places: tuple[int, ...]
+
+
+Modes = tuple[tuple[ModeShape, ...], ...]  # of each configuration
+
+
+@dataclass(frozen=True)
+class BoundaryShape:
+    """A boundary of a configuration: its name, its row, and whether reaching it is enough."""
+
+    name: str
+    row: int
+    reached: bool
+
+
+@dataclass(frozen=True)
+class TransitionShape:
+    """What follows when exactly these boundaries are reached at one instant.
+
+    Attributes
+    ----------
+    boundaries : frozenset of int
+        Indices among the boundaries of the source.
+    conditions : tuple of (row, configuration, bool)
+        The first nonzero derivative of the row along the configuration's flow is positive,
+        or not.
+    reset, target : int
+    order : int
+        Of the orders in which stops may act that are reached together; 0 belongs to all.
+    path : Path, optional
+        The steps by which the contact law comes to it; None where the system lists it.
+    """
+
+    boundaries: frozenset[int]
+    conditions: tuple[tuple[int, int, bool], ...]
+    reset: int
+    target: int
+    order: int = 0
+    path: Path | None = None
+
+
+@dataclass(frozen=True)
+class ContactShape:
+    """Where the surroundings act: rows of force by configuration, of velocity, of the surface."""
+
+    name: str
+    forces: Mapping[int, int]
+    velocity: int
+    surface: int
+
+
+@dataclass(frozen=True, eq=False)
+class Structure:
+    """What a system is apart from its parameters; configurations and states by index.
+
+    Attributes
+    ----------
+    name : str
+    states, configurations : tuple of str
+    modes : for each configuration its modes
+        None before the numbers of a parameter point tell them, where flows have no closed form.
+    held : for each configuration the positions that keep their velocity
+    constraints : for each configuration the rows that vanish in it
+    boundaries, transitions : for each configuration
+    contacts : tuple of ContactShape
+    rows, resets : int
+        How many there are.
+    forcing : tuple of (int, int)
+        States c and s of a harmonic forcing: c^2 + s^2 = 1.
+    coordinates : tuple of (int, int)
+        Positions and their velocities.
+    law : Law, optional
+        What decides where no transition is listed.
+    forcing_row : int or None
+        Row that is zero where the phase of the first forcing begins anew.
+    """
+
+    name: str
+    states: tuple[str, ...]
+    configurations: tuple[str, ...]
+    modes: Modes | None
+    held: tuple[tuple[int, ...], ...]
+    constraints: tuple[tuple[int, ...], ...]
+    boundaries: tuple[tuple[BoundaryShape, ...], ...]
+    transitions: tuple[tuple[TransitionShape, ...], ...]
+    contacts: tuple[ContactShape, ...]
+    rows: int
+    resets: int
+    forcing: tuple[tuple[int, int], ...] = ()
+    coordinates: tuple[tuple[int, int], ...] = ()
+    law: Law | None = None
+    forcing_row: int | None = None
+
+    def configuration(self, name: str) -> int:
+        """Index of a configuration; InputError if there is none of that name."""
+        if name not in self.configurations:
+            raise unknown_name("configuration", str(name), self.configurations)
+        return self.configurations.index(name)
+
+    def leading(
+        self, source: int, boundaries: frozenset[int], target: int
+    ) -> tuple[TransitionShape, ...]:
+        """Transitions to a target, listed or of the law, which tells no conditions here."""
+        listed = tuple(
+            t for t in self.transitions[source] if t.boundaries == boundaries and t.target == target
+        )
+        if self.law is None:
+            return listed
+        event = self.law.event(source, [self.boundaries[source][b].name for b in boundaries])
+        if event is None or not self.law.leads(event, target):
+            return listed
+        return (*listed, TransitionShape(boundaries, (), self.law.reset(event, target), target))
+
+    def exits(self, source: int) -> Iterator[tuple[int, int]]:
+        """Each boundary with each target that it may lead to when it is reached alone."""
+        for boundary in range(len(self.boundaries[source])):
+            for target in range(len(self.configurations)):
+                if self.leading(source, frozenset({boundary}), target):
+                    yield boundary, target
+
+    def orders(self, source: int, boundaries: frozenset[int]) -> tuple[int, ...]:
+        """Numbers of the orders in which what is reached together may act; none for one order."""
+        listed = (t for t in self.transitions[source] if t.boundaries == boundaries)
+        return tuple(dict.fromkeys(t.order for t in listed if t.order))
+
+    def boundary(self, configuration: int, name: str) -> int:
+        """Index of a boundary of a configuration; InputError if it has none of that name."""
+        names = [b.name for b in self.boundaries[configuration]]
+        if name not in names:
+            where = self.configurations[configuration]
+            raise unknown_name(f"boundary of {where}", name, names)
+        return names.index(name)
+
+    @cached_property
+    def shapes(self) -> Modes:
+        """The modes, where they are known."""
+        if self.modes is None:
+            raise InputError(f"the modes of {self.name} depend on its parameters")
+        return self.modes
+
+    @cached_property
+    def functions(self) -> tuple[int, ...]:
+        """Number of functions of time of each configuration."""
+        return tuple(sum(len(mode.places) for mode in modes) for modes in self.shapes)
+
+    def with_modes(self, modes: Modes) -> Structure:
+        """The same with the modes of a parameter point; one record for equal modes."""
+        return _with_modes(self, modes)
+
+
+@lru_cache(maxsize=1024)
+def _with_modes(structure: Structure, modes: Modes) -> Structure:
+    return replace(structure, modes=modes)
+
+
+def structure_of(system: str | SystemKernels | DeclaredSystem) -> Structure:
+    """Structure of a system; InputError for an unknown name."""
+    kernels = kernels_of(system)
+    return _structure(kernels)
+
+
+@cache
+def _structure(kernels: SystemKernels) -> Structure:
+    table = kernels.table
+    configurations = tuple(table["configurations"])
+    states = tuple(table["states"])
+    modes = None
+    if table["modes"] is not None:
+        modes = tuple(
+            mode_shapes((entry["length"], entry["oscillates"]) for entry in table["modes"][name])
+            for name in configurations
+        )
+    boundaries = tuple(
+        tuple(
+            BoundaryShape(b["name"], row, b["acts_when"] == "reached")
+            for b, row in zip(found, table["boundary_rows"][name], strict=True)
+        )
+        for name, found in table["configurations"].items()
+    )
+    transitions: list[list[TransitionShape]] = [[] for _ in configurations]
+    for entry in table["transitions"]:
+        source = configurations.index(entry["source"])
+        names = [b.name for b in boundaries[source]]
+        transitions[source].append(
+            TransitionShape(
+                frozenset(names.index(name) for name in entry["boundaries"]),
+                tuple(
+                    (row, configurations.index(along), holds)
+                    for row, along, holds in entry["conditions"]
+                ),
+                entry["reset"],
+                configurations.index(entry["target"]),
+                entry.get("order", 0),
+                entry.get("path"),
+            )
+        )
+    return Structure(
+        kernels.name,
+        states,
+        configurations,
+        modes,
+        tuple(tuple(states.index(x) for x in table["held"][name]) for name in configurations),
+        tuple(tuple(table["constraint_rows"][name]) for name in configurations),
+        boundaries,
+        tuple(map(tuple, transitions)),
+        tuple(
+            ContactShape(
+                name,
+                {configurations.index(c): row for c, row in found["forces"].items()},
+                found["velocity"],
+                found["surface"],
+            )
+            for name, found in table["contacts"].items()
+        ),
+        kernels.rows,
+        kernels.module.KERNELS["resets"][1][0][0] // len(states),
+        _pairs(states, table["forcing"]),
+        _pairs(states, table["coordinates"]),
+        law_of(table, configurations),
+        table.get("forcing_row"),
+    )
+
+
+def _pairs(
+    states: tuple[str, ...], named: Iterable[tuple[str, str]]
+) -> tuple[tuple[int, int], ...]:
+    return tuple((states.index(a), states.index(b)) for a, b in named)
+
+
+def mode_shapes(modes: Iterable[tuple[int, bool]]) -> tuple[ModeShape, ...]:
+    """Modes of a configuration from their lengths and whether they oscillate."""
+    shapes, first = [], 0
+    for length, oscillates in modes:
+        count = length * (2 if oscillates else 1)
+        shapes.append(ModeShape(length, oscillates, tuple(range(first, first + count))))
+        first += count
+    return tuple(shapes)

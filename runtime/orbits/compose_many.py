@@ -1,0 +1,317 @@
+"""The orbits of one itinerary at many parameter points: compiled, in threads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.piecewise import numbers_at, parameter_points, piecewise_at
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.routes import with_routes
+from nonsmooth.runtime.shooting.cycle_newton import message_of, sizes, solve_cycle
+from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.section_map import (
+    local_maps,
+    mechanical_states,
+    section_dimension,
+    smallest_section,
+    stroboscopic_maps,
+)
+from nonsmooth.runtime.shooting.shooting_map import (
+    Cycle,
+    Numbers,
+    cycle_of,
+    guesses,
+    numbers_in,
+    pass_through,
+)
+from nonsmooth.runtime.shooting.symmetry import closed_cycle
+from nonsmooth.runtime.shooting.translations import (
+    directions_of,
+    gauges_of,
+    projection_along,
+    translations_of,
+)
+
+__all__ = ["ComposedOrbits", "compose_many"]
+
+CHUNK = 1 << 8  # points that one thread takes at a time: their numbers fit into a cache
+
+
+@dataclass(frozen=True, eq=False)
+class ComposedOrbits:
+    """Orbits of one itinerary; leading axes are the broadcast shape of the parameters.
+
+    Attributes
+    ----------
+    system : str
+    itinerary : tuple of (configuration, boundary)
+    dwell_times : array (..., p)
+        NaN, as all that follows, where no orbit was found.
+    states : array (..., p, N)
+        State at the start of each phase.
+    trace : array (...)
+        Of the Poincare map.
+    multipliers : array (..., k) of complex, or None
+        Of the map on the section where the orbits start; None where not asked for.
+    residual : array (...)
+    iterations, status : array (...) of int32
+        `status` is a number of `nonsmooth.runtime.shooting.newton`: 0 converged.
+    timed : bool
+        Whether the period was given.
+    """
+
+    system: str
+    itinerary: tuple[tuple[str, str], ...]
+    dwell_times: np.ndarray
+    states: np.ndarray
+    trace: np.ndarray
+    multipliers: np.ndarray | None
+    residual: np.ndarray
+    iterations: np.ndarray
+    status: np.ndarray
+    timed: bool
+
+    @property
+    def converged(self) -> np.ndarray:
+        """Where an orbit was found."""
+        return np.asarray(self.status == CONVERGED)
+
+    @property
+    def start(self) -> np.ndarray:
+        """State (..., N) at the start of the first phase."""
+        return self.states[..., 0, :]
+
+    @property
+    def period(self) -> np.ndarray:
+        """Sum of the dwell times."""
+        return np.asarray(self.dwell_times.sum(axis=-1))
+
+    def message(self, status: int) -> str:
+        """What a status means and suggests."""
+        return message_of(status, timed=self.timed)
+
+
+def compose_many(
+    system: str | SystemKernels | DeclaredSystem,
+    itinerary: Sequence[tuple[str, str]],
+    parameters: Mapping[str, Any],
+    guess_dwell_times: Any,
+    guess_state: Any = None,
+    period: Any = None,
+    *,
+    multipliers: bool = False,
+    threads: int | None = None,
+) -> ComposedOrbits:
+    """Find the periodic orbit of an itinerary at many parameter points.
+
+    Parameters
+    ----------
+    system : str, System or SystemKernels
+    itinerary : sequence of (configuration, boundary)
+    parameters : mapping of str to array (...)
+        All physical parameters; they broadcast against each other.
+    guess_dwell_times : array (..., p)
+        One guess for all points or one for each; so are the next two. Guesses may be many for
+        one point.
+    guess_state : array (..., N), optional
+    period : array (...), optional
+        As for `compose`.
+    multipliers : bool
+        Also give multipliers.
+    threads : int, optional
+        As many as processors when omitted.
+
+    Raises
+    ------
+    InputError
+        As `compose`, and for arrays that do not broadcast. A parameter outside its domain
+        gives its point the status of a number that is not finite.
+    """
+    if threads is not None and (isinstance(threads, bool) or threads < 1):
+        raise InputError(f"threads = {threads} is not a positive integer")
+    kernels = with_routes(kernels_of(system), itinerary)
+    structure = structure_of(kernels)
+    cycle = cycle_of(structure, itinerary)
+    size = len(structure.states)
+    points, given = parameter_points(kernels, parameters)
+    shape = _common(given, guess_dwell_times, guess_state)
+    width = points.shape[1]
+    points = np.broadcast_to(points.reshape(*given, width), (*shape, width))
+    points = points.reshape(int(np.prod(shape)), width)
+    dwell = _spread("guess_dwell_times", guess_dwell_times, len(cycle), shape, positive=True)
+    start = None if guess_state is None else _spread("guess_state", guess_state, size, shape)
+    lengths = np.full(len(dwell), np.nan)
+    if period is not None:
+        lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
+    count = len(dwell)
+
+    driven = mechanical_states(cycle)
+    moving = _translates(kernels, points)
+    if moving:
+        first, rank = 0, size if driven is None else len(driven)
+        dimension = rank
+    elif driven is None:
+        first, rank, dimension = _smallest_section(cycle, kernels, points, dwell, start)
+    else:
+        first, rank, dimension = 0, len(driven), len(driven)
+    dwell_times = np.empty((count, len(cycle)))
+    states = np.empty((count, len(cycle), size))
+    maps = np.empty((count, *(2 * (size if driven is None else len(driven),))))
+    residual = np.empty(count)
+    iterations, status = np.empty(count, dtype=np.int32), np.empty(count, dtype=np.int32)
+
+    def work(begin: int) -> None:
+        for group in numbers_at(kernels, points[begin : begin + CHUNK]):
+            part, here, at = begin + group.places, cycle.at(group.structure), None
+            flat, directions = group.flat, np.empty((len(group.flat), 0, size))
+            if moving:
+                here, flat, directions = _closed(here, flat)
+            if start is not None:
+                numbers = numbers_in(here.structure, flat)
+                with np.errstate(all="ignore"):
+                    at = pass_through(here, numbers, dwell[part], start[part], np).starts[first]
+            guess = np.roll(dwell[part], -first, axis=1)
+            found = solve_cycle(here.rotated(first), flat, guess, at, lengths[part])
+            dwell_times[part] = np.roll(found.dwell, first, axis=1)
+            states[part] = np.roll(found.starts, first, axis=1)
+            residual[part] = found.residual
+            if driven is None:
+                maps[part] = _with_translations(found.maps, directions)
+            else:
+                fields = numbers_in(group.structure, group.flat).fields
+                first_field = fields[:, cycle.configurations[0]]
+                timed = stroboscopic_maps(here, first_field, found.starts[:, 0], found.maps, driven)
+                maps[part] = _with_translations(timed, directions[..., driven])
+            iterations[part], status[part] = found.iterations, found.status
+
+    parts = range(0, count, CHUNK)
+    if threads == 1 or len(parts) < 2:
+        for begin in parts:
+            work(begin)
+    else:
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(work, parts))
+    lost = status != CONVERGED
+    for array in (dwell_times, states, maps, residual):
+        array[lost] = np.nan
+    return ComposedOrbits(
+        kernels.name,
+        cycle.itinerary,
+        dwell_times.reshape(*shape, len(cycle)),
+        states.reshape(*shape, len(cycle), size),
+        np.trace(maps, axis1=-2, axis2=-1).reshape(shape),
+        _multipliers(maps, rank, dimension).reshape(*shape, dimension) if multipliers else None,
+        residual.reshape(shape),
+        iterations.reshape(shape),
+        status.reshape(shape),
+        period is not None,
+    )
+
+
+def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
+    """Whether the system does not change along some direction: the first sound point tells."""
+    sound = np.flatnonzero(np.isfinite(points).all(axis=1))
+    if not len(sound):
+        return False
+    return bool(len(translations_of(piecewise_at(kernels, points[sound[0]]))))
+
+
+def _closed(cycle: Cycle, flat: np.ndarray) -> tuple[Cycle, np.ndarray, np.ndarray]:
+    """A cycle that closes up to translations, numbers with its last reset, and directions."""
+    structure, count = cycle.structure, len(flat)
+    numbers = numbers_in(structure, flat)
+    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
+    directions = np.array([directions_of(structure, *each) for each in arrays])
+    last = numbers.resets[:, cycle.transitions[-1].reset]
+    added = np.stack([projection_along(d) @ r for d, r in zip(directions, last, strict=True)])
+    place = sum(part[0].size for part in numbers[:3])
+    parts = [flat[:, :place], added.reshape(count, -1), flat[:, place:]]
+    return closed_cycle(cycle, len(cycle)), np.concatenate(parts, axis=1), directions
+
+
+def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
+    """Maps (n, k, k) up to translations with the multipliers 1 that these have."""
+    found = maps.copy()
+    for map_, along in zip(found, directions, strict=True):
+        if len(along):
+            map_[:] = projection_along(along) @ map_
+            map_[:, gauges_of(along)] += along.T
+    return found
+
+
+def _common(shape: tuple[int, ...], dwell: Any, start: Any) -> tuple[int, ...]:
+    """Shape of the points: what parameters and guesses broadcast to, where they do."""
+    leads = [np.shape(guess)[:-1] for guess in (dwell, start) if guess is not None]
+    try:
+        return np.broadcast_shapes(shape, *leads)
+    except ValueError:
+        return shape  # which guess does not fit is told when it is spread
+
+
+def _spread(
+    name: str, given: Any, size: int, shape: tuple[int, ...], *, positive: bool = False
+) -> np.ndarray:
+    """A guess for each point (n, size)."""
+    array = guesses(name, given, size, positive=positive)
+    try:
+        return np.broadcast_to(array, (*shape, size)).reshape(-1, size)
+    except ValueError:
+        raise InputError(f"{name}: {array.shape} does not broadcast to {shape}") from None
+
+
+def _smallest_section(
+    cycle: Cycle,
+    kernels: SystemKernels,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray | None,
+) -> tuple[int, int, int]:
+    """Phase that starts on the smallest section, its dimension, and that of the first's.
+
+    They are a matter of structure: one point tells them for all.
+    """
+    size = len(cycle.structure.states)
+    for place in range(min(len(dwell), CHUNK)):
+        part = slice(place, place + 1)
+        (group,) = numbers_at(kernels, points[part])
+        flat = group.flat
+        if not np.isfinite(flat).all():
+            continue
+        here = cycle.at(group.structure)
+        at = None if start is None else start[part]
+        found = solve_cycle(here, flat, dwell[part], at, np.full(1, np.nan))
+        single = Numbers(*_first(numbers_in(group.structure, flat)))
+        with np.errstate(all="ignore"):
+            now = pass_through(here, single, found.dwell[0], found.starts[0, 0], np)
+            maps = local_maps(here, single, now)
+        if not all(np.isfinite(matrix).all() for matrix in maps):
+            continue
+        size_of = sizes(now, found.dwell[0])
+        first, rank = smallest_section(maps, size_of)
+        return first, rank, max(rank, section_dimension(cycle, single, size_of, np))
+    return 0, size - 1, size - 1
+
+
+def _first(numbers: Numbers) -> Any:
+    for part in numbers:
+        yield tuple(p[0] for p in part) if isinstance(part, tuple) else part[0]
+
+
+def _multipliers(maps: np.ndarray, rank: int, dimension: int) -> np.ndarray:
+    """Largest eigenvalues, as many as the smallest section has dimensions; the rest are zero."""
+    found = np.full((len(maps), dimension), np.nan, dtype=complex)
+    sound = np.isfinite(maps).all(axis=(-2, -1))
+    values = np.linalg.eigvals(maps[sound])
+    order = np.argsort(-np.abs(values), axis=-1, kind="stable")
+    values = np.take_along_axis(values, order, axis=-1)[:, :dimension].astype(complex)
+    values[:, rank:] = 0
+    found[sound] = values
+    return found

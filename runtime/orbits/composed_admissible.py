@@ -1,0 +1,167 @@
+"""Whether a composed orbit is a motion of the real system, in double precision.
+
+No boundary may be crossed inside a phase, and of the transitions that are declared for a
+boundary the first whose conditions hold has to be the itinerary's.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.events.first_crossing import first_crossing
+from nonsmooth.runtime.events.phase_numbers import ConfigurationTable
+from nonsmooth.runtime.events.transition_choice import Decider
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
+from nonsmooth.runtime.orbits.admissible import MOST_MISSED, Admissibility, Violation
+from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage, flow_at, numbers_in
+from nonsmooth.runtime.shooting.translations import projection_along, translations_of
+
+__all__ = ["assess_cycle"]
+
+_EPSILON = float(np.finfo(float).eps)
+_SAMPLES, _MOST_SAMPLES = 16, 20_000  # a radian, and altogether
+_SIZES = 9  # instants of a phase at which the sizes of its states are taken
+
+
+def assess_cycle(
+    cycle: Cycle, system: PiecewiseLinear, now: Passage, dwell: np.ndarray
+) -> Admissibility:
+    """Check all boundaries along all phases, and all transitions.
+
+    A transition that the conditions refuse is a violation of its own boundary at the end of
+    its phase, by no excess.
+
+    Raises
+    ------
+    InputError
+        For a phase longer than the guarantee of the search reaches.
+    """
+    numbers = numbers_in(system)
+    behind = projection_along(translations_of(system)) @ now.starts[-1]
+    now = now._replace(starts=np.concatenate([now.starts[:-1], behind[None]]))
+    begins = np.concatenate([[0.0], np.cumsum(dwell)])
+    tables: dict[int, ConfigurationTable] = {}
+    violations = []
+    for place, duration in enumerate(dwell.tolist()):
+        configuration = cycle.configurations[place]
+        name = cycle.structure.configurations[configuration]
+        if configuration not in tables:
+            tables[configuration] = ConfigurationTable(system, configuration)
+        table = tables[configuration]
+        if not duration * table.fastest <= LONGEST_WAIT:
+            raise InputError(
+                f"{name} lasts {duration:.6g}, more than {LONGEST_WAIT:g} over its largest"
+                " exponent: no guarantee reaches that far"
+            )
+        noise = _noise(cycle, numbers, now, place, duration)
+        state = [*map(float, now.starts[place]), 1.0]
+        shapes = cycle.structure.boundaries[configuration]
+        for boundary, shape in zip(table.boundaries, shapes, strict=True):
+            function = table.function(boundary, state, [abs(x) for x in state])
+            rounding = max(function.rounding(0.0), function.rounding(duration))
+            floor = rounding + float(noise[shape.row])
+            crossing = first_crossing(function.raised(-floor), duration)
+            if crossing.time is not None:
+                time, excess = _maximum(function, crossing.time, duration)
+                found = Violation(place, name, shape.name, float(begins[place]) + time, excess)
+                violations.append(found)
+        for reached in sorted(cycle.transitions[place].boundaries):
+            shape = shapes[reached]  # of several that are reached together all have to be zero
+            value = float(numbers.rows[shape.row] @ np.append(now.ends[place], 1.0))
+            if value < -noise[shape.row]:
+                time = float(begins[place + 1])
+                violations.append(Violation(place, name, shape.name, time, value))
+        if not _taken(cycle, numbers, now, place, noise):
+            last = cycle.itinerary[place][1]
+            violations.append(Violation(place, name, last, float(begins[place + 1]), 0.0))
+    return Admissibility(not violations, tuple(violations), ())
+
+
+def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[float, float]:
+    """Where a function that has crossed zero is largest, and its value there."""
+    angle = function.fastest * (last - first)
+    times = np.linspace(first, last, int(min(64 + _SAMPLES * angle, _MOST_SAMPLES)))
+    values = [function(time) for time in times.tolist()]
+    best = int(np.argmax(values))
+    low, high = times[max(best - 1, 0)], times[min(best + 1, len(times) - 1)]
+    if low < high:
+        found = minimize_scalar(
+            lambda time: -function(time), bounds=(low, high), method="bounded",
+            options={"xatol": 1e-12 * max(high, 1.0)},
+        )  # fmt: skip
+        if -found.fun > values[best]:
+            return float(found.x), float(-found.fun)
+    return float(times[best]), float(values[best])
+
+
+def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int, duration: float) -> np.ndarray:
+    """Rounding of every row along a phase, whose terms are differences of the data.
+
+    By as much as the phase misses the boundary that ends it, all may be off: up to a limit.
+    What vanishes at both ends has the size that it takes between them.
+    """
+    start, times = now.starts[place], np.linspace(0, duration, _SIZES)
+    flows = flow_at(cycle.structure, numbers, cycle.configurations[place], times, np)
+    states = abs(flows[..., :-1] @ start + flows[..., -1]).max(axis=0)
+    size = abs(numbers.rows[:, :-1]) @ states + abs(numbers.rows[:, -1])
+    missed = abs(float(now.gaps[place])) + float(np.max(abs(now.starts[-1] - now.starts[0])))
+    return np.asarray(64 * _EPSILON * size + np.minimum(2 * missed, MOST_MISSED * size))
+
+
+def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.ndarray) -> bool:
+    """Whether the first declared transition whose conditions hold is the itinerary's."""
+    wanted = cycle.transitions[place]
+    if cycle.boundaries[place] is None:  # the forcing's phase changes nothing
+        return True
+    if wanted.path is not None:
+        return _lawful(cycle, numbers, now, place)
+    if cycle.structure.orders(cycle.configurations[place], wanted.boundaries):
+        return _lawful(cycle, numbers, now, place)
+    for transition in cycle.structure.transitions[cycle.configurations[place]]:
+        if transition.boundaries != wanted.boundaries:
+            continue
+        holds = all(
+            _positive(numbers, row, along, now.ends[place], noise, cycle.rows[place]) == expected
+            for row, along, expected in transition.conditions
+        )
+        if holds:
+            return transition is wanted
+    return False
+
+
+def _lawful(cycle: Cycle, numbers: Numbers, now: Passage, place: int) -> bool:
+    """Whether the laws of contact lead to the itinerary's next configuration."""
+    structure, source = cycle.structure, cycle.configurations[place]
+    wanted, known = cycle.transitions[place], np.append(now.ends[place].astype(float), 1.0)
+    decider = Decider(structure, numbers.fields, numbers.rows, numbers.resets)
+    error = 2 * abs(float(now.gaps[place]) / float(now.speeds[place]))
+    found = decider.decision(source, wanted.boundaries, known, abs(known), error)
+    return found is not None and found.target == wanted.target
+
+
+def _positive(
+    numbers: Numbers, row: int, along: int, state: np.ndarray, noise: np.ndarray, own: int
+) -> bool:
+    """Whether the first nonzero derivative of a row along a flow is positive.
+
+    The boundary that has just been reached is zero itself.
+    """
+    field: Any = numbers.fields[along]
+    normal, constant = numbers.rows[row, :-1], float(numbers.rows[row, -1])
+    error = float(noise[row])
+    for order in range(len(state) + 1):
+        value = float(normal @ state) + constant
+        if abs(value) > error and not (order == 0 and row == own):
+            return value > 0
+        constant = float(normal @ field[:, -1])
+        normal = normal @ field[:, :-1]
+        size = abs(normal) @ abs(state) + abs(constant)
+        relative = float(noise[row]) / max(float(abs(numbers.rows[row, :-1]) @ abs(state)), 1e-300)
+        error = max(64 * _EPSILON, min(relative, MOST_MISSED)) * float(size)
+    return False

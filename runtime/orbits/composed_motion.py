@@ -1,0 +1,65 @@
+"""The motion along a composed orbit."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nonsmooth.runtime.model.engine_run import Run, Status
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["motion_along"]
+
+
+def motion_along(
+    system: PiecewiseLinear,
+    cycle: Cycle,
+    dwell: np.ndarray,
+    starts: np.ndarray,
+    ends: np.ndarray,
+    shift: np.ndarray,
+    periods: int,
+) -> Trajectory:
+    """Phases one after the other, some periods long.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+        In double precision, as all that follows.
+    cycle : Cycle
+    dwell : array (p,)
+    starts, ends : array (p, N)
+        State at the start and at the end of each phase.
+    shift : array (N,)
+        By which a period moves the state.
+    periods : int
+    """
+    if cycle.uninterrupted:
+        run = Run(
+            np.zeros(1),
+            np.array(cycle.configurations[:1], dtype=np.int32),
+            starts[:1],
+            starts[:1],
+            np.zeros(1, dtype=np.int32),
+            (),
+            Status.UNTIL,
+            float(periods * dwell.sum()),
+        )
+        return Trajectory(system, run)
+    masks = [sum(1 << boundary for boundary in t.boundaries) for t in cycle.transitions]
+    moved = np.repeat(np.arange(periods), len(dwell))[:, None] * shift
+    behind = np.tile(np.concatenate([starts[1:], starts[:1] + shift]), (periods, 1)) + moved
+    times = np.cumsum(np.tile(dwell, periods))
+    following = np.tile(np.roll(cycle.configurations, -1), periods)
+    run = Run(
+        np.concatenate([[0.0], times]),
+        np.concatenate([cycle.configurations[:1], following]).astype(np.int32),
+        np.concatenate([starts[:1], np.tile(ends, (periods, 1)) + moved]),
+        np.concatenate([starts[:1], behind]),
+        np.array([0, *masks * periods], dtype=np.int32),
+        (),
+        Status.TRANSITIONS,
+        float(times[-1]),
+    )
+    return Trajectory(system, run)

@@ -1,0 +1,204 @@
+"""The motion along a periodic orbit: its state at any time, from the closed-form flows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["Motion", "Samples", "orbit_motion"]
+
+MOST_SAMPLES = 10_000_000
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Points of a motion, in the order of time.
+
+    Attributes
+    ----------
+    times : array (count,)
+        Each transition occurs twice, as the end of a phase and as the start of the next.
+    states : array (count, N)
+        Before a transition's reset at its first occurrence, behind it at the second.
+    phases : array (count,) of int
+        Counted from 0 in every period.
+    """
+
+    times: np.ndarray
+    states: np.ndarray
+    phases: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """The periodic motion of an orbit as a function of time, in double precision.
+
+    Calling it gives the state at any times; every time is taken modulo the period. At a
+    transition that is the state behind it. Everything is nondimensional, and in the
+    coordinates of the orbit's equations.
+
+    Attributes
+    ----------
+    name : str
+        ``system/orbit``.
+    parameters : array (p,)
+        Of the equations.
+    starts : array (phases, N)
+        State at the start of each phase.
+    breaks : array (phases + 1,)
+        Start, transitions in between, and end of a period: 0 first, the period last.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.orbits.solve import solve
+    >>> motion = solve("dry-friction/global-stick").motion()
+    >>> motion.names
+    ('z1', 'z2', 'v1', 'v2')
+    >>> motion([[0, 1, 2], [3, 4, 5]]).shape
+    (2, 3, 4)
+    >>> motion.configuration(-0.1)
+    'stick-slip'
+    """
+
+    name: str
+    parameters: np.ndarray
+    starts: np.ndarray
+    breaks: np.ndarray
+
+    @property
+    def kernels(self) -> OrbitKernels:
+        """Kernels of the orbit."""
+        return load_orbit(self.name)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the states: positions, then velocities."""
+        return tuple(self.kernels.table["states"])
+
+    @property
+    def configurations(self) -> tuple[str, ...]:
+        """Configuration of each phase."""
+        return tuple(configuration for configuration, _, _ in self.kernels.table["phases"])
+
+    @property
+    def period(self) -> float:
+        """Sum of the dwell times."""
+        return float(self.breaks[-1])
+
+    @cached_property
+    def _spectrum(self) -> Any:
+        return self.kernels.spectrum(self.parameters)[0]
+
+    def __call__(self, times: Any) -> np.ndarray:
+        """State at each of the times.
+
+        Parameters
+        ----------
+        times : array (...)
+
+        Returns
+        -------
+        array (..., N)
+
+        Raises
+        ------
+        InputError
+            If a time is not a finite number.
+        """
+        within = self._within(times)
+        phases = self._phase(within)
+        states = np.empty((*within.shape, self.starts.shape[1]))
+        for phase in np.unique(phases):
+            here = phases == phase
+            states[here] = self._flow(int(phase), within[here] - self.breaks[phase])
+        return states
+
+    def phase(self, times: Any) -> Any:
+        """Phase at each of the times, counted from 0."""
+        return self._phase(self._within(times))[()]
+
+    def configuration(self, times: Any) -> Any:
+        """Configuration at each of the times: a name, or an array of names."""
+        names = np.array(self.configurations)[self.phase(times)]
+        return str(names) if names.ndim == 0 else names
+
+    def sample(self, points_per_period: int = 500, periods: int = 1) -> Samples:
+        """Points for a drawing, evenly spaced inside each phase.
+
+        Parameters
+        ----------
+        points_per_period : int
+            About as many; every phase has at least its start and its end.
+        periods : int
+
+        Raises
+        ------
+        InputError
+            For counts that are not positive integers, or far too large.
+        """
+        for label, count in (("points_per_period", points_per_period), ("periods", periods)):
+            if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
+                raise InputError(f"{label} = {count!r} is not a positive integer")
+        if points_per_period * periods > MOST_SAMPLES:
+            raise InputError(f"more than {MOST_SAMPLES} points")
+        times, states, phases = [], [], []
+        for phase, (begin, end) in enumerate(zip(self.breaks, self.breaks[1:], strict=False)):
+            share = points_per_period * (end - begin) / self.period
+            inside = np.linspace(begin, end, max(2, round(share) + 1))
+            times.append(inside)
+            states.append(self._flow(phase, inside - begin))
+            phases.append(np.full(inside.size, phase))
+        once = np.concatenate(times)
+        # sums one by one, so that a period ends at the very time at which the next starts
+        shifts = np.cumsum([0.0, *[self.period] * (periods - 1)])
+        return Samples(
+            (shifts[:, None] + once).ravel(),
+            np.tile(np.concatenate(states), (periods, 1)),
+            np.tile(np.concatenate(phases), periods),
+        )
+
+    def _within(self, times: Any) -> np.ndarray:
+        try:
+            array = np.asarray(times, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError("the times are not real numbers") from None
+        if not np.isfinite(array).all():
+            raise InputError("a time is not finite")
+        return np.asarray(np.mod(array, self.period))
+
+    def _phase(self, within: np.ndarray) -> np.ndarray:
+        return np.searchsorted(self.breaks[1:-1], within, side="right")
+
+    def _flow(self, phase: int, since: np.ndarray) -> np.ndarray:
+        kernel = f"flow_{self.configurations[phase].replace('-', '_')}"
+        arrays = (self.parameters, self._spectrum, since, self.starts[phase])
+        return np.asarray(self.kernels.evaluate(kernel, *arrays))
+
+
+def orbit_motion(orbit: Orbit) -> Motion:
+    """Give the motion along an orbit.
+
+    Raises
+    ------
+    InputError
+        If the orbit has not converged.
+    """
+    if not orbit.converged:
+        raise InputError(f"{orbit.name} has no motion: {orbit.message}")
+    states = np.array([[float(x) for x in row] for row in orbit.states])
+    dwell = [float(time) for time in orbit.dwell_times.values()]
+    return Motion(
+        orbit.name,
+        np.array([float(x) for x in orbit.parameters.values()]),
+        states[:-1],
+        np.concatenate([[0.0], np.cumsum(dwell)]),
+    )

@@ -1,0 +1,220 @@
+"""Declared orbits without kernels: composed from the numbers of their systems."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.piecewise import (
+    PiecewiseLinear,
+    piecewise,
+    system_parameters,
+)
+from nonsmooth.runtime.orbits.compose import compose
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.shooting.cycle_newton import fitting_start
+from nonsmooth.runtime.shooting.shooting_map import cycle_of
+
+__all__ = ["solve_declared", "unknowns_of", "whole_names"]
+
+CONTINUATION_STEPS = 24
+
+
+def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
+    """Names of the unknowns of a declared orbit: dwell times, then the start's coordinates."""
+    dwell = _part_names(kernels)
+    taken = {*dwell, *(p.name for p in kernels.system.parameters)}
+    states = kernels.system.table["states"]
+    return (*dwell, *start_names(states, taken, kernels.table.get("start")))
+
+
+def _part_names(kernels: OrbitKernels) -> tuple[str, ...]:
+    return tuple(name for _, _, name in kernels.table["phases"])
+
+
+def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
+    """Names of an orbit of so many phases: those of its images bear the image's number."""
+    part = _part_names(kernels)
+    images = count // len(part)
+    dwell = [n if k == 0 else f"{n}_{k + 1}" for k in range(images) for n in part]
+    return (*dwell, *unknowns_of(kernels)[len(part) :])
+
+
+def solve_declared(
+    kernels: OrbitKernels,
+    parameters: Mapping[str, object],
+    guess: Sequence[float] | Mapping[str, float] | None = None,
+    *,
+    unknown: Iterable[str] = (),
+    given: Mapping[str, object] | None = None,
+    throw: bool = True,
+) -> ComposedOrbit:
+    """Compose an orbit that was declared by its phases.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+        Whose equations have no closed form: it is not `derived`.
+    parameters : mapping of str to number, text or Value
+        Physical parameters; absent ones take the reference point's values. Where the
+        declaration names a period its name is among them.
+    guess : sequence or mapping of float, optional
+        Dwell times and coordinates of the start, all in their order or some by name; absent
+        dwell times take the reference's guess, absent coordinates that or what fits best.
+        Without a guess the reference orbit is followed to these parameters where it can be.
+    unknown : iterable of str
+        Has to be empty.
+    given : mapping of str to number, text or Value
+        ``period`` at most.
+    throw : bool
+        Raise when there is no convergence.
+
+    Raises
+    ------
+    InputError
+        For wrong names or values, a dwell time that is neither given nor in a reference, or
+        an exchange.
+    NoConvergence
+        If no orbit was found.
+    """
+    exchanged = [*unknown, *(name for name in given or {} if name != "period")]
+    if exchanged:
+        raise InputError(
+            f"{kernels.name} is composed from its phases: {', '.join(exchanged)} cannot be"
+            " exchanged, as in orbits whose equations are derived"
+        )
+    reference = kernels.table["reference"] or {"parameters": {}, "guess": {}}
+    values: dict[str, Any] = {**reference["parameters"], **parameters}
+    period: object = (given or {}).get("period")
+    declared = kernels.table.get("period")
+    if declared is not None:
+        own = values.pop(declared["name"], None)
+        period = own if period is None else period
+    symmetry: Mapping[str, str] | None = kernels.table.get("symmetry") or None
+    named = _named(kernels, guess, reference["guess"])
+    phases = [(configuration, boundary) for configuration, boundary, _ in kernels.table["phases"]]
+    names = unknowns_of(kernels)
+    count = len(phases)
+    rest = [named.get(name) for name in names[: count - 1]]
+    if period is not None and names[count - 1] not in named and None not in rest:
+        # the last phase takes what the others leave
+        named[names[count - 1]] = float(as_value(period)) - sum(x for x in rest if x is not None)
+    missing = [name for name in names[:count] if name not in named]
+    if missing:
+        raise InputError(
+            f"{kernels.name} declares no guess of {', '.join(missing)}: give one, as in"
+            f" --guess {','.join(f'{name}=1' for name in missing)}; a motion that was simulated"
+            " tells them (nonsmooth.itinerary_of)"
+        )
+    dwell = [named[name] for name in names[:count]]
+    known = [named.get(name) for name in names[count:]]
+    orbit = None
+    if guess is None and period is None and values != reference["parameters"]:
+        defaults = dict(reference["parameters"])
+        if defaults.keys() == values.keys():
+            start = _start(piecewise(kernels.system, defaults), phases, dwell, known, symmetry)
+            orbit = _followed(kernels.system, defaults, values, (phases, dwell, start), symmetry)
+    if orbit is None:
+        start = _start(piecewise(kernels.system, values), phases, dwell, known, symmetry)
+        orbit = compose(
+            kernels.system, values, phases, dwell, start, period=period, symmetry=symmetry
+        )
+    names = whole_names(kernels, len(orbit.itinerary))
+    orbit = replace(orbit, label=kernels.name, names=names)
+    if throw and not orbit.converged:
+        raise NoConvergence(f"{kernels.name}: {orbit.message}")
+    return orbit
+
+
+_Guess = tuple[list[tuple[str, str]], list[float], list[float] | None]
+
+
+def _followed(
+    system: SystemKernels,
+    defaults: Mapping[str, object],
+    values: Mapping[str, Any],
+    guess: _Guess,
+    symmetry: Mapping[str, str] | None,
+) -> ComposedOrbit | None:
+    """The reference orbit carried to the parameters in even steps, if it goes as far.
+
+    Steps are even in the logarithm of what is positive at both ends.
+    """
+    phases, dwell, start = guess
+    begin = {name: float(as_value(value)) for name, value in defaults.items()}
+    end = {name: float(value) for name, value in system_parameters(system, values).items()}
+    orbit = None
+    for step in range(CONTINUATION_STEPS + 1):
+        fraction = step / CONTINUATION_STEPS
+        here = {
+            name: begin[name] ** (1 - fraction) * end[name] ** fraction
+            if begin[name] > 0 < end[name]
+            else begin[name] + fraction * (end[name] - begin[name])
+            for name in end
+        }
+        point = values if step == CONTINUATION_STEPS else here
+        orbit = compose(system, point, phases, dwell, start, symmetry=symmetry)
+        if not orbit.converged:
+            return None
+        dwell = orbit.dwell_times.tolist()[: len(phases)]
+        start = orbit.states[0].tolist()
+    return orbit
+
+
+def _named(
+    kernels: OrbitKernels,
+    guess: Sequence[float] | Mapping[str, float] | None,
+    reference: Mapping[str, str],
+) -> dict[str, float]:
+    """Guess by name; a coordinate of the start by that of its state too."""
+    names = unknowns_of(kernels)
+    states = kernels.system.table["states"]
+    synonyms = dict(zip(states, names[len(names) - len(states) :], strict=True))
+    if guess is not None and not isinstance(guess, Mapping):
+        if len(guess) not in (len(names), len(names) - len(states)):
+            raise InputError(
+                f"the guess has {len(guess)} values, {kernels.name} has {len(names)} unknowns:"
+                f" {', '.join(names)}"
+            )
+        guess = dict(zip(names, guess, strict=False))
+    found = {}
+    for name, value in {**reference, **(guess or {})}.items():
+        if name not in names and name not in synonyms:
+            raise unknown_name("variable", str(name), names)
+        found[synonyms.get(name, name)] = _float(name, value)
+    return found
+
+
+def _float(name: str, given: object) -> float:
+    try:
+        return float(as_value(given))
+    except InputError as problem:
+        raise InputError(f"{name}: {problem}") from None
+
+
+def _start(
+    point: PiecewiseLinear,
+    phases: Sequence[tuple[str, str]],
+    dwell: Sequence[float],
+    known: Sequence[float | None],
+    symmetry: Mapping[str, str] | None,
+) -> list[float] | None:
+    """Guess of the start: what is not known of it fits the dwell times best."""
+    given = [value for value in known if value is not None]
+    if len(given) == len(known):
+        return given
+    if not given or symmetry:
+        return None
+    cycle = cycle_of(point.structure, phases)
+    flat = numbers_of(point)[None]
+    with np.errstate(all="ignore"):
+        start = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()
+    return [fitted if value is None else value for fitted, value in zip(start, known, strict=True)]

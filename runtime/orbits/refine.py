@@ -1,0 +1,204 @@
+"""An orbit to any number of digits: Newton's method with growing precision.
+
+The full equations are iterated on the any-arithmetic kernels. With balls (python-flint) the
+last step is Krawczyk's: the box it verifies contains exactly one solution, so the digits
+are proved; with mpmath the result is compared with one at twice the precision.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, overload
+
+from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.model.kernels import OrbitKernels
+from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+
+__all__ = ["MOST_DIGITS", "refine"]
+
+MOST_DIGITS = 100_000
+_START_DIGITS = 15
+_MARGIN = 10  # decimals that the linear algebra of a step may lose
+
+
+@overload
+def refine(orbit: Orbit, digits: int, *, arithmetic: str = ...) -> Orbit: ...
+
+
+@overload
+def refine(orbit: ComposedOrbit, digits: int, *, arithmetic: str = ...) -> ComposedOrbit: ...
+
+
+def refine(
+    orbit: Orbit | ComposedOrbit, digits: int, *, arithmetic: str = "flint"
+) -> Orbit | ComposedOrbit:
+    """Refine an orbit to true decimal digits.
+
+    Parameters
+    ----------
+    orbit : Orbit or ComposedOrbit
+        A converged orbit; its parameters are taken exactly as they were given.
+    digits : int
+        The error of each unknown x will be at most 10^-digits max(1, |x|).
+    arithmetic : {"flint", "mpmath"}
+        Balls, whose digits are proved, or mpmath (on gmpy2 where that is installed), whose
+        digits are checked against twice the precision. A composed orbit takes mpmath.
+
+    Returns
+    -------
+    Orbit or ComposedOrbit
+        With mpmath numbers; its `residual` is the largest left-hand side of the equations.
+
+    Raises
+    ------
+    InputError
+        For digits outside 1 ... 100000 or an orbit that has not converged.
+    NoConvergence
+        If Newton's method leaves the orbit, as it does where the equations are singular.
+    """
+    if not isinstance(orbit, Orbit):
+        return orbit.refined(digits)
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
+        raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+    if not orbit.converged:
+        raise InputError(f"{orbit.name} cannot be refined: {orbit.message}")
+    routes = {"flint": _with_balls, "mpmath": _with_mpmath}
+    if arithmetic not in routes:
+        raise InputError(f"arithmetic is {arithmetic!r}, neither 'flint' nor 'mpmath'")
+    unknowns, residual, iterations = routes[arithmetic](orbit, digits + GUARD)
+    named = dict(zip(orbit.unknowns, unknowns, strict=True))
+    return replace(orbit, unknowns=named, residual=residual, digits=digits, iterations=iterations)
+
+
+def _precisions(digits: int) -> list[int]:
+    """Decimals of the steps: doubling up to the last, from what doubles give."""
+    steps = [digits]
+    while steps[-1] > _START_DIGITS:
+        steps.append(math.ceil(steps[-1] / 2) + 2)
+        if steps[-1] >= steps[-2]:
+            break
+    return steps[::-1]
+
+
+def _equations(
+    kernels: OrbitKernels, names: Sequence[str], values: dict[str, Any], lib: Any
+) -> tuple[list[Any], list[list[Any]]]:
+    """Residual and Jacobian by the names, in any arithmetic."""
+    parameters = [values[name] for name in kernels.parameter_names]
+    unknowns = [values[name] for name in kernels.unknowns]
+    spectrum, derivatives = kernels.spectrum(parameters, lib)
+    residual, by_unknowns = kernels.source("residual_and_jacobian")(
+        parameters, spectrum, unknowns, lib=lib
+    )
+    if tuple(names) == kernels.unknowns:
+        return residual, by_unknowns
+    by_parameters = kernels.source("parameter_jacobian")(
+        parameters, spectrum, derivatives, unknowns, lib=lib
+    )
+    order = [*kernels.unknowns, *kernels.parameter_names]
+    places = [order.index(name) for name in names]
+    rows = zip(by_unknowns, by_parameters, strict=True)
+    return residual, [[([*a, *b])[i] for i in places] for a, b in rows]
+
+
+def _with_mpmath(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
+    lib = Mpmath(_START_DIGITS)
+    names = list(orbit.unknowns)
+    x = [lib.mp.mpf(value) for value in orbit.unknowns.values()]
+    # the last step, at twice the digits, corrects nothing that counts: the check
+    steps = [*_precisions(digits), 2 * digits]
+    correction = lib.mp.inf
+    for count, precision in enumerate(steps, 1):
+        with lib.working(precision + _MARGIN):
+            residual, jacobian = _at(orbit, names, x, lib)
+            try:
+                step = lib.solve(jacobian, residual)
+            except ZeroDivisionError:
+                raise _lost(orbit, precision) from None
+            correction = max(abs(s) / max(abs(v), 1) for s, v in zip(step, x, strict=True))
+            if not correction < 10.0**-3:
+                raise _lost(orbit, precision)
+            if count == len(steps):
+                break
+            x = [v - s for v, s in zip(x, step, strict=True)]
+    if not correction <= lib.mp.mpf(10) ** -(digits - _MARGIN):
+        raise _lost(orbit, digits)
+    mp = Mpmath(digits + _MARGIN).mp  # a context rounds to its own precision when it computes
+    return [mp.mpf(v) for v in x], mp.mpf(max(abs(r) for r in residual)), len(steps)
+
+
+def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
+    lib, names = Balls(), list(orbit.unknowns)
+    x = [exact_ball(value) for value in orbit.unknowns.values()]
+    steps = _precisions(digits)
+    for precision in steps:
+        with lib.working(_bits(precision + _MARGIN)):
+            residual, jacobian = _at(orbit, names, x, lib)
+            try:
+                step = lib.solve(jacobian, residual)
+            except ZeroDivisionError:
+                raise _lost(orbit, precision) from None
+            x = [(v - s).mid() for v, s in zip(x, step, strict=True)]
+    with lib.working(_bits(digits + 2 * _MARGIN)):
+        residual, _ = _at(orbit, names, x, lib)
+        radii = _krawczyk(orbit, names, x, residual, lib)
+        bound = lib.rational(1, 10 ** (digits - _MARGIN))
+        if radii is None or not all(r < bound for r in radii):
+            raise _lost(orbit, digits)
+        mp = Mpmath(digits + _MARGIN).mp
+        largest = max(middle(mp, abs(r).upper()) for r in residual)
+        return [middle(mp, v) for v in x], largest, len(steps) + 1
+
+
+def _at(
+    orbit: Orbit, names: list[str], x: list[Any], lib: Any
+) -> tuple[list[Any], list[list[Any]]]:
+    given = {name: lib.number(value) for name, value in orbit.given.items()}
+    return _equations(orbit.kernels, names, given | dict(zip(names, x, strict=True)), lib)
+
+
+def _krawczyk(
+    orbit: Orbit, names: list[str], x: list[Any], residual: list[Any], lib: Balls
+) -> list[Any] | None:
+    """Radii of a box around x that provably holds one solution, or None if none was shown.
+
+    K(X) = x - Y F(x) + (I - Y F'(X)) (X - x) inside the interior of X, with Y near F'(x)^-1.
+    """
+    matrix, ball = lib.flint.arb_mat, lib.flint.arb
+    _, jacobian = _at(orbit, names, x, lib)
+    try:
+        inverse = matrix(jacobian).mid().inv().mid()
+    except ZeroDivisionError:
+        return None
+    offset = (inverse * matrix([[r] for r in residual])).entries()
+    tiny = ball(2) ** (-lib.flint.ctx.prec)
+    radii = [
+        2 * abs(o).upper() + tiny * (1 + abs(v)).upper() for o, v in zip(offset, x, strict=True)
+    ]
+    box = [v + r * ball(0, 1) for v, r in zip(x, radii, strict=True)]
+    _, spread = _at(orbit, names, box, lib)
+    unit = matrix([[int(i == j) for j in range(len(x))] for i in range(len(x))])
+    contraction = unit - inverse * matrix(spread)
+    growth = [
+        sum((abs(contraction[i, j]).upper() * radii[j] for j in range(len(x))), ball(0))
+        for i in range(len(x))
+    ]
+    inside = all(abs(o) + g < r for o, g, r in zip(offset, growth, radii, strict=True))
+    return radii if inside else None
+
+
+def _bits(digits: int) -> int:
+    return math.ceil(digits * math.log2(10)) + 8
+
+
+def _lost(orbit: Orbit, digits: int) -> NoConvergence:
+    return NoConvergence(
+        f"{orbit.name}: Newton's method with {digits} digits leaves the orbit: the equations are"
+        " singular here, or the start is too coarse"
+    )

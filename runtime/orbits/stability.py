@@ -1,0 +1,145 @@
+"""Stability of an orbit: Poincare map, multipliers and the trace criterion (Secs. 4, 5)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+from nonsmooth.runtime.shooting.multipliers import Multiplier
+
+__all__ = ["Stability", "assess_stability"]
+
+
+@dataclass(frozen=True)
+class Stability:
+    """Multipliers and verdict.
+
+    Attributes
+    ----------
+    multipliers : tuple of Multiplier
+        Of the map on the section; by decreasing absolute value.
+    trace : number
+        Of the same Jacobian.
+    rank : int
+        No more multipliers differ from zero, because the map passes through a section of
+        that dimension; with rank one |trace| < 1 decides.
+    margin : number
+        1 - the largest nontrivial |multiplier|; 1 - |trace| for rank one.
+    verdict : {"stable", "neutral", "unstable", "undecided"}
+        "stable" is the paper's "conditionally stable": with respect to perturbations that
+        keep the sequence of switches. "neutral": a conservative orbit whose nontrivial
+        multipliers lie on the unit circle. Undecided if the margin is within its own error,
+        or if a phase reaches the boundary that ends it with no speed beyond its error.
+    one_sided : str
+        On which side derivatives are taken, as "ta > 0", where the orbit is a border
+        collision; else empty.
+    """
+
+    multipliers: tuple[Multiplier, ...]
+    trace: Any
+    rank: int
+    margin: Any
+    verdict: str
+    one_sided: str
+
+    @property
+    def rank_one(self) -> bool:
+        """Whether the trace alone decides."""
+        return self.rank == 1
+
+
+def assess_stability(orbit: Orbit) -> Stability:
+    """Multipliers of an orbit and what they mean, to the orbit's own digits."""
+    table = orbit.kernels.table
+    zero = orbit.arithmetic.mp.zero if orbit.precise else 0.0
+    trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
+    rank, dimension = table["rank"], len(table["section"])
+    if rank == 1:
+        nonzero = [Multiplier(trace, zero)]
+    elif table["conservative"] and dimension == 3:
+        nonzero = _conservative(orbit, trace)
+    else:
+        nonzero = _eigenvalues(orbit)[:rank] if rank else []
+    found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
+    # a rounding leaves the pair on the unit circle in front of the trivial 1
+    found.sort(key=lambda m: -round(float(_modulus(m, orbit)), 12))
+    largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
+    margin = 1 - largest
+    # what is carried beyond the digits asked for decides too
+    ten = orbit.arithmetic.mp.mpf(10) if orbit.precise else 10.0
+    error = ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
+    # of a reciprocal pair it is s = mu + 1/mu, not |mu|, that is known to this error
+    distance = 2 - abs(trace - 1) if table["conservative"] else margin
+    if abs(distance) <= error or _grazes(orbit, error):
+        verdict = "undecided"
+    elif distance < 0:
+        verdict = "unstable"
+    else:
+        verdict = "neutral" if table["conservative"] else "stable"
+    if verdict == "neutral":
+        margin = zero
+    sides = " and ".join(f"{name} > 0" for name in table["vanishing"])
+    return Stability(tuple(found), trace, rank, margin, verdict, sides)
+
+
+def _grazes(orbit: Orbit, error: Any) -> bool:
+    """Whether a phase's exit boundary may be reached tangentially: there no map has a slope."""
+    kernels, lib = orbit.kernels, orbit.arithmetic.mp if orbit.precise else np
+    coefficients, frequencies = (list(a) for a in orbit.evaluate("boundary_functions"))
+    dwell, terms = list(orbit.dwell_times.values()), kernels.table["terms"]
+    row = 0
+    for boundary in kernels.boundaries:
+        phase = boundary.phase
+        count, before = terms[phase], sum(terms[:phase])
+        _, rate, *waves = coefficients[row : row + 2 + 2 * count]
+        row += 2 + 2 * count
+        if boundary.name != kernels.table["phases"][phase][1]:
+            continue
+        size = abs(rate)
+        for j, w in enumerate(frequencies[before : before + count]):
+            cosine, sine = waves[j], waves[count + j]
+            rate += w * (sine * lib.cos(w * dwell[phase]) - cosine * lib.sin(w * dwell[phase]))
+            size += w * (abs(sine) + abs(cosine))
+        if abs(rate) <= error * size:
+            return True
+    return False
+
+
+def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
+    """A trivial 1 and the pair mu, 1/mu: the map keeps energy and area.
+
+    From mu + 1/mu = tr J - 1 (tr M - 2 of the monodromy matrix M, where 1 is double and
+    defective), whose digits are those of the trace.
+    """
+    mp = orbit.arithmetic.mp
+    root = mp.sqrt if orbit.precise else math.sqrt
+    zero, one = 0 * abs(trace), 0 * trace + 1
+    half = (trace - 1) / 2
+    if abs(half) <= 1:
+        height = root((1 - half) * (1 + half))
+        pair = [Multiplier(half, height), Multiplier(half, -height)]
+    else:
+        # the larger one first: the smaller is its reciprocal, without cancellation
+        larger = half + (1 if half > 0 else -1) * root((half - 1) * (half + 1))
+        pair = [Multiplier(larger, zero), Multiplier(1 / larger, zero)]
+    return [*pair, Multiplier(one, zero, trivial=True)]
+
+
+def _eigenvalues(orbit: Orbit) -> list[Multiplier]:
+    matrix = orbit.evaluate("poincare_jacobian")
+    if orbit.precise:
+        mp = orbit.arithmetic.mp
+        values = mp.eig(mp.matrix(matrix), left=False, right=False)
+        found = [Multiplier(mp.re(v), mp.im(v)) for v in values]
+    else:
+        found = [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
+    return sorted(found, key=lambda m: -float(_modulus(m, orbit)))
+
+
+def _modulus(multiplier: Multiplier, orbit: Orbit) -> Any:
+    square = multiplier.real**2 + multiplier.imaginary**2
+    return orbit.arithmetic.mp.sqrt(square) if orbit.precise else float(np.sqrt(square))

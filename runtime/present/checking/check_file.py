@@ -1,0 +1,175 @@
+"""The check of certificates, maps, events and censuses in files.
+
+A file is checked in three ways: its checksum and its shape; the checker proves every claim again
+from the file alone; and names, values and declaration are compared with those of the system that
+it names, where that is there.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from nonsmooth.runtime.checker import (
+    Failure,
+    Malformed,
+    check,
+    check_census,
+    check_events,
+    check_tiles,
+)
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.files import read_file
+from nonsmooth.runtime.core.result_files import WRONG_SHAPE, Form, checksum_of, parsed
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.present.checking.box_certificates import compare_box
+from nonsmooth.runtime.present.checking.censuses import compare_census
+from nonsmooth.runtime.present.checking.certificates import compare_certificate
+from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
+from nonsmooth.runtime.present.files.censuses import CENSUS, census_entries, census_of
+from nonsmooth.runtime.present.files.certificates import (
+    CERTIFICATE,
+    certificate_entries,
+    certificate_of,
+)
+from nonsmooth.runtime.present.files.event_certificates import (
+    EVENTS,
+    compare_events,
+    event_entries,
+    events_of,
+)
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
+
+__all__ = ["Check", "check_certificate"]
+
+Proven = Certificate | BoxCertificate | Census | tuple[EventCertificate, ...]
+_NOT_HERE = (
+    "{} is not here: that the declaration is its, and what orbit and unknowns are called, was"
+    " not compared"
+)
+_NOT_COUNTED = "that there are no other orbits was NOT proved again"
+
+
+@dataclass(frozen=True, eq=False)
+class Check:
+    """The check of a file.
+
+    Attributes
+    ----------
+    difference : str or None
+        What is wrong with it; None if every claim was proved again.
+    note : str or None
+        What could not be compared, since the system is not there, or is not proved again.
+    certificate : Certificate, BoxCertificate, Census, tuple of EventCertificate, or None
+        What was read; None if something is wrong with it. Reasons why a claim is undecided,
+        which parameters were chosen, and of a census all but its orbits are as the file says.
+    claims : dict of str to {"proved", "refuted", "undecided"}
+        What was proved again. Of a census "listed" says whether each of its orbits was;
+        "no others" is undecided.
+    compared : bool
+        Whether the system was there: the orbit is that of the name that the file gives.
+    """
+
+    difference: str | None
+    note: str | None = None
+    certificate: Proven | None = None
+    claims: Mapping[str, str] = field(default_factory=dict)
+    compared: bool = False
+
+
+class _Kind(NamedTuple):
+    """What is done with a file: proof, record, what that states, claims, comparison."""
+
+    form: Form
+    check: Callable[[dict[str, Any]], None]
+    of: Callable[[Mapping[str, Any]], Any]
+    entries: Callable[[Any], Mapping[str, Any]]
+    claims: Callable[[Any], Mapping[str, str]]
+    compare: Callable[[Mapping[str, Any], Path], bool]
+
+
+def _listed(census: Census) -> dict[str, str]:
+    """What is proved again of a census."""
+    every = all(orbit.certificate is not None for orbit in census.orbits)
+    return {"listed": "proved" if every else "undecided", "no others": "undecided"}
+
+
+_KINDS = {
+    kind.form.name: kind
+    for kind in (
+        _Kind(
+            CERTIFICATE, check, certificate_of, certificate_entries,
+            lambda found: found.claims, compare_certificate,
+        ),
+        _Kind(BOX, check_tiles, box_of, box_entries, lambda found: found.claims, compare_box),
+        _Kind(EVENTS, check_events, events_of, event_entries, events_claim, compare_events),
+        _Kind(CENSUS, check_census, census_of, census_entries, _listed, compare_census),
+    )
+}  # fmt: skip
+
+
+def check_certificate(path: str | os.PathLike[str]) -> Check:
+    """Check a file: its checksum, its system, and all its claims, from the file alone.
+
+    Of a census the certificates are checked and that they are of different orbits; the search
+    that found no others is not repeated.
+
+    Parameters
+    ----------
+    path : str or path
+        What `save` of a `Certificate`, `BoxCertificate`, `EventCertificate` or `Census` wrote.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is none of these, or has entries that are missing, unknown
+        or of another type.
+    """
+    folder = Path(path).parent
+    try:
+        content = parsed(read_file(Path(path), CERTIFICATE.most, CERTIFICATE.what))
+        kind = _KINDS.get(str(content.get("format"))) if isinstance(content, dict) else None
+        if kind is None:
+            raise InputError("not a certificate, such as --save or save() writes")
+        kind.form.check({**content, "sha256": checksum_of(content)})  # that is the checker's
+    except InputError as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+    try:
+        with flint_precision(64):  # the one precision of the process is kept
+            kind.check(content)
+        found = kind.of(content)
+        if not _agrees(kind.entries(found), content):
+            return Check("what follows from other entries is not what the file says")
+        compared = kind.compare(content, folder)
+    except Malformed as problem:
+        raise InputError(f"{os.fspath(path)}: {problem}") from None
+    except (Failure, InputError) as problem:
+        return Check(str(problem))
+    except WRONG_SHAPE as problem:
+        return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
+    return Check(None, _note(content, found, compared), found, kind.claims(found), compared)
+
+
+def _agrees(told: Any, content: Any) -> bool:
+    """Whether content has all entries that are told, as they are told."""
+    if isinstance(told, Mapping):
+        return all(name in content and _agrees(told[name], content[name]) for name in told)
+    if isinstance(told, list):
+        return len(told) == len(content) and all(map(_agrees, told, content))
+    return bool(told == content)
+
+
+def _note(content: Mapping[str, Any], found: Proven, compared: bool) -> str | None:
+    """What was not checked."""
+    notes = [_NOT_COUNTED] if isinstance(found, Census) else []
+    if not compared:
+        told = content["events"] if isinstance(found, tuple) else [content]
+        systems = ", ".join(dict.fromkeys(entry["system"] for entry in told))
+        notes.append(_NOT_HERE.format(systems))
+    return "; ".join(notes) or None

@@ -1,0 +1,367 @@
+"""Simulated motions in files, .npz or .csv, refused when they are cut, edited or foreign.
+
+Both hold a header and a table with one row for the start and one for each transition. The
+CSV file begins with the header, a line ``# name: value in JSON`` for each entry; pandas reads
+the table with ``comment="#"``. Numbers give back the very same doubles, given values are kept
+as they were written, and a checksum covers the content.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import os
+import zipfile
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.files import check_target, read_file, write_file
+from nonsmooth.runtime.core.result_files import Form, naming
+from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.simulation.starting import check_forcing
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
+
+MOTION = Form(
+    "nonsmooth trajectory",
+    "saved motion",
+    {
+        "system": str,
+        "derivation": str,
+        "parameters": dict,
+        "states": list,
+        "status": str,
+        "end": str,
+        "options": list,
+        "grazings": list,
+    },
+    version=2,
+    # also of what an archive unpacks to
+)
+ENDINGS = (".npz", ".csv")
+_TOLERANCE = 1e-8  # of motions by another derivation
+
+
+@dataclass(frozen=True)
+class _Table:
+    """Times (n,), names of configurations and boundaries (n,), states (n, N) behind and before."""
+
+    times: np.ndarray
+    configurations: np.ndarray
+    boundaries: np.ndarray
+    states: np.ndarray
+    before: np.ndarray
+
+
+def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> None:
+    """Write a motion to a file; what was there stays until the new content is complete.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    path : str or path
+        A .npz or .csv file; its folder has to exist.
+
+    Raises
+    ------
+    InputError
+        For another ending, a motion that is too large, or a file that cannot be written.
+    """
+    target = Path(path)
+    ending = _ending(target)
+    check_target(target)
+    run, structure = trajectory.run, trajectory.structure
+    table = _Table(
+        run.times,
+        np.array(trajectory.configurations),
+        np.array(["+".join(names) for names in trajectory.boundaries]),
+        run.states,
+        run.before,
+    )
+    entries = {
+        "system": trajectory.name,
+        "derivation": _derivation(trajectory.name),
+        "parameters": {name: value.text for name, value in trajectory.parameters.items()},
+        "states": list(trajectory.names),
+        "status": run.status.name.lower(),
+        "end": repr(float(run.end)),
+        "options": list(trajectory.options),
+        "grazings": [_grazing_texts(structure, grazing) for grazing in run.grazings],
+    }
+    header = MOTION.content(entries, *_numbers(table))
+    content = (_npz if ending == ".npz" else _csv)(header, table)
+    if len(content) > MOTION.most:
+        raise InputError(
+            f"cannot write {target}: {trajectory.transitions} transitions are too many"
+        )
+    write_file(target, content)
+
+
+def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
+    """Read a motion that `save_trajectory` wrote.
+
+    Kernels of another derivation are accepted if they have the same names, and the motion is
+    one of their system.
+
+    Parameters
+    ----------
+    path : str or path
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is cut, edited or foreign, or holds what is no motion of
+        the systems that are installed. The message names the file.
+    """
+    read = _from_npz if _ending(Path(path)) == ".npz" else _from_csv
+    with naming(path) as source:
+        header, table = read(read_file(source, MOTION.most, MOTION.what))
+        MOTION.check_sum(header, *_numbers(table))
+        return _trajectory(header, table, source.parent)
+
+
+def _ending(path: Path) -> str:
+    ending = path.suffix.lower()
+    if ending not in ENDINGS:
+        raise InputError(f"{path} does not end in {' or '.join(ENDINGS)}")
+    return ending
+
+
+def _derivation(system: str) -> str:
+    return str(load_system(system).module.DERIVATION)
+
+
+def _grazing_texts(structure: Structure, grazing: Grazing) -> list[str]:
+    boundary = structure.boundaries[grazing.configuration][grazing.boundary].name
+    configuration = structure.configurations[grazing.configuration]
+    return [repr(float(grazing.time)), configuration, boundary, repr(float(grazing.depth))]
+
+
+def _numbers(table: _Table) -> Iterator[bytes]:
+    """What the checksum covers beside the header."""
+    for numbers in (table.times, table.states, table.before):
+        yield np.ascontiguousarray(numbers, dtype="<f8").tobytes()
+    for names in (table.configurations, table.boundaries):
+        yield "\n".join(names.tolist()).encode()
+
+
+def _csv(header: Mapping[str, Any], table: _Table) -> bytes:
+    text = io.StringIO()
+    for name, entry in header.items():
+        text.write(f"# {name}: {json.dumps(entry)}\n")
+    text.write(",".join(_columns(header["states"])) + "\n")
+    columns = [
+        map(repr, table.times.tolist()),
+        table.configurations.tolist(),
+        table.boundaries.tolist(),
+        *(map(repr, column) for column in table.states.T.tolist()),
+        *(map(repr, column) for column in table.before.T.tolist()),
+    ]
+    text.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
+    return text.getvalue().encode()
+
+
+def _columns(states: list[str]) -> list[str]:
+    before = [f"{name}_before" for name in states]
+    return ["time", "configuration", "boundaries", *states, *before]
+
+
+def _from_csv(found: bytes) -> tuple[dict[str, Any], _Table]:
+    try:
+        lines = found.decode("utf-8").splitlines()
+    except UnicodeDecodeError:
+        raise InputError("not a saved motion, such as Trajectory.save writes") from None
+    entries: dict[str, Any] = {}
+    count = next((i for i, line in enumerate(lines) if not line.startswith("# ")), len(lines))
+    for line in lines[:count]:
+        name, _, text = line[2:].partition(": ")
+        try:
+            entries[name] = json.loads(text)
+        except (ValueError, RecursionError):
+            raise InputError(f"cut, or not JSON: line {line[:40]!r}") from None
+    header = _checked(entries)
+    names = _columns(header["states"])
+    rows = list(csv.reader(lines[count:]))
+    if len(rows) < 2 or rows[0] != names or any(len(row) != len(names) for row in rows):
+        raise InputError(f"cut, or its columns are not {','.join(names)}")
+    columns = list(zip(*rows[1:], strict=True))
+    try:
+        numbers = np.array([list(map(float, columns[i])) for i in (0, *range(3, len(names)))])
+    except ValueError as problem:
+        raise InputError(str(problem)) from None
+    size = len(header["states"])
+    states, before = numbers[1 : size + 1].T.copy(), numbers[size + 1 :].T.copy()
+    return header, _Table(numbers[0], np.array(columns[1]), np.array(columns[2]), states, before)
+
+
+def _npz(header: Mapping[str, Any], table: _Table) -> bytes:
+    """Arrays in an archive without dates: the same motion gives the same bytes."""
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, array in (("header", np.array(json.dumps(header))), *vars(table).items()):
+            part = io.BytesIO()
+            np.lib.format.write_array(part, array, allow_pickle=False)
+            entry = zipfile.ZipInfo(f"{name}.npy")
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            file.writestr(entry, part.getvalue())
+    return archive.getvalue()
+
+
+def _from_npz(found: bytes) -> tuple[dict[str, Any], _Table]:
+    names = ("header", *_Table.__dataclass_fields__)
+    arrays = {}
+    try:
+        with zipfile.ZipFile(io.BytesIO(found)) as file:
+            sizes = {entry.filename: entry.file_size for entry in file.infolist()}
+            if sum(sizes.values()) > MOTION.most:
+                raise InputError("too large for a saved motion")
+            if sorted(sizes) != sorted(f"{name}.npy" for name in names):
+                raise InputError("not a saved motion, such as Trajectory.save writes")
+            for name in names:
+                part = io.BytesIO(file.read(f"{name}.npy"))
+                arrays[name] = np.lib.format.read_array(part, allow_pickle=False)
+    except InputError:
+        raise
+    except Exception:  # what a damaged archive raises is not one kind
+        raise InputError("cut, damaged, or not an .npz file") from None
+    try:
+        entries = json.loads(str(arrays.pop("header")))
+    except (ValueError, RecursionError):
+        raise InputError("cut, or its header is not JSON") from None
+    header = _checked(entries)
+    table = _Table(**arrays)
+    count, size = len(np.atleast_1d(table.times)), len(header["states"])
+    shapes = {"times": (count,), "configurations": (count,), "boundaries": (count,)}
+    for name, array in arrays.items():
+        kind = "U" if name in ("configurations", "boundaries") else "f"
+        shape = shapes.get(name, (count, size))
+        if array.shape != shape or array.dtype.kind != kind or count == 0:
+            raise InputError(f"{name!r} is not an array {shape} of its type")
+    return header, table
+
+
+def _checked(entries: Any) -> dict[str, Any]:
+    """Header of a file, complete and of the right types."""
+    MOTION.check_entries(entries)
+    header: dict[str, Any] = entries
+    texts = [*entries["parameters"].values(), *entries["states"], *entries["options"]]
+    grazings = entries["grazings"]
+    if not all(isinstance(entry, list) and len(entry) == 4 for entry in grazings):
+        raise InputError("'grazings' holds something else than four texts each")
+    if not all(isinstance(text, str) for text in (*texts, *(t for g in grazings for t in g))):
+        raise InputError("the header holds something else than texts")
+    return header
+
+
+def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Trajectory:
+    """The motion that a file describes, checked against the tables of its system."""
+    kernels = load_system(header["system"], folder)
+    given = {name: given_value(name, text) for name, text in header["parameters"].items()}
+    system = piecewise(kernels, given)
+    structure = system.structure
+    if tuple(header["states"]) != structure.states:
+        raise InputError(f"its states are {header['states']}, not {list(structure.states)}")
+    check_forcing(structure, table.states)
+    known = {status.name.lower(): status for status in Status}
+    if header["status"] not in known:
+        raise unknown_name("status", header["status"], known)
+    configurations = _indices(structure, table.configurations)
+    run = Run(
+        table.times,
+        configurations,
+        table.before,
+        table.states,
+        _sets(structure, configurations, table.boundaries),
+        tuple(_grazing(structure, texts) for texts in header["grazings"]),
+        known[header["status"]],
+        _number("end", header["end"]),
+        tuple(map(structure.configuration, header["options"])),
+    )
+    if run.options and run.status != Status.AMBIGUOUS:
+        raise InputError(f"it holds options, though it ended as {header['status']!r}")
+    if not (run.times[0] == 0 and (np.diff(run.times) >= 0).all() and run.end >= run.times[-1]):
+        raise InputError("its times do not increase from 0 to its end")
+    derivation = kernels.module.DERIVATION
+    if header["derivation"] != derivation and not _moves(system, run):
+        raise InputError(
+            f"not a motion of {structure.name} as it is installed"
+            f" (its derivation {header['derivation']}, here {derivation})"
+        )
+    return Trajectory(system, run)
+
+
+def _number(name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(f"{name} is {text!r}, not a number") from None
+
+
+def _indices(structure: Structure, names: np.ndarray) -> np.ndarray:
+    found, places = np.unique(names, return_inverse=True)
+    indices = [structure.configuration(name) for name in found.tolist()]
+    return np.array(indices, dtype=np.int32)[places]
+
+
+def _sets(structure: Structure, configurations: np.ndarray, names: np.ndarray) -> np.ndarray:
+    """Masks of the boundaries that were reached, from their names."""
+    if names[0] != "":
+        raise InputError("its first row is no start")
+    masks: dict[tuple[int, str], int] = {}
+    found = [0]
+    for source, joined in zip(configurations[:-1].tolist(), names[1:].tolist(), strict=True):
+        if (source, joined) not in masks:
+            places = {structure.boundary(source, name) for name in joined.split("+")}
+            masks[source, joined] = sum(1 << place for place in places)
+        found.append(masks[source, joined])
+    return np.array(found, dtype=np.int32)
+
+
+def _grazing(structure: Structure, texts: list[str]) -> Grazing:
+    configuration = structure.configuration(texts[1])
+    boundary = structure.boundary(configuration, texts[2])
+    return Grazing(
+        _number("grazing", texts[0]), configuration, boundary, _number("grazing", texts[3])
+    )
+
+
+def _moves(system: PiecewiseLinear, run: Run) -> bool:
+    """Whether flows and resets of a system lead from each entry to the next.
+
+    A duration is the difference of two times, so that it errs by their spacing.
+    """
+    count = len(run.times) - 1
+    for configuration in np.unique(run.configurations[:-1]).tolist():
+        entries = np.flatnonzero(run.configurations[:-1] == configuration)
+        durations = run.times[entries + 1] - run.times[entries]
+        found = flow_states(system, configuration, durations, run.states[entries])
+        ends = run.before[entries + 1]
+        extended = np.concatenate([ends, np.ones((len(ends), 1))], axis=1)
+        speeds = np.abs(extended) @ np.abs(system.fields[configuration]).sum(axis=0)
+        sizes = _TOLERANCE * (1 + np.abs(extended).max(axis=1))
+        allowed = sizes + 8 * np.spacing(run.times[entries + 1]) * speeds
+        if not (np.abs(found - ends).max(axis=1) <= allowed).all():
+            return False
+    for entry in range(1, count + 1):
+        source, target = run.configurations[entry - 1 : entry + 1].tolist()
+        reached = int(run.sets[entry])
+        boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
+        resets = {t.reset for t in system.structure.leading(source, boundaries, target)}
+        extended = np.append(run.before[entry], 1.0)
+        misses = [np.abs(system.resets[r] @ extended - run.states[entry]).max() for r in resets]
+        if not min(misses, default=math.inf) <= _TOLERANCE * (1 + np.abs(extended).max()):
+            return False
+    return True

@@ -1,0 +1,107 @@
+"""Orbits in files of results, found or saved, as orbits that every command takes by name.
+
+``FILE.json:N`` is the N-th orbit of a file, counted from 1; ``FILE.json`` the only one. Its
+parameters are the defaults, and it is where the solver starts.
+"""
+
+from __future__ import annotations
+
+import os
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.result_files import format_in
+from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.present.files import found as finding
+from nonsmooth.runtime.present.files.declared_table import declared_table
+from nonsmooth.runtime.present.files.orbits import load_orbit_file
+
+__all__ = ["saved_kernels", "saved_orbit"]
+
+
+def saved_orbit(name: str, beside: Path | None = None) -> Orbit | ComposedOrbit:
+    """The orbit that a name ``FILE.json`` or ``FILE.json:N`` stands for.
+
+    Parameters
+    ----------
+    name : str
+    beside : Path, optional
+        Folder in which the file is looked for where it is not in its place.
+
+    Raises
+    ------
+    InputError
+        If the file holds no such orbit, or as `load_orbit_file` and `load_found`.
+    """
+    path, number = _place(name, beside)
+    return _orbit(path, number)
+
+
+def saved_kernels(name: str, beside: Path | None = None) -> OrbitKernels:
+    """Tables and kernels of an orbit in a file; as `saved_orbit`."""
+    path, number = _place(name, beside)
+    stamp = path.stat()
+    return _kernels(path, number, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
+
+
+def _place(name: str, beside: Path | None) -> tuple[Path, int | None]:
+    """Whole path of the file, and the number that is named."""
+    file, text = (name, "") if name.endswith(".json") else name.rsplit(":", 1)
+    moved = [] if beside is None else [beside / Path(file).name]
+    path = next((path for path in (Path(file), *moved) if path.is_file()), None)
+    if path is None:
+        raise InputError(f"there is no file {file}")
+    if text and not text.isdecimal():
+        raise InputError(f"{name}: {text!r} is no number of an orbit, such as {file}:1")
+    return Path(os.path.abspath(path)), int(text) if text else None
+
+
+@lru_cache(maxsize=256)
+def _kernels(path: Path, number: int | None, stamp: tuple[int, ...]) -> OrbitKernels:
+    orbit = _orbit(path, number)
+    address = str(path) if number is None else f"{path}:{number}"
+    if isinstance(orbit, ComposedOrbit):
+        saved = SavedTable(orbit.label or address, address, declared_table(orbit))
+        return OrbitKernels(orbit.kernels, "", saved)
+    kernels = orbit.kernels
+    saved = SavedTable(kernels.name, address, {**kernels.table, "reference": _reference(orbit)})
+    return OrbitKernels(kernels.system, kernels.orbit, saved)
+
+
+def _reference(orbit: Orbit) -> dict[str, dict[str, str]]:
+    """A derived orbit as the reference: what is given, exactly, and what was solved for."""
+    given = {name: value.text for name, value in orbit.given.items()}
+    found = {**{name: repr(float(x)) for name, x in orbit.unknowns.items()}, **given}
+    names = orbit.kernels.unknowns
+    parameters = {n: text for n, text in found.items() if n not in names}
+    opened = {name: value.text for name, value in orbit.opened.items()}
+    return {
+        "parameters": {**parameters, **opened},
+        "guess": {name: repr(float(orbit.values[name])) for name in names},
+    }
+
+
+def _orbit(path: Path, number: int | None) -> Orbit | ComposedOrbit:
+    if format_in(path) != finding.FOUND.name:
+        if number not in (None, 1):
+            raise InputError(f"{path.name} holds one orbit: there is no {path.name}:{number}")
+        return load_orbit_file(path)
+    orbits = finding.load_found(path).orbits
+    known = f"{path.name}:1" if len(orbits) == 1 else f"{path.name}:1 ... {path.name}:{len(orbits)}"
+    if not orbits:
+        raise InputError(f"{path.name} holds no orbit: none was found")
+    if number is None and len(orbits) > 1:
+        raise InputError(f"{path.name} holds {len(orbits)} orbits: say which, {known}")
+    place = 1 if number is None else number
+    if not 1 <= place <= len(orbits):
+        raise InputError(f"{path.name} holds no orbit {place}; there is {known}")
+    found: Any = orbits[place - 1].orbit
+    if not isinstance(found, ComposedOrbit):
+        raise InputError(
+            f"{path.name}:{place} has no itinerary: it meets no boundary, and nothing is solved for"
+        )
+    return found

@@ -1,0 +1,60 @@
+"""The paper's printed digits beside ours, and the verdict on the difference."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from typing import Any
+
+from nonsmooth.runtime.core.values import decimal_string
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.present.paper.records import Comparison
+
+__all__ = ["AGREES", "DIGITS", "compared", "digits_of"]
+
+DIGITS = 30
+AGREES = "agrees within the printed digits"
+
+
+def compared(
+    orbit: Orbit, where: str, printed: dict[str, str], labels: dict[str, str]
+) -> tuple[Comparison, ...]:
+    """The printed numbers of one orbit beside those of ours.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Refined to more than `DIGITS` digits.
+    where : str
+        Place in the paper.
+    printed : dict of str to str
+        Digits as printed, by the name of the unknown.
+    labels : dict of str to str
+        LaTeX of the names.
+    """
+    return tuple(
+        _compared(labels[name], where, text, orbit.unknowns[name]) for name, text in printed.items()
+    )
+
+
+def digits_of(number: Any) -> str:
+    """A number to 30 decimals, or 30 digits where it is larger than one."""
+    return decimal_string(number, DIGITS)
+
+
+def _compared(quantity: str, where: str, printed: str, number: Any) -> Comparison:
+    ours = digits_of(number)
+    difference = Decimal(ours) - Decimal(printed)
+    # what is printed without decimals is meant exactly
+    places = len(printed.partition(".")[2])
+    verdict = AGREES
+    if not places or abs(difference) > Decimal(1).scaleb(-places) / 2:
+        relative = abs(difference / Decimal(ours))
+        verdict = f"agrees within {_rounded_up(100 * relative)} %"
+    return Comparison(quantity, where, printed, ours, f"{difference:.2e}", verdict)
+
+
+def _rounded_up(number: Decimal) -> str:
+    """The next larger number of one digit."""
+    step = Decimal(1).scaleb(number.adjusted())
+    text = f"{(number / step).to_integral_value('ROUND_CEILING') * step:f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text

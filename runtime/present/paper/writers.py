@@ -1,0 +1,324 @@
+"""Reports as JSON, as Markdown and as one HTML page that needs no network."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from importlib.resources import files
+from itertools import count
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree
+
+from nonsmooth.runtime.core.errors import missing_extra
+from nonsmooth.runtime.present.paper.mathml import Formulas
+from nonsmooth.runtime.present.paper.records import (
+    Block,
+    Chapter,
+    Comparison,
+    Comparisons,
+    Equation,
+    Finding,
+    Picture,
+    Report,
+    Table,
+    Text,
+)
+
+if TYPE_CHECKING:
+    from jinja2 import Template
+    from markupsafe import Markup
+
+__all__ = ["to_html", "to_json", "to_markdown"]
+
+_MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
+_SVG = "{http://www.w3.org/2000/svg}"
+_XML = "{http://www.w3.org/XML/1998/namespace}"
+_NOTHING: Mapping[str, str] = {}
+_HEADER = ("Quantity", "Where", "Printed", "Ours", "Difference", "Verdict")
+
+
+def to_json(report: Report) -> str:
+    """Every number of a report, in its order; equal results give equal bytes.
+
+    Raises
+    ------
+    ValueError
+        If a number is infinite or not a number.
+    """
+    return json.dumps(report.results, indent=2, allow_nan=False) + "\n"
+
+
+def to_markdown(report: Report) -> str:
+    """Write a report for GitHub and for plain reading; pictures are ``<stem>.svg`` beside it."""
+    chapters = (part for chapter in report.chapters for part in _chapter_markdown(chapter))
+    parts = [f"# {_prose(report.title)}", *map(_paragraph, report.summary), *chapters]
+    return "\n\n".join(parts) + "\n"
+
+
+def to_html(report: Report, pictures: Mapping[str, str]) -> str:
+    """Write a report as one page: style, equations as MathML and pictures are inside.
+
+    Parameters
+    ----------
+    report : Report
+    pictures : mapping of str to str
+        The SVG of every picture, by its stem.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    MissingExtra
+        If Jinja2 or latex2mathml is not installed.
+    ValueError
+        If a piece of LaTeX has a command or an environment that latex2mathml does not know.
+    """
+    return _template(_Page(Formulas(), pictures)).render(report=report)
+
+
+# --- Markdown
+
+
+def _chapter_markdown(chapter: Chapter) -> list[str]:
+    """Parts of a chapter, to be joined by empty lines."""
+    blocks = (part for block in chapter.blocks for part in _block_markdown(block))
+    return [f"## {_prose(chapter.title)}", *blocks]
+
+
+def _block_markdown(block: Block) -> list[str]:
+    """Parts of a block, to be joined by empty lines."""
+    if isinstance(block, Text):
+        return [_paragraph(block.text)]
+    if isinstance(block, Equation):
+        note = [_paragraph(block.note)] if block.note else []
+        return [f"$$\n{block.latex.strip()}\n$$", *note]
+    if isinstance(block, Table):
+        return [f"**{_prose(block.caption)}**", _pipes(block.header, block.rows)]
+    if isinstance(block, Picture):
+        words = re.sub(r"[\\\[\]`<]", r"\\\g<0>", _plain(block.caption))
+        return [f"![{words}]({block.stem}.svg)", _paragraph(block.caption)]
+    if isinstance(block, Comparisons):
+        return [f"**{_prose(block.caption)}**", _comparisons_markdown(block.rows)]
+    return _finding_markdown(block)
+
+
+def _comparisons_markdown(rows: tuple[Comparison, ...]) -> str:
+    """Comparisons as a table, with enclosures where there is one."""
+    enclosed = any(row.enclosure for row in rows)
+    cells = [
+        (f"${row.quantity.strip()}$", row.where, row.printed, row.ours, row.difference, row.verdict)
+        + ((row.enclosure,) if enclosed else ())
+        for row in rows
+    ]
+    return _pipes(_HEADER + (("Enclosure",) if enclosed else ()), cells)
+
+
+def _finding_markdown(finding: Finding) -> list[str]:
+    """A finding under a heading of its own."""
+    entries = {
+        "Printed": finding.printed,
+        "Verdict": finding.verdict,
+        "Corrected": finding.corrected,
+        "Evidence": finding.evidence,
+    }
+    lines = [f"- **{name}:** {_prose(text)}" for name, text in entries.items() if text]
+    table = _block_markdown(finding.table) if finding.table else []
+    return [f"### {_prose(finding.title)}", "\n".join(lines), *table]
+
+
+def _pipes(header: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """Cells between pipes."""
+    lines = [[_cell(text) for text in row] for row in (header, *rows)]
+    lines.insert(1, ["---"] * len(lines[0]))
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def _cell(text: str) -> str:
+    """Text without a bare pipe, in maths or outside."""
+    return _prose(text, {"|": r"\|"}, {r"\|": r"\Vert ", "|": r"\vert "})
+
+
+def _paragraph(text: str) -> str:
+    """Text that does not begin as a list, a quotation or a heading."""
+    return re.sub(r"^(\d*)([-+#>.)]\s|[#>])", r"\1\\\2", _prose(text))
+
+
+def _prose(
+    text: str, words: Mapping[str, str] = _NOTHING, maths: Mapping[str, str] = _NOTHING
+) -> str:
+    """Text with its marks on one line; what Markdown would take for its own is escaped.
+
+    Parameters
+    ----------
+    text : str
+    words, maths : mapping of str to str
+        What else is replaced, in this order, outside and inside of maths.
+    """
+    found = []
+    for part in _MARKS.split(" ".join(text.split())):
+        if _marked(part, "$"):
+            found.append(_replaced(part, {"<": r"\lt "} | dict(maths)))
+        elif _marked(part, "*"):
+            found.append(f"*{_prose(part[1:-1], words, maths)}*")
+        else:
+            found.append(_replaced(_escaped(part), words))
+    return "".join(found)
+
+
+def _escaped(words: str) -> str:
+    """Words without anything that Markdown would take for its own."""
+    return re.sub(r"[\\`*_~<$]|&(?=#?\w+;)", r"\\\g<0>", words)
+
+
+def _replaced(text: str, replacements: Mapping[str, str]) -> str:
+    """Text after one replacement after the other."""
+    for old, new in replacements.items():
+        text = text.replace(old, new)
+    return text
+
+
+# --- HTML
+
+
+def _template(page: _Page) -> Template:
+    """The page's template; what it inserts is escaped unless `page` has made it."""
+    try:
+        from jinja2 import Environment, StrictUndefined
+    except ImportError:
+        raise missing_extra("html", "jinja2") from None
+    environment = Environment(
+        autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined
+    )
+    environment.filters |= {
+        "display": page.display,
+        "inline": page.inline,
+        "kind": lambda block: type(block).__name__,
+        "plain": _plain,
+        "prose": page.prose,
+        "svg": page.svg,
+        "tone": _tone,
+    }
+    environment.globals |= {"comparison_header": _HEADER}
+    source = files("nonsmooth.runtime.present.paper").joinpath("page.html")
+    return environment.from_string(source.read_text(encoding="utf-8"))
+
+
+class _Page:
+    """Pieces of a page: text, formulas and pictures as HTML."""
+
+    def __init__(self, formulas: Formulas, pictures: Mapping[str, str]) -> None:
+        self.formulas = formulas
+        self.pictures = pictures
+        self.numbers = count(1)
+
+    def prose(self, text: str) -> Markup:
+        """Text with its marks."""
+        from markupsafe import Markup
+
+        found = Markup()
+        for part in _MARKS.split(text):
+            if _marked(part, "$"):
+                found += self.inline(part[1:-1])
+            elif _marked(part, "*"):
+                found += Markup("<em>{}</em>").format(self.prose(part[1:-1]))
+            else:
+                found += part
+        return _joined(found)
+
+    def inline(self, latex: str) -> Markup:
+        """MathML within a line."""
+        from markupsafe import Markup
+
+        return Markup(self.formulas.inline(latex))
+
+    def display(self, latex: str) -> Markup:
+        """MathML on a line of its own."""
+        from markupsafe import Markup
+
+        return Markup(self.formulas.display(latex))
+
+    def svg(self, picture: Picture) -> Markup:
+        """A picture that scales, with names that no other picture of the page has."""
+        drawing = ElementTree.fromstring(self.pictures[picture.stem])
+        _simplify(drawing)
+        _rename(drawing, f"svg{next(self.numbers)}-")
+        width = drawing.attrib.pop("width", "100%")
+        drawing.attrib.pop("height", None)
+        drawing.attrib |= {
+            "role": "img",
+            "aria-label": _plain(picture.caption),
+            "style": f"width: {width}",
+        }
+        return _markup(drawing)
+
+
+def _joined(text: Markup) -> Markup:
+    """Text in which no line begins with the full stop after a formula."""
+    from markupsafe import Markup
+
+    formula = r"([(\[]*)(<math\b(?:(?!<math\b).)*?</math>)([.,;:!?)\]]*)"
+    return Markup(re.sub(formula, _join, text, flags=re.DOTALL))
+
+
+def _join(found: re.Match[str]) -> str:
+    """A formula and the punctuation beside it, in one piece."""
+    return f'<span class="joined">{found[0]}</span>' if found[1] or found[3] else found[0]
+
+
+def _simplify(drawing: ElementTree.Element) -> None:
+    """Leave out metadata and the names of namespaces, which HTML does not have."""
+    for child in drawing.findall(f"{_SVG}metadata"):
+        drawing.remove(child)
+    for element in drawing.iter():
+        element.tag = element.tag.rpartition("}")[2]
+        element.attrib = {
+            name.rpartition("}")[2]: value
+            for name, value in element.attrib.items()
+            if not name.startswith(_XML)
+        }
+
+
+def _rename(drawing: ElementTree.Element, prefix: str) -> None:
+    """Put a prefix before every id, and keep styles within the drawing."""
+    drawing.attrib.setdefault("id", "drawing")
+    for element in drawing.iter():
+        for name, value in element.attrib.items():
+            if name == "id" or (name == "href" and value.startswith("#")):
+                element.set(name, re.sub(r"^#?", rf"\g<0>{prefix}", value))
+            else:
+                element.set(name, value.replace("url(#", f"url(#{prefix}"))
+        if element.tag == "style":
+            scope = f"#{drawing.attrib['id']} "
+            element.text = re.sub(r"([^{},]+)(?=[^{}]*\{)", rf"{scope}\1", element.text or "")
+
+
+def _markup(element: ElementTree.Element) -> Markup:
+    """An element as HTML."""
+    from markupsafe import Markup
+
+    return Markup(ElementTree.tostring(element, encoding="unicode"))
+
+
+def _marked(part: str, mark: str) -> bool:
+    """Whether a part of a text stands between two marks."""
+    return len(part) > 1 and part.startswith(mark)
+
+
+def _plain(text: str) -> str:
+    """Text without its marks."""
+    return re.sub(r"[$*]", "", text)
+
+
+def _tone(verdict: str) -> str:
+    """Class of a verdict's badge."""
+    tones = {
+        "agrees": "good",
+        "holds with": "changed",
+        "holds": "good",
+        "misprint": "changed",
+        "does not": "bad",
+    }
+    return next((tone for start, tone in tones.items() if verdict.startswith(start)), "neutral")

@@ -1,0 +1,294 @@
+"""Pictures of branches, and of curves of events in the plane of two parameters.
+
+Of a branch stable parts are solid, unstable ones dashed, what is no motion is grey.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.explore.continuation.response import (
+    forcing_frequencies,
+    system_of,
+    usual_quantities,
+)
+from nonsmooth.runtime.model.naming import shown_name, symbol
+from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, given_axes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.event import Event
+    from nonsmooth.runtime.explore.continuation.locus import Locus
+
+__all__ = ["branch_figure", "draw_branch", "draw_locus", "locus_figure"]
+
+ANGULAR = "angular"
+FREQUENCIES = (ANGULAR, "cycles")
+_GREY = "#999999"
+_STYLES = {"stable": "-", "neutral": "-", "unstable": (0, (5, 2)), "undecided": ":"}
+_MARKERS = {
+    "fold": "o",
+    "flip": "s",
+    "neimark-sacker": "D",
+    "branch-point": "P",
+    "symmetry-breaking": "P",
+    "grazing": "v",
+    "tangent": "<",
+    "entry": ">",
+    "simultaneous": "X",
+    "condition": "d",
+    "vanishing-phase": "*",
+    "admissibility": "x",
+}
+
+
+def branch_figure(
+    branch: Branch,
+    quantities: Sequence[str] = (),
+    over: str | None = None,
+    frequency: str = ANGULAR,
+) -> Figure:
+    """A figure of quantities over the parameter, or over another one, one below the other.
+
+    Parameters
+    ----------
+    branch : Branch
+    quantities : sequence of str
+        As for `Branch.quantity`; by default the amplitude of each coordinate of a forced
+        system, else the period.
+    over : str, optional
+    frequency : {"angular", "cycles"}
+        How frequencies are given: in radians, or in cycles, in a unit of time.
+
+    Raises
+    ------
+    InputError
+        For a quantity that the branch does not have.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    shown = tuple(quantities) or usual_quantities(branch)
+    figure = _empty_figure()
+    figure.set_size_inches(6.4, 4.4 + 2.6 * (len(shown) - 1))
+    first = None
+    for place, quantity in enumerate(shown, 1):
+        axes = figure.add_subplot(len(shown), 1, place, sharex=first)
+        _draw(branch, quantity, over or branch.parameter, axes, frequency)
+        first = first or axes
+        if place > 1:
+            axes.set_title("")
+            legend = axes.get_legend()
+            if legend is not None:
+                legend.remove()
+        if place < len(shown):
+            axes.set_xlabel("")
+    return figure
+
+
+def draw_branch(
+    branch: Branch,
+    quantity: str | None = None,
+    axes: Any = None,
+    *,
+    over: str | None = None,
+    frequency: str = ANGULAR,
+) -> Any:
+    """Draw one quantity over the parameter, or over another one.
+
+    Parameters
+    ----------
+    branch : Branch
+    quantity : str, optional
+        As for `Branch.quantity`; by default the amplitude of a coordinate of a forced system,
+        of each of them where no Axes are given, else the period.
+    axes : matplotlib Axes, optional
+        Where to draw; a figure of its own by default.
+    over : str, optional
+        Another quantity in place of the parameter: "energy" below "frequency" is the
+        frequency-energy curve of a conservative family.
+    frequency : {"angular", "cycles"}
+        How frequencies are given: in radians, or in cycles, in a unit of time.
+
+    Returns
+    -------
+    Figure or Axes
+
+    Raises
+    ------
+    InputError
+        For a quantity that the branch does not have.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    if axes is None:
+        return branch_figure(branch, () if quantity is None else (quantity,), over, frequency)
+    check_picture("branch", ("branch",))
+    (place,) = given_axes(axes, "branch", (1,))
+    _draw(
+        branch, quantity or usual_quantities(branch)[0], over or branch.parameter, place, frequency
+    )
+    return place
+
+
+def locus_figure(locus: Locus) -> Figure:
+    """A figure of a curve of events in the plane of its parameters.
+
+    Raises
+    ------
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    figure = _empty_figure()
+    _draw_locus(locus, figure.add_subplot())
+    return figure
+
+
+def draw_locus(locus: Locus, axes: Any = None) -> Any:
+    """Draw a curve of events in the plane of its parameters.
+
+    Parameters
+    ----------
+    locus : Locus
+    axes : matplotlib Axes, optional
+        Where to draw; a figure of its own by default. Several curves fit into the same Axes.
+
+    Returns
+    -------
+    Figure or Axes
+
+    Raises
+    ------
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    if axes is None:
+        return locus_figure(locus)
+    check_picture("locus", ("locus",))
+    (place,) = given_axes(axes, "locus", (1,))
+    _draw_locus(locus, place)
+    return place
+
+
+def _empty_figure() -> Figure:
+    check_picture("all", ("all",))
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(6.4, 4.4))
+    figure.set_layout_engine("constrained")
+    return figure
+
+
+def _draw_locus(locus: Locus, axes: Any) -> None:
+    color, dashes = LINES[len(axes.lines) // 2 % len(LINES)]
+    label = f"{locus.kind.replace('-', ' ')} {locus.boundary}".strip()
+    axes.plot(*locus.values.T, color=color, linestyle=dashes, linewidth=1.8, label=label)
+    axes.plot(
+        *locus.values[locus.start],
+        marker=_MARKERS[locus.kind],
+        color=color,
+        linestyle="none",
+    )
+    first, second = locus.parameters
+    units = units_of(system_of(locus.orbit))
+    axes.set_xlabel(units.label(first))
+    axes.set_ylabel(units.label(second))
+    axes.set_title(shown_name(locus.name))
+    axes.legend(frameon=False)
+
+
+def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -> None:
+    if frequency not in FREQUENCIES:
+        raise unknown_name("frequency", frequency, FREQUENCIES)
+    across, up = (_shown(branch, name, frequency) for name in (over, quantity))
+    x, y = across.values, up.values
+    labels = [
+        s if allowed else "no motion"
+        for s, allowed in zip(branch.stability, branch.admissible, strict=True)
+    ]
+    # an interval between two points is drawn as the point at its end away from a change
+    kinds = [
+        labels[k] if labels[k] == labels[k + 1] else _worse(labels[k : k + 2])
+        for k in range(len(x) - 1)
+    ]
+    cuts = [0, *(k for k in range(1, len(kinds)) if kinds[k] != kinds[k - 1]), len(kinds)]
+    told: set[str] = set()
+    for begin, end in pairwise(cuts):
+        if begin == end:
+            continue
+        kind = kinds[begin]
+        axes.plot(
+            x[begin : end + 1],
+            y[begin : end + 1],
+            color=_GREY if kind == "no motion" else LINES[0][0],
+            linestyle=_STYLES.get(kind, "-"),
+            linewidth=1.2 if kind == "no motion" else 1.8,
+            label=None if kind in told else kind,
+        )
+        told.add(kind)
+    for event in branch.events:
+        axes.plot(
+            _at(event, branch, over, across),
+            _at(event, branch, quantity, up),
+            marker=_MARKERS[event.kind],
+            color=LINES[1][0],
+            linestyle="none",
+            label=None if event.kind in told else event.kind.replace("-", " "),
+            zorder=3,
+        )
+        told.add(event.kind)
+    if over == "energy" and x.min() > 0:
+        axes.set_xscale("log")
+    axes.set_xlabel(across.label)
+    axes.set_ylabel(up.label)
+    axes.set_title(shown_name(branch.name))
+    axes.legend(frameon=False)
+
+
+class _Shown(NamedTuple):
+    """Values (k,) of a quantity as they are shown, its label, and what it was multiplied by."""
+
+    values: np.ndarray
+    label: str
+    factor: float = 1.0
+
+
+def _shown(branch: Branch, name: str, frequency: str) -> _Shown:
+    units = units_of(system_of(branch.orbit))
+    values = branch.quantity(name)
+    forced = forcing_frequencies(branch) if name == branch.parameter else None
+    if forced is not None or name == "frequency":
+        text = "frequency" if forced is None else f"frequency of the forcing (${symbol(name)}$)"
+        angular = values if forced is None else forced
+        if frequency == ANGULAR:
+            factor = float(angular[0] / values[0])
+            return _Shown(values * factor, f"{text}, angular (rad per unit of time)", factor)
+        factor = float(angular[0] / values[0]) / (2 * np.pi)
+        return _Shown(values * factor, f"{text}, in cycles per unit of time", factor)
+    if name in (branch.parameter, *branch.unknown_names):
+        return _Shown(values, units.label(name))
+    if name.startswith("amplitude_"):
+        text = f"amplitude of ${symbol(name.removeprefix('amplitude_'))}$"
+        return _Shown(values, units.text(text))
+    return _Shown(values, name if name == "trace" else units.text(name))
+
+
+def _at(event: Event, branch: Branch, quantity: str, shown: _Shown) -> float:
+    """A quantity at an event."""
+    known = {**event.unknowns, branch.parameter: event.value}
+    if quantity in known:
+        return known[quantity] * shown.factor
+    return float(np.interp(event.place, np.arange(len(shown.values)), shown.values))
+
+
+def _worse(labels: list[str]) -> str:
+    """Of two neighbours' labels the one that promises less."""
+    order = ("no motion", "undecided", "unstable", "neutral", "stable")
+    return min(labels, key=order.index)

@@ -1,0 +1,189 @@
+"""Pictures of charts: a labelled map with its boundaries drawn, or a line."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.charting.classes import Part, parts_of, title_of
+from nonsmooth.runtime.model.naming import symbol
+from nonsmooth.runtime.model.units import with_unit
+from nonsmooth.runtime.present.pictures.drawing import check_picture, finish
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+__all__ = ["chart_figure"]
+
+_MOST = 800  # points along an axis: a picture shows no more
+_LEAST_LABEL = 0.05  # width of a part that bears its label, in units of the map's
+# Tol's schemes "vibrant" and "muted"; what is no motion is grey, darker for each limit
+_COLORS = {
+    "stable": ("#0077BB",),
+    "neutral": ("#33BBEE",),
+    "unstable": ("#EE7733",),
+    "admissible": ("#009988",),
+    "limit": ("#DDDDDD", "#BBBBBB", "#999999", "#777777", "#555555", "#333333"),
+    "none": ("#FFFFFF",),
+    "missing": ("#FFF3B0",),
+    "periodic": ("#332288", "#DDCC77", "#117733", "#88CCEE", "#882255", "#CC6677"),
+    "rest": ("#44AA99",),
+    "other": ("#DDDDDD",),
+}
+
+
+def chart_figure(chart: Dataset) -> Figure:
+    """Draw a chart of one or two parameters.
+
+    Parameters
+    ----------
+    chart : xarray.Dataset
+        As `chart` and `load_chart` give it; one plane of a larger one by its `isel`.
+
+    Raises
+    ------
+    InputError
+        If it is no chart, or has more than two dimensions of more than one value.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_picture("chart", ("chart",))
+    from matplotlib.figure import Figure
+
+    chart = chart.squeeze()
+    names = [str(name) for name in chart.sizes]
+    if len(names) not in (1, 2):
+        raise InputError(
+            f"a chart of {len(names)} parameters is drawn one plane at a time:"
+            " chart_figure(load_chart(F).isel(NAME=0))"
+        )
+    thin = chart.isel({name: slice(None, None, -(-n // _MOST)) for name, n in chart.sizes.items()})
+    thin = thin.load()
+    parts = [part for part in parts_of(thin) if part.where.any()]
+    figure = Figure(figsize=(7.2, 5.6))
+    figure.set_layout_engine("constrained")
+    axes = figure.add_subplot()
+    colors = _colors(parts)
+    if len(names) == 2:
+        _draw_map(axes, thin, parts, colors)
+    else:
+        _draw_line(axes, thin, parts, colors)
+    for part, color in zip(parts, colors, strict=True):
+        share = f"{100 * float(part.where.mean()):.1f} %"
+        axes.fill_between([], [], facecolor=color, edgecolor="0.2", label=f"{part.name} ({share})")
+    finish(axes, title_of(chart))
+    return figure
+
+
+def _colors(parts: list[Part]) -> list[str]:
+    found, used = [], dict.fromkeys(_COLORS, 0)
+    for part in parts:
+        choice = _COLORS[part.kind]
+        found.append(choice[min(used[part.kind], len(choice) - 1)])
+        used[part.kind] += 1
+    return found
+
+
+def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) -> None:
+    from matplotlib.collections import LineCollection
+    from matplotlib.colors import ListedColormap
+
+    across, up = map(str, chart.sizes)
+    x, y = chart[across].values, chart[up].values
+    labels = np.zeros(chart.status.shape, dtype=int)
+    for number, part in enumerate(parts):
+        labels[part.where] = number
+    axes.pcolormesh(
+        x,
+        y,
+        labels.T,
+        shading="nearest",
+        cmap=ListedColormap(colors),
+        vmin=-0.5,
+        vmax=len(parts) - 0.5,
+        rasterized=True,
+    )
+    axes.add_collection(LineCollection(list(_outlines(labels, x, y)), colors="0.1", linewidths=0.7))
+    for part, color in zip(parts, colors, strict=True):
+        _label(axes, x, y, part, color)
+    axes.set_xlabel(_named(chart, across))
+    axes.set_ylabel(_named(chart, up))
+
+
+def _outlines(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Sides (n, 2, 2) between cells of different parts: boundaries go along the cells."""
+    left, below = _sides(x), _sides(y)
+    i, j = np.nonzero(labels[1:] != labels[:-1])
+    upright = np.stack(
+        [
+            np.stack([left[i + 1], below[j]], axis=-1),
+            np.stack([left[i + 1], below[j + 1]], axis=-1),
+        ],
+        axis=1,
+    )
+    i, j = np.nonzero(labels[:, 1:] != labels[:, :-1])
+    level = np.stack(
+        [
+            np.stack([left[i], below[j + 1]], axis=-1),
+            np.stack([left[i + 1], below[j + 1]], axis=-1),
+        ],
+        axis=1,
+    )
+    return np.concatenate([upright, level])
+
+
+def _sides(values: np.ndarray) -> np.ndarray:
+    """Where cells (n,) begin and end (n + 1,): halfway between their values."""
+    middles = (values[1:] + values[:-1]) / 2
+    first, last = 2 * values[0] - middles[0], 2 * values[-1] - middles[-1]
+    return np.concatenate([[first], middles, [last]])
+
+
+def _label(axes: Axes, x: np.ndarray, y: np.ndarray, part: Part, color: str) -> None:
+    """Write a part's name where it is widest, if it is wide enough."""
+    from matplotlib.patheffects import withStroke
+    from scipy.ndimage import distance_transform_edt
+
+    inside = np.pad(part.where, 1)
+    room = np.asarray(distance_transform_edt(inside))[1:-1, 1:-1]
+    i, j = np.unravel_index(int(room.argmax()), room.shape)
+    if room[i, j] < _LEAST_LABEL * max(room.shape):
+        return
+    name = part.name.partition(": ")[0]
+    if part.kind == "periodic":
+        name = name.partition(" transitions")[0]
+    dark = sum(int(color[k : k + 2], 16) for k in (1, 3, 5)) < 384
+    ink, halo = ("white", "black") if dark else ("black", "white")
+    place: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": "small", "color": ink}
+    axes.text(
+        float(x[i]),
+        float(y[j]),
+        name,
+        path_effects=[withStroke(linewidth=1.5, foreground=halo)],
+        clip_on=True,
+        **place,
+    )
+
+
+def _draw_line(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) -> None:
+    (name,) = map(str, chart.sizes)
+    x = chart[name].values
+    shown = "trace" if "trace" in chart else "period"
+    y = chart[shown].values
+    for part, color in zip(parts, colors, strict=True):
+        edge = color if color != "#FFFFFF" else "0.2"
+        axes.plot(x[part.where], y[part.where], ".", color=edge, markersize=3)
+    if shown == "trace":
+        for level in (-1.0, 1.0):
+            axes.axhline(level, color="0.3", linewidth=0.9, linestyle=":")
+    axes.set_xlabel(_named(chart, name))
+    axes.set_ylabel(with_unit(shown, str(chart[shown].attrs.get("units", ""))))
+
+
+def _named(chart: Dataset, name: str) -> str:
+    text = f"${symbol(name)}$" if name.isalnum() else name
+    return with_unit(text, str(chart[name].attrs.get("units", "")))

@@ -1,0 +1,158 @@
+"""What all pictures share: colours, dashes, legends, and where boundaries lie.
+
+Colours are those of Okabe and Ito and of Tol, which colour-blind readers can tell apart;
+lines differ by their dashes too.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = [
+    "LINES",
+    "band_style",
+    "check_picture",
+    "chosen_masses",
+    "configuration_color",
+    "dot_style",
+    "draw_arrow",
+    "draw_levels",
+    "finish",
+    "given_axes",
+    "line_style",
+    "noun",
+]
+
+LINES = (("#0072B2", "-"), ("#D55E00", (0, (5, 1.6))), ("#009E73", "-."), ("#CC79A7", ":"))
+_CONFIGURATIONS = (
+    *("#99DDFF", "#EEDD88", "#FFAABB", "#BBCC33", "#DDDDDD"),
+    *("#EE8866", "#77AADD", "#44BB99", "#AAAA00"),
+)
+
+
+def configuration_color(place: int) -> str:
+    """Colour of a configuration by its place in the system."""
+    return _CONFIGURATIONS[place % len(_CONFIGURATIONS)]
+
+
+def check_picture(kind: str, kinds: Sequence[str]) -> None:
+    """Refuse an unknown kind of picture, and say so if matplotlib is not installed."""
+    if kind not in kinds:
+        raise unknown_name("kind of picture", kind, kinds)
+    check_matplotlib()
+
+
+def check_matplotlib() -> None:
+    """Say so if matplotlib is not installed."""
+    try:
+        import matplotlib  # noqa: F401 (is it there?)
+    except ImportError:
+        raise missing_extra("plot", "matplotlib") from None
+
+
+def chosen_masses(masses: Iterable[int] | None, count: int, name: str) -> tuple[int, ...]:
+    """Masses that are drawn; all when none are given."""
+    every = range(count)
+    drawn = tuple(every if masses is None else masses)
+    if not drawn or not set(drawn) <= set(every):
+        raise InputError(f"masses = {list(drawn)}: {name} has {list(every)}")
+    return drawn
+
+
+def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
+    """Axes that a caller gave, as many as the kind takes."""
+    places: list[Axes] = list(np.ravel(np.asarray(axes, dtype=object)))
+    if len(places) not in counts or not all(hasattr(place, "plot") for place in places):
+        raise InputError(
+            f"{kind!r} is drawn into {' or '.join(map(str, counts))} Axes;"
+            f" given: {len(places)} {type(places[0]).__name__ if places else 'objects'}"
+        )
+    return places
+
+
+def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = False) -> None:
+    """Draw lines where boundaries lie: across the Axes, or upright."""
+    line: dict[str, Any] = {"color": "0.3", "linewidth": 0.9, "linestyle": ":", "zorder": 1.4}
+    for level, label in levels.items():
+        if upright:
+            axes.axvline(level, **line)
+            place, offset, transform = (level, 1.0), (3, -3), axes.get_xaxis_transform()
+        else:
+            axes.axhline(level, **line)
+            place, offset, transform = (1.0, level), (3, 0), axes.get_yaxis_transform()
+        side = "top" if upright else "center"
+        axes.annotate(label, place, offset, transform, "offset points", va=side)
+
+
+def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any]) -> None:
+    """Show the direction of the motion, where the velocity is lowest."""
+    place = min(max(int(np.argmin(v)), 1), len(v) - 1)
+    arrow = {"arrowstyle": "-|>", "color": style["color"], "linewidth": 0, "mutation_scale": 16}
+    axes.annotate("", (x[place], v[place]), (x[place - 1], v[place - 1]), arrowprops=arrow)
+
+
+def finish(axes: Axes, title: str) -> None:
+    """Title, and a legend between it and the frame, where it covers no curve."""
+    _, labels = axes.get_legend_handles_labels()
+    columns = _columns(axes, labels)
+    if labels:
+        axes.legend(
+            loc="lower left",
+            bbox_to_anchor=(0, 1),
+            ncols=columns,
+            frameon=False,
+            fontsize="small",
+            borderpad=0.1,
+            borderaxespad=0.3,
+            handlelength=2.2,
+            columnspacing=1.2,
+            handletextpad=0.5,
+        )
+    if title:
+        rows = math.ceil(len(labels) / columns)
+        axes.set_title(title, loc="left", fontsize="medium", pad=6 + 14 * rows)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _columns(axes: Axes, labels: Sequence[str]) -> int:
+    """As many columns of a legend as are about as wide as the Axes."""
+    room = axes.bbox.width / axes.figure.dpi
+    inches = [0.45 + 0.066 * len(re.sub(r"[$\\{}_^]|mathrm", "", label)) for label in labels]
+    for columns in range(len(labels), 1, -1):
+        if sum(max(column) for column in np.array_split(inches, columns)) <= room:
+            return columns
+    return 1
+
+
+def line_style(mass: int) -> dict[str, Any]:
+    """Colour and dashes of a mass."""
+    color, dashes = LINES[mass % len(LINES)]
+    return {"color": color, "linestyle": dashes, "linewidth": 1.6}
+
+
+def band_style(color: str) -> dict[str, Any]:
+    """Style of the parts in which a mass sticks."""
+    shape = {"linewidth": 6, "alpha": 0.3, "solid_capstyle": "butt", "zorder": 1.5}
+    return {**shape, "color": color}
+
+
+def dot_style(style: Mapping[str, Any]) -> dict[str, Any]:
+    """Style of the marks at the transitions."""
+    shape = {"linestyle": "none", "marker": "o", "markersize": 4.5, "zorder": 3}
+    return {**shape, "markerfacecolor": "white", "markeredgecolor": style["color"]}
+
+
+def noun(kind: str, labels: Sequence[str]) -> str:
+    """Position or velocity, in the number that the labels have, and the labels."""
+    plural = {"position": "positions", "velocity": "velocities"}[kind]
+    return f"{kind if len(labels) == 1 else plural} {', '.join(labels)}"

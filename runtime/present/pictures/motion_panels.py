@@ -1,0 +1,406 @@
+"""What is drawn of a simulated motion into one Axes: histories, portraits, configurations."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.naming import shown_name, symbol
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_at
+from nonsmooth.runtime.model.units import Units, units_of
+from nonsmooth.runtime.present.pictures.drawing import (
+    band_style,
+    configuration_color,
+    dot_style,
+    draw_arrow,
+    draw_levels,
+    finish,
+    line_style,
+    noun,
+)
+from nonsmooth.runtime.simulation.phase_functions import fastest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["View", "coordinates_of", "draw_motion", "view_of"]
+
+_MANY = 150  # transitions, or oscillations, that cannot be told apart any more
+_BINS = 500
+_BAND = 0.12  # of the height of a history, for shares of time
+_STEP = 0.1  # radians of the fastest oscillation between two points
+_MOST_POINTS = 1_000_000
+_PIECE = 64  # points of a curve that are drawn at once
+_JUMP = 1e-9  # relative change of a state in an impact
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """What every picture of one motion needs: its points, each transition twice.
+
+    Attributes
+    ----------
+    trajectory : Trajectory
+    times, states : array (n,), (n, N)
+    masses : tuple of int
+        Which are drawn.
+    kernels : SystemKernels or None
+        Of the system, where they are known.
+    name : str
+        Instead of the system's and the number of transitions.
+    closed : bool
+        Whether the motion is an orbit, without start and end.
+    composed : bool
+        Whether the picture is a part of several.
+    """
+
+    trajectory: Trajectory
+    times: np.ndarray
+    states: np.ndarray
+    masses: tuple[int, ...]
+    kernels: SystemKernels | None = None
+    name: str = ""
+    closed: bool = False
+    composed: bool = False
+
+    @property
+    def units(self) -> Units:
+        """Those that the system declares."""
+        return units_of(self.kernels or self.trajectory.name)
+
+    @property
+    def coordinates(self) -> tuple[tuple[int, int], ...]:
+        """Position and velocity of every mass, as states."""
+        return coordinates_of(self.trajectory)
+
+    @property
+    def end(self) -> float:
+        """Time at which the motion ends; 1 if that is its start."""
+        return self.trajectory.end or 1.0
+
+    @property
+    def positions(self) -> list[str]:
+        """Labels of the positions that are drawn."""
+        return [f"${symbol(self._position(mass))}$" for mass in self.masses]
+
+    @property
+    def velocities(self) -> list[str]:
+        """Labels of the velocities that are drawn: derivatives of the positions."""
+        return [f"${symbol(self._position(mass))}'$" for mass in self.masses]
+
+    def _position(self, mass: int) -> str:
+        return self.trajectory.names[self.coordinates[mass][0]]
+
+    @property
+    def present(self) -> list[int]:
+        """Configurations in the order in which they first occur for some time."""
+        run = self.trajectory.run
+        lasting = np.diff(run.times, append=self.trajectory.end) > 0
+        found = run.configurations[lasting] if lasting.any() else run.configurations
+        return list(dict.fromkeys(found.tolist()))
+
+    @property
+    def title(self) -> str:
+        """What the picture shows; empty in one part of several."""
+        count = self.trajectory.transitions
+        plural = "" if count == 1 else "s"
+        text = self.name or f"{shown_name(self.trajectory.name)}, {count:,} transition{plural}"
+        return "" if self.composed else text
+
+    @property
+    def many(self) -> bool:
+        """Whether there are more transitions than can be told apart."""
+        return self.trajectory.transitions > _MANY
+
+    @property
+    def dense(self) -> bool:
+        """Whether there are more oscillations than can be told apart."""
+        return self.many or _angle(self.trajectory) > 2 * math.pi * _MANY
+
+    def bars(self, configuration: int) -> list[tuple[float, float]]:
+        """Begin and length of each phase in a configuration."""
+        run = self.trajectory.run
+        ends = np.append(run.times[1:], self.trajectory.end)
+        here = (run.configurations == configuration) & (ends > run.times)
+        return list(zip(run.times[here], (ends - run.times)[here], strict=True))
+
+    def shares(self) -> tuple[np.ndarray, np.ndarray]:
+        """Edges (n + 1,) of bins, and the share of each spent in the present ones (n, present)."""
+        run = self.trajectory.run
+        breaks = np.append(run.times, self.trajectory.end)
+        edges = np.linspace(0, self.end, _BINS + 1)
+        spent = np.diff(breaks)[:, None] * (run.configurations[:, None] == self.present)
+        until = np.concatenate([np.zeros((1, len(self.present))), np.cumsum(spent, axis=0)])
+        columns = [np.diff(np.interp(edges, breaks, column)) for column in until.T]
+        return edges, np.stack(columns, axis=-1) / np.diff(edges)[:, None]
+
+
+def coordinates_of(trajectory: Trajectory) -> tuple[tuple[int, int], ...]:
+    """Position and velocity of every mass; the first two states where there is no velocity."""
+    return trajectory.structure.coordinates or ((0, min(1, len(trajectory.names) - 1)),)
+
+
+def view_of(
+    trajectory: Trajectory,
+    masses: tuple[int, ...],
+    points: int,
+    kernels: SystemKernels | None = None,
+) -> View:
+    """Points of a motion as dense as a picture needs them; InputError if it is not finite."""
+    if not (math.isfinite(trajectory.end) and np.isfinite(trajectory.states).all()):
+        raise InputError("the motion is not finite")
+    needed = min(_MOST_POINTS, math.ceil(_angle(trajectory) / _STEP))
+    wanted = max(points, needed) if isinstance(points, int | np.integer) and points > 0 else points
+    return View(trajectory, *trajectory.sample(wanted), masses, kernels)
+
+
+def draw_motion(view: View, kind: str, places: Sequence[Axes]) -> None:
+    """Draw one kind of picture, or all, into as many Axes as it takes."""
+    if kind == "all":
+        places[0].figure.suptitle(view.title)
+        part = replace(view, composed=True)
+        _draw_history(part, places[0], moving=False)
+        _draw_history(part, places[1], moving=True)
+        _draw_strip(part, places[2])
+        _draw_portraits(part, places[3:])
+    elif kind == "phase":
+        _draw_portraits(view, places)
+    elif kind == "strip":
+        _draw_strip(view, places[0])
+    else:
+        _draw_history(view, places[0], moving=kind == "velocity")
+
+
+def _angle(trajectory: Trajectory) -> float:
+    """Radians of the fastest oscillation that occurs."""
+    present = np.unique(trajectory.run.configurations).tolist()
+    return trajectory.end * max(fastest(trajectory.system, c) for c in present)
+
+
+def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
+    """Draw all positions over time, or all velocities."""
+    labels = view.velocities if moving else view.positions
+    switches = np.flatnonzero(np.diff(view.times) == 0)
+    for mass, label in zip(view.masses, labels, strict=True):
+        style = line_style(mass)
+        values = view.states[:, view.coordinates[mass][moving]]
+        if view.dense:
+            _draw_range(view, axes, values, label, style)
+            continue
+        axes.plot(view.times, values, label=label, **style)
+        if len(switches) <= _MANY / 4:
+            axes.plot(view.times[switches], values[switches], **dot_style(style))
+    axes.margins(y=0.07)
+    _draw_background(view, axes)
+    draw_levels(axes, _levels(view, moving=moving))
+    axes.set_xlim(0, view.end)
+    axes.set_xlabel(view.units.text("time $t$"))
+    axes.set_ylabel(view.units.text(noun("velocity" if moving else "position", labels), "\n"))
+    finish(axes, view.title)
+
+
+def _draw_range(
+    view: View, axes: Axes, values: np.ndarray, label: str, style: dict[str, Any]
+) -> None:
+    """Draw which range a curve fills in each bin of time."""
+    edges = np.linspace(0, view.end, _BINS + 1)
+    starts = np.clip(np.searchsorted(view.times, edges[:-1]), 0, len(values) - 1)
+    low, high = np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)
+    middles = (edges[:-1] + edges[1:]) / 2
+    axes.fill_between(middles, low, high, color=style["color"], alpha=0.3, linewidth=0)
+    thin = {**style, "linewidth": 0.9}
+    axes.plot(middles, low, **thin)
+    axes.plot(middles, high, label=f"{label}, range", **thin)
+
+
+def _draw_background(view: View, axes: Axes) -> None:
+    """Colour the background by configuration; below the curves the shares of time in each."""
+    names = view.trajectory.structure.configurations
+    upright = axes.get_xaxis_transform()
+    shape: dict[str, Any] = {"transform": upright, "linewidth": 0, "zorder": 0.5}
+    alpha = 1.0 if view.many else 0.4
+    edges, shares = view.shares() if view.many else (np.zeros(0), np.zeros((0, 0)))
+    below = np.zeros(len(shares))
+    for place, configuration in enumerate(view.present):
+        style = {**shape, "color": configuration_color(configuration), "alpha": alpha}
+        if view.many:
+            above = below + _BAND * shares[:, place]
+            axes.stairs(above, edges, baseline=below, fill=True, **style)
+            below = above
+        else:
+            axes.broken_barh(view.bars(configuration), (0, 1), **style)
+        if not view.composed:
+            label = names[configuration] + ", share" * view.many
+            axes.fill_between([], [], color=style["color"], alpha=alpha, linewidth=0, label=label)
+    if view.many:
+        low, high = axes.get_ylim()
+        axes.set_ylim(low - (high - low) * _BAND / (1 - _BAND), high)
+    else:
+        breaks = view.trajectory.times[1:]
+        axes.vlines(breaks, 0, 1, color="0.5", linewidth=0.5, transform=upright, zorder=0.6)
+
+
+def _draw_strip(view: View, axes: Axes) -> None:
+    """Draw a row for each configuration, with a bar where, or as far as, it is the present one."""
+    names = view.trajectory.structure.configurations
+    for row, configuration in enumerate(view.present):
+        bars = view.bars(configuration)
+        color = configuration_color(configuration)
+        if view.many:
+            edges, shares = view.shares()
+            half = 0.4 * shares[:, row]
+            axes.stairs(row + half, edges, baseline=row - half, fill=True, color=color)
+        else:
+            axes.broken_barh(bars, (row - 0.36, 0.72), color=color, edgecolor="0.3", linewidth=0.5)
+        part = sum(length for _, length in bars) / view.end
+        axes.annotate(
+            f"{100 * part:.1f} %",
+            (1.0, row),
+            (4, 0),
+            axes.get_yaxis_transform(),
+            "offset points",
+            va="center",
+            fontsize="small",
+        )
+    axes.set_yticks(range(len(view.present)), [names[c] for c in view.present])
+    axes.set_ylim(len(view.present) - 0.4, -0.6)
+    axes.set_xlim(0, view.end)
+    axes.set_xlabel(view.units.text("time $t$"))
+    axes.set_ylabel("configuration")
+    finish(axes, view.title)
+
+
+def _draw_portraits(view: View, places: Sequence[Axes]) -> None:
+    """Draw the phase portraits, all in one or each in Axes of its own."""
+    for place, mass in enumerate(view.masses):
+        _draw_portrait(view, places[place % len(places)], place, mass)
+    for place, axes in enumerate(places):
+        drawn = slice(None) if len(places) == 1 else slice(place, place + 1)
+        shown = replace(view, masses=view.masses[drawn])
+        draw_levels(axes, _levels(shown, moving=True))
+        draw_levels(axes, _levels(shown, moving=False), upright=True)
+        axes.set_xlabel(view.units.text(noun("position", shown.positions)))
+        axes.set_ylabel(view.units.text(noun("velocity", shown.velocities)))
+        axes.margins(0.07)
+        handles, labels = axes.get_legend_handles_labels()
+        for handle, label in list(zip(handles, labels, strict=True)):
+            if labels.index(label) != handles.index(handle):
+                handle.set_label("_")  # once in the legend
+        finish(axes, view.title if place == 0 else " " * bool(view.title))
+
+
+def _draw_portrait(view: View, axes: Axes, place: int, mass: int) -> None:
+    """Draw the phase portrait of one mass."""
+    trajectory, style = view.trajectory, line_style(mass)
+    both = list(view.coordinates[mass])
+    points, switches = view.states[:, both], np.flatnonzero(np.diff(view.times) == 0)
+    before, behind = trajectory.before[1:, both], trajectory.states[1:, both]
+    sizes = 1 + np.abs(points).max(axis=0)
+    jumps = (np.abs(behind - before) > _JUMP * sizes).any(axis=1)
+    held = [both[0] in trajectory.structure.held[c] for c in trajectory.run.configurations]
+    label = f"({view.positions[place]}, {view.velocities[place]})"
+    if trajectory.transitions > _MANY / 10:
+        style = {**style, "linestyle": "-", "linewidth": 0.9}
+    parts = np.split(points, switches + 1)
+    _draw_lines(axes, parts, label, style, dense=view.dense)
+    riding = _riding(view, points, np.array(held))
+    if np.isfinite(riding).any():
+        wide: dict[str, Any] = {"linewidth": 3} if view.dense else {}
+        axes.plot(*riding.T, **{**band_style(style["color"]), **wide})
+        axes.plot([], [], label="sticking", **band_style("0.3"))
+    if jumps.any():
+        dashed = {**style, "linestyle": (0, (3, 2)), "linewidth": 1.1}
+        lines = np.stack([before[jumps], behind[jumps]], axis=1)
+        _draw_lines(axes, list(lines), "impact", dashed, dense=view.dense)
+    if len(switches) <= _MANY / 4:
+        axes.plot(*points[[*switches, *(switches + 1)]].T, **dot_style(style))
+    if not view.dense:
+        lowest = int(np.searchsorted(switches, np.argmin(points[:, 1])))
+        if len(parts[lowest]) > 2:
+            draw_arrow(axes, parts[lowest][:, 0], parts[lowest][:, 1], style)
+    if view.closed:
+        return
+    ends: dict[str, Any] = {"linestyle": "none", "color": "black", "zorder": 4}
+    axes.plot(*points[:1].T, marker="x", markersize=7, label="start", **ends)
+    axes.plot(*points[-1:].T, marker="s", markersize=5, label="end", **ends)
+
+
+def _draw_lines(
+    axes: Axes, parts: list[np.ndarray], label: str, style: dict[str, Any], *, dense: bool
+) -> None:
+    """Draw curves (n, 2); where they are dense, each so faint that the density is seen."""
+    if not dense:
+        gap = np.full((1, 2), np.nan)
+        joined = [piece for part in parts for piece in (part, gap)][:-1]
+        axes.plot(*np.concatenate(joined).T, label=label, **style)
+        return
+    from matplotlib.collections import LineCollection
+
+    cuts = [cut for part in parts for cut in _short(part)]
+    faint = {"linewidths": 0.5, "alpha": float(np.clip(100 / len(cuts), 0.09, 0.5))}
+    lines = LineCollection(cuts, colors=style["color"], rasterized=True, **faint)
+    axes.add_collection(lines)
+    axes.autoscale_view()
+    axes.plot([], [], label=label, **style)
+
+
+def _short(curve: np.ndarray) -> list[np.ndarray]:
+    """Pieces of a long curve, which overlap by a point."""
+    return [curve[low : low + _PIECE + 1] for low in range(0, max(len(curve) - 1, 1), _PIECE)]
+
+
+def _riding(view: View, points: np.ndarray, held: np.ndarray) -> np.ndarray:
+    """Points at which a mass is held and moves, with NaN in between."""
+    times = view.trajectory.times
+    phase = np.searchsorted(times, view.times, side="right") - 1
+    # the first of the two points at a transition ends a phase
+    phase[:-1] -= (np.diff(view.times) == 0) & (phase[:-1] > 0)
+    found = np.where(held[phase][:, None], points, np.nan)
+    edges = np.flatnonzero(np.diff(phase)) + 1
+    return np.insert(found, edges, np.nan, axis=0)
+
+
+def _levels(view: View, *, moving: bool) -> dict[float, str]:
+    """Values, and labels, at which boundaries in one drawn position or velocity alone lie."""
+    system, found = view.trajectory.system, {}
+    rows = {b.row for shapes in system.structure.boundaries for b in shapes}
+    labels = view.velocities if moving else view.positions
+    for mass, label in zip(view.masses, labels, strict=True):
+        state = view.coordinates[mass][moving]
+        for row in sorted(rows):
+            if np.flatnonzero(system.rows[row, :-1]).tolist() == [state]:
+                level = _level(system, row, state)
+                name = _parameter(view, row, state)
+                found[level] = f"${symbol(name)}$" if name else f"{label} = ${level:.6g}$"
+    return found
+
+
+def _level(system: PiecewiseLinear, row: int, state: int) -> float:
+    return float(0.0 - system.rows[row, -1] / system.rows[row, state])
+
+
+def _parameter(view: View, row: int, state: int) -> str:
+    """Parameter that a level is, and stays when the parameter changes; empty if none."""
+    system = view.trajectory.system
+    try:
+        kernels = view.kernels or load_system(system.structure.name)
+    except InputError:  # a system that has no name by which it is found
+        return ""
+    level = _level(system, row, state)
+    numbers = {name: float(value) for name, value in system.parameters.items()}
+    for name, number in numbers.items():
+        if number == level != 0:
+            moved = {**numbers, name: number * 1.0078125}
+            point = np.array(list(moved.values()))
+            other = piecewise_at(kernels, point)
+            if _level(other, row, state) == moved[name]:
+                return name
+    return ""

@@ -1,0 +1,219 @@
+"""What is drawn of an orbit into one Axes: histories, portraits, configurations, multipliers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.values import parse
+from nonsmooth.runtime.model.naming import shown_name, symbol
+from nonsmooth.runtime.model.units import NO_UNIT, Units, units_of, with_unit
+from nonsmooth.runtime.orbits.motion import Motion, Samples
+from nonsmooth.runtime.present.pictures.drawing import (
+    band_style,
+    configuration_color,
+    dot_style,
+    draw_arrow,
+    draw_levels,
+    finish,
+    line_style,
+    noun,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.shooting.multipliers import Multiplier
+
+__all__ = ["PANELS", "Scene", "draw", "draw_multipliers"]
+
+PANELS = ("time", "velocity", "strip", "phase", "multipliers")  # of "all", in this order
+
+_MARKERS = ("o", "s", "D", "^")
+_PHASE_POINTS = 1200
+_CONSTANT = 1e-9  # relative change of a velocity that is held
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What every picture of one orbit needs."""
+
+    orbit: Orbit
+    motion: Motion
+    samples: Samples
+    masses: tuple[int, ...]
+    composed: bool = False
+
+    @property
+    def units(self) -> Units:
+        """Those that the system declares."""
+        return units_of(self.motion.kernels.system)
+
+    @property
+    def count(self) -> int:
+        """Number of all masses."""
+        return len(self.motion.names) // 2
+
+    @property
+    def positions(self) -> list[str]:
+        """Labels of the positions that are drawn."""
+        return [f"${symbol(self.motion.names[mass])}$" for mass in self.masses]
+
+    @property
+    def velocities(self) -> list[str]:
+        """Labels of the velocities that are drawn: derivatives of the positions."""
+        return [f"${symbol(self.motion.names[mass])}'$" for mass in self.masses]
+
+    def levels(self, *, moving: bool) -> dict[float, str]:
+        """Values, and their labels, at which boundaries in the drawn states lie."""
+        found = {}
+        table = self.motion.kernels.table["levels"]
+        for mass in self.masses:
+            name = self.motion.names[mass + moving * self.count]
+            text = table.get(name)
+            if text in self.orbit.values:
+                found[float(self.orbit.values[text])] = f"${symbol(text)}$"
+            elif text is not None:
+                found[float(parse(text))] = f"${symbol(name)} = {text}$"
+        return found
+
+    def color(self, phase: int) -> str:
+        """Colour of a phase's configuration, the same in all pictures of the system."""
+        known = self.motion.kernels.system.configurations
+        place = known.index(self.motion.configurations[phase])
+        return configuration_color(place)
+
+    def phases(self) -> Iterator[tuple[int, float, float]]:
+        """Each phase that is drawn against time: its number, start and end."""
+        breaks, period = self.motion.breaks, self.motion.period
+        for start in np.arange(round(self.samples.times[-1] / period)) * period:
+            for phase, (begin, end) in enumerate(pairwise(breaks)):
+                yield phase, float(start + begin), float(start + end)
+
+
+def draw(scene: Scene, kind: str, places: Sequence[Axes]) -> None:
+    """Draw one kind of picture, or all, into as many Axes as it takes."""
+    if kind == "all":
+        places[0].figure.suptitle(shown_name(scene.orbit.name))
+        for panel, place in zip(PANELS, places, strict=True):
+            draw(replace(scene, composed=True), panel, [place])
+    elif kind == "phase":
+        _draw_phase(scene, places)
+    elif kind == "strip":
+        _draw_strip(scene, places[0])
+    elif kind == "multipliers":
+        title = "" if scene.composed else shown_name(scene.orbit.name)
+        draw_multipliers(scene.orbit.stability.multipliers, places[0], title)
+    else:
+        _draw_history(scene, places[0], moving=kind == "velocity")
+
+
+def _draw_history(scene: Scene, axes: Axes, *, moving: bool) -> None:
+    """Draw all positions over time, or all velocities."""
+    labels = scene.velocities if moving else scene.positions
+    samples = scene.samples
+    switches = np.flatnonzero(np.diff(samples.times) == 0)
+    for mass, label in zip(scene.masses, labels, strict=True):
+        style = line_style(mass)
+        values = samples.states[:, mass + moving * scene.count]
+        axes.plot(samples.times, values, label=label, **style)
+        axes.plot(samples.times[switches], values[switches], **dot_style(style))
+    draw_levels(axes, scene.levels(moving=moving))
+    for phase, begin, end in scene.phases():
+        name = scene.motion.configurations[phase]
+        fresh = begin < scene.motion.period and name not in scene.motion.configurations[:phase]
+        label = name if fresh and not scene.composed else ""
+        axes.axvspan(begin, end, color=scene.color(phase), alpha=0.35, linewidth=0, label=label)
+        if begin:
+            axes.axvline(begin, color="0.5", linewidth=0.6)
+    axes.set_xlim(samples.times[0], samples.times[-1])
+    axes.set_xlabel(scene.units.text("time $t$"))
+    axes.set_ylabel(scene.units.text(noun("velocity" if moving else "position", labels), "\n"))
+    finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
+
+
+def _draw_phase(scene: Scene, places: Sequence[Axes]) -> None:
+    """Draw the phase portraits, all in one or each in Axes of its own."""
+    positions, velocities = scene.positions, scene.velocities
+    samples = scene.motion.sample(_PHASE_POINTS)
+    switches = np.flatnonzero(np.diff(samples.times, prepend=samples.times[0] - 1) == 0)
+    sticking = set()
+    for place, mass in enumerate(scene.masses):
+        axes, style = places[place % len(places)], line_style(mass)
+        x, v = samples.states[:, mass], samples.states[:, scene.count + mass]
+        axes.plot(x, v, label=f"({positions[place]}, {velocities[place]})", **style)
+        for phase in np.unique(samples.phases):
+            here = samples.phases == phase
+            if np.ptp(v[here]) <= _CONSTANT * (1 + np.abs(v).max()) and np.ptp(x[here]) > 0:
+                axes.plot(x[here], v[here], **band_style(style["color"]))
+                sticking.add(axes)
+        axes.plot(x[[0, *switches]], v[[0, *switches]], **dot_style(style))
+        draw_arrow(axes, x, v, style)
+    for place, axes in enumerate(places):
+        drawn = slice(None) if len(places) == 1 else slice(place, place + 1)
+        if axes in sticking:
+            axes.plot([], [], label="sticking", **band_style("0.3"))
+        shown = replace(scene, masses=scene.masses[drawn])
+        draw_levels(axes, shown.levels(moving=True))
+        draw_levels(axes, shown.levels(moving=False), upright=True)
+        axes.set_xlabel(scene.units.text(noun("position", positions[drawn])))
+        axes.set_ylabel(scene.units.text(noun("velocity", velocities[drawn])))
+        axes.margins(0.07)
+        finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
+
+
+def _draw_strip(scene: Scene, axes: Axes) -> None:
+    """Draw a row for each configuration, with a bar where it is the present one."""
+    rows = list(dict.fromkeys(scene.motion.configurations))
+    dwell_times = list(scene.orbit.dwell_times)
+    for phase, begin, end in scene.phases():
+        row = rows.index(scene.motion.configurations[phase])
+        bar = axes.barh(row, end - begin, height=0.72, left=begin, color=scene.color(phase))
+        bar.patches[0].set(edgecolor="0.3", linewidth=0.6)
+        if begin:
+            axes.axvline(begin, color="0.5", linewidth=0.6, zorder=0)
+        name, middle = symbol(dwell_times[phase]), ((begin + end) / 2, row)
+        label, side = (f"${name}$", "center") if end > begin else (f"${name} = 0$", "left")
+        style: dict[str, Any] = {"ha": side, "va": "center", "fontsize": "small", "clip_on": True}
+        axes.annotate(label, middle, (3 * (end == begin), 0), textcoords="offset points", **style)
+    axes.set_yticks(range(len(rows)), rows)
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.set_xlim(scene.samples.times[0], scene.samples.times[-1])
+    axes.set_xlabel(scene.units.text("time $t$"))
+    axes.set_ylabel("configuration")
+    finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
+
+
+def draw_multipliers(multipliers: Sequence[Multiplier], axes: Axes, title: str) -> None:
+    """Draw multipliers and the unit circle."""
+    angle = np.linspace(0, 2 * np.pi, 361)
+    axes.fill(np.cos(angle), np.sin(angle), color="0.95", zorder=0)
+    axes.plot(np.cos(angle), np.sin(angle), color="0.35", linewidth=0.8)
+    axes.axhline(0, color="0.75", linewidth=0.6, zorder=0.5)
+    axes.axvline(0, color="0.75", linewidth=0.6, zorder=0.5)
+    extent = 1.0
+    for number, multiplier in enumerate(multipliers, 1):
+        real, imaginary = float(multiplier.real), float(multiplier.imaginary)
+        value = f"{real:.6g}" + (f"{imaginary:+.6g}\\,\\mathrm{{i}}" if imaginary else "")
+        color = line_style(number - 1)["color"]
+        axes.plot(
+            [real],
+            [imaginary],
+            linestyle="none",
+            marker=_MARKERS[(number - 1) % len(_MARKERS)],
+            color=color,
+            markerfacecolor="none" if multiplier.trivial else color,
+            label=f"$\\mu_{{{number}}} = {value}$" + ", trivial" * multiplier.trivial,
+        )
+        extent = max(extent, abs(real), abs(imaginary))
+    axes.set_xlim(-1.15 * extent, 1.15 * extent)
+    axes.set_ylim(-1.15 * extent, 1.15 * extent)
+    axes.set_aspect("equal")
+    axes.set_xlabel(with_unit(r"$\mathrm{Re}\,\mu$", NO_UNIT))
+    axes.set_ylabel(with_unit(r"$\mathrm{Im}\,\mu$", NO_UNIT))
+    finish(axes, title)

@@ -1,0 +1,130 @@
+"""Pictures of what is in a file: orbits, a branch, a proven map, a motion, a chart."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.result_files import format_in
+from nonsmooth.runtime.model.kernels import is_saved
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["figure_of"]
+
+Drawn = tuple[dict[str, str], "Figure"]  # what was drawn: the name of the orbit or the system
+
+
+def figure_of(path: Path, kind: str, periods: int) -> Drawn:
+    """Read a file and draw what is in it.
+
+    Parameters
+    ----------
+    path : Path
+        JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
+        proven map, found orbits or a sweep; .npz or .csv of a motion; folder of a chart.
+    kind : str
+        As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
+        and what is drawn in one way only "all".
+    periods : int
+        How many periods of an orbit to draw against time.
+
+    Returns
+    -------
+    dict of str
+        What was drawn: the name of the orbit or of the system.
+    Figure
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or is cut, edited or foreign, or for a kind that it has not.
+    """
+    if path.is_dir():
+        return _in_one_way("a chart", kind, _chart, path)
+    if path.suffix.lower() in (".npz", ".csv"):
+        from nonsmooth.runtime.present.files.motions import load_trajectory
+        from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
+
+        motion = load_trajectory(path)
+        return {"system": motion.name}, trajectory_figure(motion, kind)
+    form = format_in(path)
+    if form in _IN_ONE_WAY:
+        return _in_one_way(_IN_ONE_WAY[form][0], kind, _IN_ONE_WAY[form][1], path)
+    if form == "nonsmooth found orbits":
+        from nonsmooth.runtime.present.files.found import load_found
+        from nonsmooth.runtime.present.pictures.found import found_figure
+
+        found = load_found(path)
+        return {"system": found.system}, found_figure(found, kind, periods=periods)
+    from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.present.files.named_entries import saved_orbit
+    from nonsmooth.runtime.present.files.orbits import load_orbit_file
+
+    numbered = not path.exists() and is_saved(str(path))
+    orbit = saved_orbit(str(path)) if numbered else load_orbit_file(path)
+    if isinstance(orbit, Orbit):
+        from nonsmooth.runtime.present.pictures.plot import orbit_figure
+
+        return {"orbit": orbit.name}, orbit_figure(orbit, kind, periods=periods)
+    from nonsmooth.runtime.present.pictures.composed import composed_figure
+
+    return {"orbit": orbit.name}, composed_figure(orbit, kind, periods=periods)
+
+
+def _in_one_way(what: str, kind: str, draw: Callable[[Path], Drawn], path: Path) -> Drawn:
+    if kind != "all":
+        raise InputError(f"{what} has one kind of picture, all, not {kind}")
+    return draw(path)
+
+
+def _chart(path: Path) -> Drawn:
+    from nonsmooth.runtime.explore.charting.chart import load_chart
+    from nonsmooth.runtime.explore.charting.classes import title_of
+    from nonsmooth.runtime.present.pictures.charts import chart_figure
+
+    chart = load_chart(path)
+    return {"chart": title_of(chart)}, chart_figure(chart)
+
+
+def _branch(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.branches import load_branch
+    from nonsmooth.runtime.present.pictures.branches import branch_figure
+
+    branch = load_branch(path)
+    return {"orbit": branch.name}, branch_figure(branch)
+
+
+def _locus(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.loci import load_locus
+    from nonsmooth.runtime.present.pictures.branches import locus_figure
+
+    locus = load_locus(path)
+    return {"orbit": locus.name}, locus_figure(locus)
+
+
+def _proven_map(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
+    from nonsmooth.runtime.present.pictures.proven_maps import box_figure
+
+    certificate = load_box_certificate(path)
+    return {"orbit": certificate.orbit}, box_figure(certificate)
+
+
+def _sweep(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.sweeps import load_sweep
+    from nonsmooth.runtime.present.pictures.maps import draw_sweep
+
+    diagram = load_sweep(path)
+    return {"system": diagram.system}, draw_sweep(diagram)
+
+
+_IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
+    "nonsmooth branch": ("a branch", _branch),
+    "nonsmooth locus": ("a curve of events", _locus),
+    "nonsmooth box certificate": ("a proven map", _proven_map),
+    "nonsmooth sweep": ("a sweep", _sweep),
+}

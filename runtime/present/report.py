@@ -1,0 +1,174 @@
+"""Results as JSON and as text: numbers with the digits they have."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.values import decimal_string
+from nonsmooth.runtime.model.kernels import (
+    OrbitKernels,
+    ParameterTable,
+    load_orbit,
+    load_system,
+    orbits_in,
+    system_names,
+)
+from nonsmooth.runtime.model.parameters import default_parameters
+from nonsmooth.runtime.orbits.orbit import Orbit
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+
+__all__ = ["admissibility_json", "orbit_json", "short", "systems_json"]
+
+
+def orbit_json(orbit: Orbit | ComposedOrbit, digits: int | None = None) -> dict[str, Any]:
+    """An orbit with stability and admissibility; numbers as decimal strings.
+
+    `unknowns` are what was solved for, `parameters` what was given, with three digits more
+    than the error bound 10^-digits max(1, |x|) needs.
+
+    Parameters
+    ----------
+    orbit : Orbit or ComposedOrbit
+    digits : int, optional
+        Fewer digits than the orbit has.
+    """
+    if not isinstance(orbit, Orbit):
+        from nonsmooth.runtime.present.composed_report import composed_json
+
+        return composed_json(orbit, digits)
+    shown = orbit.digits if digits is None else min(digits, orbit.digits)
+
+    def text(number: Any) -> str:
+        return decimal_string(number, shown)
+
+    stability = orbit.stability
+    return {
+        "orbit": orbit.name,
+        "parameters": {name: text(orbit.values[name]) for name in orbit.given}
+        | orbit.kernels.required
+        | {name: text(float(value)) for name, value in orbit.opened.items()},
+        "unknowns": {name: text(value) for name, value in orbit.unknowns.items()},
+        "period": text(orbit.period),
+        "residual": short(orbit.residual),
+        "digits": shown,
+        "multipliers": [
+            {"re": text(m.real), "im": text(m.imaginary), "trivial": m.trivial}
+            for m in stability.multipliers
+        ],
+        "trace": text(stability.trace),
+        "margin": text(stability.margin),
+        "stability": stability.verdict,
+        **({"one_sided": stability.one_sided} if stability.one_sided else {}),
+        **admissibility_json(orbit),
+    }
+
+
+def admissibility_json(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
+    """Verdict, and what it rests on: violations, or bounds on the open parameters.
+
+    Phases are counted from 1.
+    """
+    admissibility = orbit.admissibility
+    found: dict[str, Any] = {"admissible": admissibility.verdict}
+    if admissibility.verdict is False:
+        found["violations"] = [
+            {
+                "phase": v.phase + 1,
+                "configuration": v.configuration,
+                "boundary": v.boundary,
+                "time": repr(v.time),
+                "excess": repr(v.excess),
+            }
+            for v in admissibility.violations
+        ]
+    if admissibility.verdict == "conditional":
+        found["requires"] = [
+            {"parameter": r.parameter, "greater_than": repr(r.greater_than)}
+            for r in admissibility.requires
+        ]
+    if admissibility.coincidences:
+        found["coincidences"] = [
+            {"phase": c.phase + 1, "boundaries": list(c.boundaries), "time": repr(c.time)}
+            for c in admissibility.coincidences
+        ]
+    return found
+
+
+def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
+    """Systems, all built-in ones without names, and their orbits: what is given and solved for."""
+    named = names or system_names()
+    orbits = {name: [load_orbit(orbit) for orbit in orbits_in(name)] for name in named}
+    systems = [load_system(name) for name in named]
+    return {
+        "systems": [
+            {
+                "name": system.name,
+                "description": system.table["description"],
+                "configurations": list(system.configurations),
+                "parameters": [_parameter_json(p) for p in system.parameters],
+                "orbits": [
+                    _declared_json(o) if o.derived else _composed_json(o) for o in orbits[name]
+                ],
+            }
+            for name, system in zip(named, systems, strict=True)
+        ]
+    }
+
+
+def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
+    defaults = kernels.required | default_parameters(kernels)
+    tables = [*kernels.parameters, *kernels.open_parameters]
+    used = {*kernels.parameter_names, *kernels.solved_for}
+    combining = {n for name, terms in kernels.combined.items() if name in used for n in terms}
+    combining = (combining | set(kernels.required)) - {p.name for p in tables}
+    tables += [p for p in kernels.system.parameters if p.name in combining]
+    return {
+        "name": kernels.name,
+        "phases": [
+            {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
+            for configuration, boundary, dwell_time in kernels.table["phases"]
+        ],
+        "parameters": [_parameter_json(p) | {"default": defaults.get(p.name)} for p in tables],
+        "unknowns": list(kernels.unknowns),
+    }
+
+
+def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
+    """An orbit without equations of its own: all parameters are given, the start is unknown."""
+    from nonsmooth.runtime.orbits.named import unknowns_of
+
+    table, system = kernels.table, kernels.system
+    reference = table["reference"] or {"parameters": {}}
+    return {
+        "name": kernels.name,
+        "phases": [
+            {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
+            for configuration, boundary, dwell_time in table["phases"]
+        ],
+        "parameters": [
+            _parameter_json(p) | {"default": reference["parameters"].get(p.name)}
+            for p in system.parameters
+        ],
+        "unknowns": list(unknowns_of(kernels)),
+    }
+
+
+def _parameter_json(parameter: ParameterTable) -> dict[str, Any]:
+    return {
+        "name": parameter.name,
+        "description": parameter.description,
+        "lower": parameter.lower,
+        "upper": parameter.upper,
+        "closed": parameter.closed,
+        "upper_closed": parameter.upper_closed,
+    }
+
+
+def short(number: Any) -> str:
+    """A small number to three digits; its size is what counts."""
+    from mpmath import mp
+
+    return str(mp.nstr(mp.mpf(number), 3))

@@ -1,0 +1,210 @@
+"""Whether a proved orbit is a motion of the real system, for all times of all its phases.
+
+No boundary of a phase's configuration is reached before the phase ends, the one that ends it
+is reached from inside, nothing else is reached then, and of the transitions that are declared
+for it the first whose conditions hold is the itinerary's. The full cycle is looked at: no
+symmetry is taken for granted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.proof.admissibility_conditions import Derivative, Follower, Plan, Watched
+from nonsmooth.runtime.proof.cycle_equations import Chain, Passage
+from nonsmooth.runtime.proof.motion.enclosures import Undecided
+from nonsmooth.runtime.proof.motion.exact_rows import evaluate
+from nonsmooth.runtime.proof.sign_along_phase import Crossed, Ends, Waves
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["Judgement", "Margin", "judge"]
+
+
+class Margin(NamedTuple):
+    """How clearly a boundary is respected.
+
+    Attributes
+    ----------
+    phase : int
+    configuration, boundary : str
+    quantity : {"distance", "departure", "speed"}
+        The boundary function stays below minus that; its first derivative that is not zero
+        at the start is below minus that; the boundary is reached with at least that speed.
+    least : arb
+        Positive, exact.
+    """
+
+    phase: int
+    configuration: str
+    boundary: str
+    quantity: str
+    least: arb
+
+
+class Judgement(NamedTuple):
+    """Verdict "proved", "refuted" or "undecided", the reason where it is not proved, margins."""
+
+    verdict: str
+    reason: str
+    margins: tuple[Margin, ...]
+
+
+class _Refuted(Exception):
+    pass
+
+
+def judge(plans: Sequence[Plan], chain: Chain, now: Passage, dwell: Sequence[Any]) -> Judgement:
+    """Judge an orbit whose start and dwell times are enclosed, at the working precision.
+
+    Parameters
+    ----------
+    plans : sequence of Plan
+        In the numbers of the chain.
+    chain : Chain
+    now : Passage
+        Over the enclosures.
+    dwell : sequence of arb or Model
+    """
+    margins: list[Margin] = []
+    undecided = ""
+    for plan, field, time in zip(plans, chain.fields, dwell, strict=True):
+        name = f"phase {plan.place + 1}, {plan.configuration}"
+        try:
+            margins += _Phase(plan, field, now, time).judged()
+        except _Refuted as found:
+            return Judgement("refuted", f"{name}: {found}", ())
+        except Undecided as trouble:
+            undecided = undecided or f"{name}: {trouble.reason}"
+    if undecided:
+        return Judgement("undecided", undecided, ())
+    return Judgement("proved", "", tuple(margins))
+
+
+class _Phase:
+    """One phase of an orbit."""
+
+    def __init__(self, plan: Plan, field: Any, now: Passage, dwell: Any) -> None:
+        self.plan, self.field, self.dwell = plan, field, dwell
+        self.first = now.starts[plan.place]
+        self.start = plan.starts.tighten(self.first.entries()[:-1])
+        self.behind = plan.ends.tighten(now.ends[plan.place].entries()[:-1])
+
+    def judged(self) -> list[Margin]:
+        """Margins of all boundaries; raises where one is crossed or cannot be decided."""
+        if not self.dwell > 0:
+            if self.dwell < 0:
+                raise _Refuted("its dwell time is negative")
+            raise Undecided("its dwell time cannot be told from 0")
+        for row in self.plan.held:
+            value = evaluate(row, self.start)
+            if value > 0 or value < 0:
+                raise _Refuted("what it holds does not hold where it begins")
+            raise Undecided("whether what it holds holds where it begins", digits=False)
+        found: list[Margin] = []
+        waves = None
+        for watched in self.plan.watched:
+            name, begins = watched.name, watched.begins
+            if begins is not None:
+                value = _signed(begins, self.start, f"{name} where it begins: its")
+                if value > 0:
+                    raise _Refuted(f"{name} is passed where it begins")
+            if watched.reached:
+                found.append(self._margin(name, "speed", self._speed(watched)))
+            if begins is not None and begins.order:
+                found.append(self._margin(name, "departure", -value))
+            if watched.still:
+                if begins is not None and not begins.order:
+                    found.append(self._margin(name, "distance", -value))
+                continue
+            waves = waves or Waves(self.field, self.first, self.dwell)
+            least = self._distance(waves, watched)
+            if least is not None:
+                found.append(self._margin(name, "distance", least))
+        self._follows()
+        return found
+
+    def _margin(self, boundary: str, quantity: str, least: Any) -> Margin:
+        plan = self.plan
+        return Margin(plan.place, plan.configuration, boundary, quantity, range_of(least).lower())
+
+    def _speed(self, watched: Watched) -> Any:
+        """Speed at which a boundary is reached that is exactly zero at the end."""
+        name = watched.name
+        if any(watched.ends):
+            value = evaluate(watched.ends, self.behind)
+            if value > 0 or value < 0:
+                raise _Refuted(f"{name} is not reached where it ends")
+            raise Undecided(f"whether {name} is reached where it ends", digits=False)
+        speed = evaluate(watched.speed, self.behind)
+        if speed > 0:
+            return speed
+        if speed < 0:
+            raise _Refuted(f"{name} is reached from outside")
+        raise Undecided(f"{name} may be reached tangentially")
+
+    def _distance(self, waves: Waves, watched: Watched) -> arb | None:
+        """Prove that a boundary is not reached inside the phase; by how much, if anything."""
+        order = 0 if watched.begins is None else watched.begins.order
+        ends = Ends(order, watched.reached)
+        function = waves.function(matrix([watched.row]))
+        try:
+            if not (ends.order or ends.last):
+                least = (-waves.largest(function) / 2).mid()
+                if least > 0:
+                    try:
+                        waves.stays_negative([p + least for p in function], ends)
+                        return least
+                    except (Crossed, Undecided):
+                        pass  # a smaller distance may do
+            waves.stays_negative(function, ends)
+        except Crossed as found:
+            raise _Refuted(
+                f"{watched.name} is crossed before it ends, {found.time.str(6, radius=False)}"
+                " after its start"
+            ) from None
+        except Undecided as trouble:
+            raise Undecided(f"{watched.name}: {trouble.reason}") from None
+        return None
+
+    def _follows(self) -> None:
+        """Prove that the itinerary's transition is the first whose conditions hold."""
+        for follower in self.plan.followers:
+            holds = self._holds(follower)
+            if holds is None:
+                raise Undecided(f"whether {follower.target} follows")
+            if follower.lawful and holds != follower.wanted:
+                raise Undecided(f"by which steps of the contact law {follower.target} follows")
+            if holds and not follower.wanted:
+                raise _Refuted(f"{follower.target} follows, or another transition to it")
+            if follower.wanted and not holds:
+                raise _Refuted(f"{follower.target} does not follow: its conditions do not hold")
+
+    def _holds(self, follower: Follower) -> bool | None:
+        unknown = False
+        for behind, expected in follower.conditions:
+            try:
+                positive = behind is not None and bool(_signed(behind, self.behind, "it") > 0)
+            except Undecided:
+                unknown = True
+                continue
+            if positive != expected:
+                return False
+        return None if unknown else True
+
+
+def _signed(derivative: Derivative, state: Sequence[Any], told: str) -> Any:
+    """The value of a derivative, which is not zero.
+
+    Raises
+    ------
+    Undecided
+        If it cannot be told from zero.
+    """
+    value = evaluate(derivative.row, state)
+    if value > 0 or value < 0:
+        return value
+    raise Undecided(f"{told} derivative of order {derivative.order} cannot be told from 0")

@@ -1,0 +1,240 @@
+"""What has to be shown of a cycle for it to be a motion, phase by phase.
+
+Exact arithmetic tells which functions are zero; the signs of the others are left to balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from nonsmooth.runtime.model.contacts.stages import signs
+from nonsmooth.runtime.model.structure import Structure, TransitionShape
+from nonsmooth.runtime.proof.exact_tables import Matrix, Tables
+from nonsmooth.runtime.proof.invariants import Known
+from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, product
+from nonsmooth.runtime.shooting.shooting_map import Cycle
+
+__all__ = ["Condition", "Derivative", "Follower", "Plan", "Watched", "plan_of"]
+
+
+class Derivative(NamedTuple):
+    """The first derivative of an affine function along a field that is not known to be zero.
+
+    Attributes
+    ----------
+    order : int
+        Those below it are zero.
+    row : Row
+        Its value at a state.
+    """
+
+    order: int
+    row: Row
+
+
+class Watched(NamedTuple):
+    """A boundary of a phase.
+
+    Attributes
+    ----------
+    name : str
+    row : Row
+    begins : Derivative or None
+        Where the phase begins; None if it stays exactly zero.
+    still : bool
+        Whether the function does not change along the phase.
+    reached : bool
+        Whether it ends the phase.
+    ends, speed : Row
+        Value and rate where the phase ends.
+    """
+
+    name: str
+    row: Row
+    begins: Derivative | None
+    still: bool
+    reached: bool
+    ends: Row
+    speed: Row
+
+
+class Condition(NamedTuple):
+    """A condition of a transition: the sign of a derivative behind the end; None is no sign."""
+
+    behind: Derivative | None
+    expected: bool
+
+
+class Follower(NamedTuple):
+    """A transition that is declared for what is reached where a phase ends.
+
+    By a contact law others may lead to the same target: that one does not follow refutes nothing.
+    """
+
+    target: str
+    wanted: bool
+    conditions: tuple[Condition, ...]
+    lawful: bool = False
+
+
+class Plan(NamedTuple):
+    """A phase; the followers up to the itinerary's, which is the last of them.
+
+    Attributes
+    ----------
+    place : int
+    configuration : str
+    starts, ends : Facts
+    held : tuple of Row
+        What the configuration holds, as far as it is not known to be zero.
+    watched : tuple of Watched
+    followers : tuple of Follower
+    """
+
+    place: int
+    configuration: str
+    starts: Facts
+    ends: Facts
+    held: tuple[Row, ...]
+    watched: tuple[Watched, ...]
+    followers: tuple[Follower, ...]
+
+    def at(self, number: Callable[[Any], Any]) -> Plan:
+        """The same with numbers in place of exact entries, but for exact zeros."""
+
+        def numbers(row: Row) -> Any:
+            return tuple(number(x) if x else 0 for x in row)
+
+        def derivative(found: Derivative | None) -> Derivative | None:
+            return found and Derivative(found.order, numbers(found.row))
+
+        def facts(found: Facts) -> Facts:
+            return Facts(tuple(map(numbers, found.rows)), found.pivots)
+
+        return self._replace(
+            starts=facts(self.starts),
+            ends=facts(self.ends),
+            held=tuple(map(numbers, self.held)),
+            watched=tuple(
+                w._replace(
+                    row=numbers(w.row),
+                    begins=derivative(w.begins),
+                    ends=numbers(w.ends),
+                    speed=numbers(w.speed),
+                )
+                for w in self.watched
+            ),
+            followers=tuple(
+                f._replace(
+                    conditions=tuple(Condition(derivative(c), holds) for c, holds in f.conditions)
+                )
+                for f in self.followers
+            ),
+        )
+
+
+_ZERO: Any = (0,)
+_OPEN = Derivative(0, _ZERO)  # of no sign that could be told
+
+
+def plan_of(tables: Tables, cycle: Cycle, known: Known) -> tuple[Plan, ...]:
+    """What has to be shown, for each phase of a cycle of a system whose numbers are exact."""
+    return tuple(_plan(tables, cycle, known, place) for place in range(len(cycle)))
+
+
+def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
+    structure = cycle.structure
+    configuration = cycle.configurations[place]
+    wanted = cycle.transitions[place]
+    field = tables.fields[configuration]
+    starts, lasting, ends = (part[place] for part in known)
+    boundaries = structure.boundaries[configuration]
+    watched = []
+    for index, boundary in enumerate(boundaries):
+        row = tables.rows[boundary.row]
+        rate = product(row, field)
+        watched.append(
+            Watched(
+                boundary.name,
+                row,
+                _first(row, field, starts),
+                not any(lasting.reduce(rate)),
+                index in wanted.boundaries,
+                ends.reduce(row),
+                ends.reduce(rate),
+            )
+        )
+    own = {boundaries[index].row for index in wanted.boundaries}
+    followers = []
+    for transition in structure.transitions[configuration]:
+        if transition.boundaries != wanted.boundaries:
+            continue
+        conditions = tuple(
+            Condition(_first(tables.rows[row], tables.fields[along], ends, int(row in own)), holds)
+            for row, along, holds in transition.conditions
+        )
+        target = structure.configurations[transition.target]
+        lawful = transition.path is not None
+        if lawful:
+            names = [boundaries[b].name for b in transition.boundaries]
+            conditions = _decided(structure, configuration, names, transition, conditions)
+            if not _puts_nothing(tables.resets[transition.reset], ends):
+                conditions += (Condition(_OPEN, True),)
+        followers.append(Follower(target, transition is wanted, conditions, lawful))
+        if transition is wanted:
+            break
+    if structure.orders(configuration, wanted.boundaries):  # they would all have to agree
+        last = followers[-1]
+        followers[-1] = last._replace(
+            conditions=(*last.conditions, Condition(_OPEN, True)), lawful=True
+        )
+    held = (starts.reduce(tables.rows[row]) for row in structure.constraints[configuration])
+    return Plan(
+        place,
+        structure.configurations[configuration],
+        starts,
+        ends,
+        tuple(row for row in held if any(row)),
+        tuple(watched),
+        tuple(followers),
+    )
+
+
+def _decided(
+    structure: Structure,
+    source: int,
+    boundaries: Sequence[str],
+    transition: TransitionShape,
+    conditions: tuple[Condition, ...],
+) -> tuple[Condition, ...]:
+    """Steps of the law before the last are decided by their own functions, or not at all."""
+    law, path = structure.law, transition.path
+    assert law is not None
+    assert path is not None
+    event = law.event(source, boundaries)
+    assert event is not None
+    early = sum(len(signs(law, event, stage)) for stage in path[:-1])
+    return tuple(
+        Condition(_OPEN, expected)
+        if k < early and (behind is None or behind.order)
+        else Condition(behind, expected)
+        for k, (behind, expected) in enumerate(conditions)
+    )
+
+
+def _puts_nothing(reset: Matrix, facts: Facts) -> bool:
+    """Whether a reset leaves the state alone for which the facts hold."""
+    return not any(
+        any(facts.reduce(tuple(x - int(j == k) for j, x in enumerate(row))))
+        for k, row in enumerate(reset)
+    )
+
+
+def _first(row: Row, field: Matrix, facts: Facts, order: int = 0) -> Derivative | None:
+    """The first derivative from an order on that is not known to be zero."""
+    for k in range(len(row) + 1):
+        if k >= order and any(reduced := facts.reduce(row)):
+            return Derivative(k, reduced)
+        row = product(row, field)
+    return None

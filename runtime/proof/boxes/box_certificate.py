@@ -1,0 +1,238 @@
+"""What is proved for all parameters of a box, tile by tile."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.values import Value, as_value, flint_precision
+from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
+from nonsmooth.runtime.proof.certificate import CLAIMS, NO_ORBIT, Stated
+from nonsmooth.runtime.proof.statement import rational
+
+__all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
+
+DIGITS = 6  # of the radii that are stated: they are as wide as the box
+VERDICTS = ("proved", "unstable", "not admissible", "undecided")
+
+
+@dataclass(frozen=True, eq=False)
+class Tile:
+    """What is proved for all parameters of one tile.
+
+    Attributes
+    ----------
+    place : Place
+    claims : dict of str to {"proved", "refuted", "undecided"}
+        As in a `Certificate`.
+    reasons : dict of str to str
+        Why a claim is not proved.
+    enclosures : dict of str to Stated
+        Trace, period, dwell times and start; empty where no orbit is proved to exist.
+    guess : tuple of float
+        Unknowns of the equations in its middle, about; empty where no orbit is proved.
+    looked_at : bool
+        Whether it was tried; else its claims are those of a larger tile.
+    """
+
+    place: Place
+    claims: Mapping[str, str]
+    reasons: Mapping[str, str]
+    enclosures: Mapping[str, Stated]
+    guess: tuple[float, ...] = field(repr=False)
+    looked_at: bool
+
+    @property
+    def verdict(self) -> str:
+        """What it comes to: "proved", "unstable", "not admissible" or "undecided"."""
+        existence, admissibility, stability = (self.claims[name] for name in CLAIMS)
+        if existence == "proved" and admissibility == "refuted":
+            return "not admissible"
+        if existence == admissibility == "proved" and stability != "undecided":
+            return "proved" if stability == "proved" else "unstable"
+        return "undecided"
+
+
+@dataclass(frozen=True, eq=False)
+class BoxCertificate:
+    """What ball arithmetic proves of an orbit for all parameters of a box.
+
+    The box is the union of its tiles. On each the claims hold for every parameter: there is
+    exactly one orbit next to a curve or surface of unknowns that was followed over the tile,
+    it is a motion of the system, and it is stable; or a claim is refuted for every parameter.
+
+    Attributes
+    ----------
+    orbit, system : str
+    parameters : dict of str to Value
+        All that was given for the orbit, beside the box's.
+    chosen : tuple of str
+        Parameters that the orbit leaves open and that were chosen.
+    itinerary : tuple of (configuration, boundary)
+    box : dict of str to (Fraction, Fraction)
+    stability : {"stable", "neutral"}
+        What is claimed, as in a `Certificate`.
+    tiles : tuple of Tile
+    declaration, closing : dict
+        As in a `Certificate`, over the box's parameters and those that were given.
+    """
+
+    orbit: str
+    system: str
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    itinerary: tuple[tuple[str, str], ...]
+    box: Mapping[str, Interval]
+    stability: str
+    tiles: tuple[Tile, ...] = field(repr=False)
+    declaration: Mapping[str, Any] = field(repr=False)
+    closing: Mapping[str, Any] = field(repr=False)
+
+    @property
+    def claims(self) -> dict[str, str]:
+        """For the whole box: proved where all tiles are, refuted where a tile is."""
+        found = {}
+        for name in CLAIMS:
+            told = {tile.claims[name] for tile in self.tiles}
+            verdict = "undecided" if "undecided" in told else "proved"
+            found[name] = "refuted" if "refuted" in told else verdict
+        return found
+
+    @property
+    def proved(self) -> bool:
+        """Whether all claims are proved for all parameters of the box."""
+        return set(self.claims.values()) == {"proved"}
+
+    @property
+    def shares(self) -> dict[str, Fraction]:
+        """How much of the box has which of `VERDICTS`, exactly."""
+        found = dict.fromkeys(VERDICTS, Fraction(0))
+        for tile in self.tiles:
+            found[tile.verdict] += tile.place.share
+        return found
+
+    @property
+    def decided(self) -> Fraction:
+        """How much of the box is not undecided."""
+        return 1 - self.shares["undecided"]
+
+    @property
+    def undecided(self) -> tuple[dict[str, Interval], ...]:
+        """The boxes of parameters that are not decided."""
+        return tuple(self.where(t) for t in self.tiles if t.verdict == "undecided")
+
+    @property
+    def reasons(self) -> dict[str, str]:
+        """Why a claim is not proved, from the largest tile on which it is not."""
+        found = {}
+        for name, verdict in self.claims.items():
+            if verdict != "proved":
+                tiles = [tile for tile in self.tiles if tile.claims[name] == verdict]
+                largest = max(tiles, key=lambda tile: tile.place.share)
+                share = float(100 * sum(tile.place.share for tile in tiles))
+                told = largest.reasons.get(name, largest.reasons.get("existence", NO_ORBIT))
+                found[name] = f"on {share:.3g} % of the box: {told}"
+        return found
+
+    @property
+    def enclosures(self) -> dict[str, Stated]:
+        """Trace, period, dwell times and start over all tiles on which the orbit is proved.
+
+        Without a trace that is unbounded on some tile.
+        """
+        stated = [t.enclosures for t in self.tiles if t.claims["existence"] == "proved"]
+        names = [n for n in stated[0] if all(n in other for other in stated)] if stated else []
+        return {name: _hull([other[name] for other in stated]) for name in names}
+
+    def where(self, tile: Tile) -> dict[str, Interval]:
+        """The parameters of a tile."""
+        ends = tuple(self.box.values())
+        return {name: tile.place.interval(k, ends) for k, name in enumerate(self.box)}
+
+    def tile_at(self, point: Mapping[str, object]) -> Tile:
+        """The first tile that holds a point of the box; a float means its shortest decimal.
+
+        Raises
+        ------
+        KeyError
+            If a parameter of the box is missing, or the point is outside.
+        """
+        exact = {name: as_value(point[name]).exact for name in self.box}
+        for tile in self.tiles:
+            where = self.where(tile)
+            if all(x is not None and where[n][0] <= x <= where[n][1] for n, x in exact.items()):
+                return tile
+        raise KeyError(f"{dict(point)} is not in the box")
+
+    def to_json(self) -> dict[str, Any]:
+        """The map as JSON: numbers as decimal strings or fractions."""
+        return {
+            "orbit": self.orbit,
+            "system": self.system,
+            "parameters": {name: value.text for name, value in self.parameters.items()},
+            "chosen": list(self.chosen),
+            "itinerary": [list(phase) for phase in self.itinerary],
+            "box": {name: [str(end) for end in ends] for name, ends in self.box.items()},
+            "claims": self.claims,
+            "stability": self.stability,
+            "reasons": self.reasons,
+            "shares": {name: float(share) for name, share in self.shares.items()},
+            "enclosures": _balls(self.enclosures),
+            "tiles": [_tile_json(tile) for tile in self.tiles],
+        }
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the proven map of one or two parameters.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+
+        Raises
+        ------
+        InputError
+            If the box has more than two parameters.
+        MissingExtra
+            Without matplotlib: ``pip install "nonsmooth[plot]"``.
+        """
+        return registered("draw_box")(self, axes)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the map to a file; `nonsmooth.load_box_certificate` reads it.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written.
+        """
+        registered("save_box")(self, path)
+
+
+def _hull(found: Sequence[Stated]) -> Stated:
+    """What contains all of them: rounded once, not with each."""
+    from flint import arb
+
+    ends = [(Fraction(x.texts[0]), Fraction(x.texts[1])) for x in found]
+    low, high = min(mid - rad for mid, rad in ends), max(mid + rad for mid, rad in ends)
+    with flint_precision(2 * found[0].bits):
+        middle, radius = (arb(rational(str(x))) for x in ((low + high) / 2, (high - low) / 2))
+        return Stated.around(middle + arb(0, radius), found[0].bits, DIGITS)
+
+
+def _balls(enclosures: Mapping[str, Stated]) -> dict[str, dict[str, str]]:
+    return {name: {"mid": x.mid, "rad": x.rad} for name, x in enclosures.items()}
+
+
+def _tile_json(tile: Tile) -> dict[str, Any]:
+    return {
+        "place": [list(step) for step in tile.place.steps],
+        "claims": dict(tile.claims),
+        "reasons": dict(tile.reasons),
+        "enclosures": _balls(tile.enclosures),
+        "guess": list(tile.guess),
+        "looked_at": tile.looked_at,
+    }

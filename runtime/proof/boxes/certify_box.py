@@ -1,0 +1,295 @@
+"""Certify a periodic orbit for all parameters of a box, tile after tile."""
+
+from __future__ import annotations
+
+import heapq
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import count
+from typing import TYPE_CHECKING
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.box_certificate import DIGITS, BoxCertificate, Tile
+from nonsmooth.runtime.proof.boxes.orbit_over_box import (
+    BITS,
+    Region,
+    checked_box,
+    given_of,
+    region_of,
+    with_open_ones,
+)
+from nonsmooth.runtime.proof.boxes.tile import Anchor, Proof, Tube, prove
+from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
+from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
+from nonsmooth.runtime.proof.orbit_cycle import NotCovered, system_of
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["MOST_TILES", "certify_box"]
+
+MOST_TILES = 4000
+_DEEPEST = 12  # halvings along each axis
+_EVERY = 10.0  # seconds between states that are kept
+_NOT_TRIED = "not looked at yet"
+
+
+def certify_box(
+    orbit: Orbit | ComposedOrbit,
+    box: Mapping[str, tuple[object, object]],
+    *,
+    tiles: int = MOST_TILES,
+    resume: BoxCertificate | None = None,
+    progress: Callable[[float, int], object] = lambda decided, looked_at: None,
+    keep: Callable[[BoxCertificate], object] | None = None,
+) -> BoxCertificate:
+    """Prove an orbit, its admissibility and its stability for all parameters of a box.
+
+    The orbit is followed over the box in Taylor models of the parameters; a tile that is not
+    decided is halved. What is proved of a tile is so for each of its parameters.
+
+    Parameters
+    ----------
+    orbit : Orbit or ComposedOrbit
+        A converged one, with its parameters in the box.
+    box : mapping of str to (number or str, number or str)
+        Lower and upper ends of parameters that were given for the orbit: rational numbers.
+    tiles : int
+        At most so many are looked at.
+    resume : BoxCertificate, optional
+        What was proved before of the same orbit and box.
+    progress : function of a float and an int, optional
+        Is told which share of the box is decided and how many tiles were looked at.
+    keep : function of a BoxCertificate, optional
+        Is given the state every ten seconds.
+
+    Returns
+    -------
+    BoxCertificate
+
+    Raises
+    ------
+    InputError
+        For an orbit that has not converged, a box that is none or does not hold it, or a
+        state that belongs to something else.
+    Interrupted
+        By Ctrl-C; its `partial` is the state, which `resume` takes.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> orbit = ns.solve("dry-friction/global-stick")
+    >>> found = ns.certify_box(orbit, {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")})
+    >>> found.proved, found.enclosures["trace"].upper < -0.9
+    (True, True)
+    """
+    if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
+        raise InputError(f"tiles = {tiles!r} is not a positive integer")
+    ends = checked_box(orbit, box)
+    if not isinstance(resume, BoxCertificate | None):
+        raise InputError(f"{resume!r} is no state to resume: load_box_certificate reads one")
+    undecided = dict.fromkeys(CLAIMS, "undecided")
+    whole = Place(((0, 0),) * len(ends))
+
+    def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:
+        return _record(orbit, ends, chosen, region, tiles)
+
+    chosen: tuple[str, ...] = ()
+    try:
+        orbit, chosen = with_open_ones(orbit, ends)
+        region = region_of(orbit, ends)
+    except NotCovered as reason:
+        return record(None, [Tile(whole, undecided, {"existence": str(reason)}, {}, (), True)])
+    empty = record(region, [Tile(whole, undecided, {"existence": _NOT_TRIED}, {}, (), False)])
+    if resume is not None:
+        _check_same(empty, resume)
+    work = _Work(region, (resume or empty).tiles)
+    kept = time.monotonic()
+    try:
+        for looked_at in range(1, tiles + 1):
+            if not work.look():
+                break
+            progress(work.decided, looked_at)
+            if keep is not None and time.monotonic() - kept > _EVERY:
+                keep(record(region, work.tiles))
+                kept = time.monotonic()
+    except KeyboardInterrupt:
+        raise Interrupted(record(region, work.tiles)) from None
+    return record(region, work.tiles)
+
+
+class _Work:
+    """Tiles that are done, and those that wait to be looked at, the largest first.
+
+    The orbit is handed on from tile to tile: from the point at which it is known to the tile
+    that holds it, from a tile to its halves, and to tiles that touch it.
+    """
+
+    def __init__(self, region: Region, tiles: Sequence[Tile]) -> None:
+        self.region = region
+        self.done: list[Tile] = []
+        self.waiting: list[tuple[Fraction, int, Tile]] = []
+        self.stranded: list[Tile] = []  # no orbit has reached them
+        self.reached: dict[Place, Tile] = {}  # the orbit is proved there
+        self.tubes: dict[Place, Tube] = {}
+        self.decided = 0.0
+        self._order = count()
+        for tile in tiles:
+            if tile.verdict == "undecided" and not tile.looked_at:
+                self._wait(tile)
+            else:
+                self._finish(tile)
+        self._settled = self._all()
+
+    @property
+    def tiles(self) -> list[Tile]:
+        """Tiles that fill the box, also while one is being looked at."""
+        done, waiting, stranded = self._settled
+        return [*done, *(tile for *_, tile in sorted(waiting, key=_by_order)), *stranded]
+
+    def look(self) -> bool:
+        """Look at the largest tile that waits and is reached; tell whether there is one."""
+        found = self._look()
+        self._settled = self._all()  # an interruption leaves the old ones, or the new ones
+        return found
+
+    def _all(self) -> tuple[list[Tile], list[tuple[Fraction, int, Tile]], list[Tile]]:
+        return list(self.done), list(self.waiting), list(self.stranded)
+
+    def _look(self) -> bool:
+        while self.waiting:
+            *_, tile = heapq.heappop(self.waiting)
+            anchor = self._anchor(tile)
+            if anchor is None:
+                self.stranded.append(tile)
+                continue
+            rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
+            proof = prove(self.region, tile.place, anchor, rough=rough)
+            if proof.tube is None and rough:
+                proof = prove(self.region, tile.place, anchor, rough=False)
+            if proof.tube is not None:
+                self.tubes[tile.place] = proof.tube
+            self._finish(_judged(tile, proof, self.region))
+            return True
+        return False
+
+    def _anchor(self, tile: Tile) -> Anchor | None:
+        """Where the orbit is known on a tile, and about what it is there."""
+        region, place = self.region, tile.place
+        if tile.guess:
+            return Anchor(place.middle(region.box), _balls(tile.guess))
+        if place.holds(region.at, region.box):
+            return Anchor(region.at, region.guess)
+        beside = [other for other in self.reached if other.touches(place)]
+        for other in sorted(beside, key=lambda other: (-other.share, other.steps)):
+            tube = self._tube(self.reached[other])
+            if tube is not None:
+                point = place.shared(other, region.box)
+                return Anchor(point, tube.at(point))
+        return None
+
+    def _tube(self, tile: Tile) -> Tube | None:
+        """The orbit over a tile; where it was proved before, it is proved again."""
+        if tile.place not in self.tubes:
+            if not tile.guess:
+                return None
+            anchor = Anchor(tile.place.middle(self.region.box), _balls(tile.guess))
+            tube = prove(self.region, tile.place, anchor, rough=False).tube
+            if tube is None:
+                return None
+            self.tubes[tile.place] = tube
+        return self.tubes[tile.place]
+
+    def _finish(self, tile: Tile) -> None:
+        """Keep a tile, or halve it if it is not decided and not too small."""
+        place = tile.place
+        if tile.claims["existence"] == "proved":
+            self.reached[place] = tile
+            freed = [other for other in self.stranded if other.place.touches(place)]
+            self.stranded = [other for other in self.stranded if other not in freed]
+            for other in freed:
+                self._wait(other)
+        levels = [level for _, level in place.steps]
+        axis = levels.index(min(levels))
+        if tile.verdict != "undecided" or levels[axis] == _DEEPEST:
+            self.done.append(tile)
+            self.decided += float(place.share) * (tile.verdict != "undecided")
+            return
+        tube = self.tubes.get(place)
+        for half in place.halves(axis):
+            guess: tuple[float, ...] = ()
+            if tube is not None:
+                self.tubes[half] = tube  # until it has one of its own
+                guess = tuple(float(x.mid()) for x in tube.at(half.middle(self.region.box)))
+            # what is proved for a tile is proved for its halves
+            self._wait(replace(tile, place=half, guess=guess, looked_at=False))
+
+    def _wait(self, tile: Tile) -> None:
+        heapq.heappush(self.waiting, (-tile.place.share, next(self._order), tile))
+
+
+def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
+    return entry[:2]
+
+
+def _judged(tile: Tile, proof: Proof, region: Region) -> Tile:
+    """A tile that was looked at, with what was proved of it before where that is more."""
+    if proof.tube is None:
+        reached = tile.claims["existence"] == "proved"
+        return replace(tile, looked_at=True, reasons=tile.reasons if reached else proof.reasons)
+    told = zip(CLAIMS, (proof.existence, proof.admissibility, proof.stability), strict=True)
+    claims = {n: tile.claims[n] if verdict == "undecided" else verdict for n, verdict in told}
+    known = {**tile.reasons, **proof.reasons}
+    reasons = {n: known[n] for n, verdict in claims.items() if verdict != "proved" and n in known}
+    guess = tuple(float(x.mid()) for x in proof.tube.at(tile.place.middle(region.box)))
+    with flint_precision(BITS):
+        enclosures = {
+            n: Stated.around(b, BITS, DIGITS) for n, b in proof.enclosures.items() if b.is_finite()
+        }
+    return Tile(tile.place, claims, reasons, enclosures, guess, True)
+
+
+def _balls(guess: Sequence[float]) -> list[arb]:
+    from flint import arb
+
+    return [arb(x) for x in guess]
+
+
+def _record(
+    orbit: Orbit | ComposedOrbit,
+    box: Mapping[str, Interval],
+    chosen: tuple[str, ...],
+    region: Region | None,
+    tiles: Sequence[Tile],
+) -> BoxCertificate:
+    return BoxCertificate(
+        orbit.name,
+        system_of(orbit),
+        {n: value for n, value in given_of(orbit).items() if n not in box},
+        chosen,
+        () if region is None else region.cycle.itinerary,
+        dict(box),
+        "stable" if region is None else region.closing.stability,
+        tuple(tiles),
+        *(({}, {}) if region is None else region.statement(orbit)),
+    )
+
+
+def _check_same(wanted: BoxCertificate, found: BoxCertificate) -> None:
+    """What is resumed is of the same orbit and box, and its system is still the same."""
+
+    def compare(names: Sequence[str]) -> None:
+        for name in names:
+            if getattr(wanted, name) != getattr(found, name):
+                raise InputError(f"the state to resume has another {name}")
+
+    compare(("orbit", "itinerary", "box", "chosen"))
+    for name in wanted.parameters:
+        if wanted.parameters[name] != found.parameters.get(name):
+            raise InputError(f"the state to resume has another {name}")
+    compare(("declaration", "closing"))

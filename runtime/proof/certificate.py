@@ -1,0 +1,180 @@
+"""What is proved of an orbit, with enclosures; as JSON everything that is needed to check it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
+from nonsmooth.runtime.proof.statement import decimals, rational
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["CLAIMS", "FORMAT", "GUARD", "VERSION", "Certificate", "Stated", "Unknown"]
+
+FORMAT = "nonsmooth certificate"
+VERSION = 2
+GUARD = 32  # bits beyond those of the enclosures
+NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
+CLAIMS = ("existence", "admissibility", "stability")
+
+
+@dataclass(frozen=True, eq=False)
+class Unknown:
+    """One side of the box in which the orbit is unique: decimal texts, exactly."""
+
+    name: str
+    mid: str
+    rad: str
+
+
+@dataclass(frozen=True, eq=False)
+class Stated(Enclosure):
+    """An enclosure with the decimal texts by which it is stated."""
+
+    texts: tuple[str, str]
+
+    @staticmethod
+    def of(middle: str, radius: str, bits: int) -> Stated:
+        """The enclosure that two decimal texts state."""
+        from flint import arb
+
+        with flint_precision(2 * bits + 64):
+            ball = arb(rational(middle)) + arb(0, arb(rational(radius)))
+        return Stated(ball, bits, (middle, radius))
+
+    @staticmethod
+    def around(ball: arb, bits: int, digits: int = 3) -> Stated:
+        """An enclosure that decimal texts state: a little wider than a ball.
+
+        The radius has so many digits.
+        """
+        return Stated.of(*decimals(ball, bits, digits), bits)
+
+    def _decimals(self) -> tuple[str, str]:
+        return self.texts
+
+
+@dataclass(frozen=True, eq=False)
+class Certificate:
+    """What ball arithmetic proves of one orbit at one parameter point.
+
+    Attributes
+    ----------
+    orbit, system : str
+    parameters : dict of str to Value
+        All physical parameters of the system, exactly.
+    chosen : tuple of str
+        Those among them that the orbit leaves open: the certificate is for these values.
+    itinerary : tuple of (configuration, boundary)
+    claims : dict of str to {"proved", "refuted", "undecided"}
+        "existence": the box contains exactly one orbit of the itinerary's equations.
+        "admissibility": that is a motion of the real system. "stability": it is what
+        `stability` says.
+    stability : {"stable", "neutral"}
+        What is claimed: every multiplier strictly inside the unit circle, or, of a
+        conservative orbit, every nontrivial one on it, and none of them twice.
+    reasons : dict of str to str
+        Why a claim is not proved.
+    enclosures : dict of str to Stated
+        Trace, period, dwell times, and the physical state at the start.
+    multipliers : tuple of (Stated, Stated)
+        Real and imaginary part of each nontrivial one that is clearly apart from the others
+        and from zero.
+    margins : tuple of dict
+        How clearly each boundary is respected: phase, configuration, boundary, quantity
+        ("distance", "departure" or "speed") and what it is at least.
+    box : tuple of Unknown
+        Where the orbit is unique.
+    bits : int
+    start_names, dwell_names : tuple of str
+        Of the enclosures.
+    given_period : Value or None
+        What the dwell times sum up to, where a conservative orbit's was given.
+    declaration, closing : dict
+        The system, as functions of its parameters, and the way in which the cycle closes, as
+        in the file; empty where nothing is claimed.
+    """
+
+    orbit: str
+    system: str
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    itinerary: tuple[tuple[str, str], ...]
+    claims: Mapping[str, str]
+    stability: str
+    reasons: Mapping[str, str]
+    enclosures: Mapping[str, Stated]
+    multipliers: tuple[tuple[Stated, Stated], ...]
+    margins: tuple[Mapping[str, Any], ...]
+    box: tuple[Unknown, ...]
+    bits: int
+    start_names: tuple[str, ...]
+    dwell_names: tuple[str, ...]
+    given_period: Value | None
+    declaration: Mapping[str, Any] = field(repr=False)
+    closing: Mapping[str, Any] = field(repr=False)
+
+    @property
+    def proved(self) -> bool:
+        """Whether all claims are proved."""
+        return set(self.claims.values()) == {"proved"}
+
+    @property
+    def decided(self) -> bool:
+        """Whether no claim is undecided, for another reason than that another one is refuted."""
+        return self.claims["existence"] == "refuted" or "undecided" not in self.claims.values()
+
+    @property
+    def trace(self) -> Stated:
+        """Enclosure of the trace of the Poincare map's Jacobian.
+
+        Raises
+        ------
+        InputError
+            If no orbit is proved to exist, or a boundary may be reached tangentially.
+        """
+        if "trace" not in self.enclosures:
+            name = "stability" if self.claims["existence"] == "proved" else "existence"
+            told = f"{name} is {self.claims[name]}: {self.reasons[name]}"
+            raise InputError(f"{self.orbit} has no trace that is enclosed: {told}")
+        return self.enclosures["trace"]
+
+    def to_json(self) -> dict[str, Any]:
+        """The certificate as JSON: numbers as decimal strings or fractions."""
+
+        def ball(enclosure: Stated) -> dict[str, str]:
+            return {"mid": enclosure.mid, "rad": enclosure.rad}
+
+        return {
+            "orbit": self.orbit,
+            "system": self.system,
+            "parameters": {name: value.text for name, value in self.parameters.items()},
+            "chosen": list(self.chosen),
+            "given_period": "" if self.given_period is None else self.given_period.text,
+            "itinerary": [list(phase) for phase in self.itinerary],
+            "bits": self.bits,
+            "claims": dict(self.claims),
+            "stability": self.stability,
+            "reasons": dict(self.reasons),
+            "enclosures": {name: ball(found) for name, found in self.enclosures.items()},
+            "multipliers": [{"re": ball(re), "im": ball(im)} for re, im in self.multipliers],
+            "margins": [dict(margin) for margin in self.margins],
+            "box": [{"name": x.name, "mid": x.mid, "rad": x.rad} for x in self.box],
+        }
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the certificate to a file; `nonsmooth.load_certificate` reads it.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written.
+        """
+        registered("save_certificate")(self, path)

@@ -1,0 +1,173 @@
+"""How many orbits an itinerary has in a box: the record of what was proved."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.proof.certificate import Certificate
+
+__all__ = ["Bounds", "Census", "Counted", "Open"]
+
+Bounds = Mapping[str, tuple[str, str]]  # of each unknown that was searched: decimal texts
+
+
+@dataclass(frozen=True, eq=False)
+class Counted:
+    """One orbit.
+
+    Attributes
+    ----------
+    unique : dict of str to (lower, upper)
+        Of the unknowns that were searched: no other orbit is in between.
+    certificate : Certificate or None
+        None where none could be made, though the orbit is proved to exist.
+    reason : str
+        Why there is none.
+    """
+
+    unique: Bounds
+    certificate: Certificate | None
+    reason: str = ""
+
+    @property
+    def admissible(self) -> bool | None:
+        """Whether it is a motion of the real system; None if that is undecided."""
+        if self.certificate is None:
+            return None
+        verdict = self.certificate.claims["admissibility"]
+        return {"proved": True, "refuted": False}.get(verdict)
+
+
+@dataclass(frozen=True, eq=False)
+class Open:
+    """A box of which it is not known how many orbits it holds, and why."""
+
+    bounds: Bounds
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Census:
+    """All orbits of an itinerary in a box.
+
+    An orbit here is a solution of the itinerary's switching and closure equations with dwell
+    times in the box; whether it is a motion of the real system is its `admissible`.
+
+    Attributes
+    ----------
+    orbit, system : str
+    parameters : dict of str to Value
+    itinerary : tuple of (configuration, boundary)
+    box : tuple of str
+        Bounds of the dwell times, as inequalities.
+    conditions : tuple of str
+        What else the orbits were asked for.
+    orbits : tuple of Counted
+        Each proved to exist, and to be another one than the others; by their dwell times.
+    beyond : int
+        Solutions with the searched dwell times in the box, and eliminated ones that are not
+        positive, or not in it: they are no orbits.
+    undecided : tuple of Open
+        Boxes of which nothing is known.
+    looked : int
+        Boxes that were looked at.
+    bits : int
+        Of the certificates.
+    """
+
+    orbit: str
+    system: str
+    parameters: Mapping[str, Value]
+    itinerary: tuple[tuple[str, str], ...]
+    box: tuple[str, ...]
+    conditions: tuple[str, ...]
+    orbits: tuple[Counted, ...]
+    beyond: int
+    undecided: tuple[Open, ...]
+    looked: int
+    bits: int
+
+    @property
+    def count(self) -> int:
+        """How many orbits were proved; there are no others if the census is decided."""
+        return len(self.orbits)
+
+    @property
+    def admissible(self) -> int:
+        """How many of them were proved to be motions of the real system."""
+        return sum(1 for orbit in self.orbits if orbit.admissible)
+
+    @property
+    def decided(self) -> bool:
+        """Whether no box is undecided: the count is exact."""
+        return not self.undecided
+
+    @property
+    def claims(self) -> dict[str, str]:
+        """Of the census as a whole: whether the count is exact."""
+        return {"orbits": "proved" if self.decided else "undecided"}
+
+    @property
+    def statement(self) -> str:
+        """What is proved, as a sentence."""
+        data = ", ".join(f"{name} = {value}" for name, value in self.parameters.items())
+        number = f"exactly {self.count}" if self.decided else f"at least {self.count}"
+        many = "orbit" if self.count == 1 else "orbits"
+        refuted = sum(1 for orbit in self.orbits if orbit.admissible is False)
+        parts = [f"{self.admissible} admissible", f"{refuted} not admissible"]
+        if left := self.count - self.admissible - refuted:
+            parts.append(f"{left} undecided")
+        asked = ", ".join((*self.box, *self.conditions))
+        text = f"{self.orbit} at {data} has {number} {many} with {asked}: {', '.join(parts)}"
+        if not self.decided:
+            boxes = "box is" if len(self.undecided) == 1 else "boxes are"
+            text += f"; {len(self.undecided)} {boxes} undecided"
+        return text
+
+    def to_json(self) -> dict[str, Any]:
+        """The census as JSON: numbers as decimal strings, counts as integers."""
+        return {
+            "orbit": self.orbit,
+            "system": self.system,
+            "parameters": {name: value.text for name, value in self.parameters.items()},
+            "itinerary": [list(phase) for phase in self.itinerary],
+            "box": list(self.box),
+            "conditions": list(self.conditions),
+            "count": self.count,
+            "admissible": self.admissible,
+            "decided": self.decided,
+            "statement": self.statement,
+            "orbits": [
+                {
+                    "unique": _json(orbit.unique),
+                    "certificate": orbit.certificate and orbit.certificate.to_json(),
+                    "reason": orbit.reason,
+                }
+                for orbit in self.orbits
+            ],
+            "beyond": self.beyond,
+            "undecided": [
+                {"bounds": _json(box.bounds), "reason": box.reason} for box in self.undecided
+            ],
+            "looked": self.looked,
+            "bits": self.bits,
+        }
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the census to a file; `nonsmooth.load_census` reads it.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written.
+        """
+        registered("save_census")(self, path)
+
+
+def _json(bounds: Bounds) -> dict[str, list[str]]:
+    return {name: list(pair) for name, pair in bounds.items()}

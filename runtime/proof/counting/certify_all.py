@@ -1,0 +1,235 @@
+"""Prove how many orbits an itinerary has in a box of dwell times."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
+from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
+from nonsmooth.runtime.proof.counting.branch_and_prune import Problem, Root, search
+from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
+from nonsmooth.runtime.proof.counting.contraction import Sides
+from nonsmooth.runtime.proof.counting.dwell_box import Side
+from nonsmooth.runtime.proof.counting.problems import Question
+from nonsmooth.runtime.proof.counting.question import Asked, asked_of
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["certify_all"]
+
+_WORK = 64  # bits of the search: doubles cut its boxes
+_LIMIT = 500_000
+_STOPPED = "the search was interrupted"
+_EDGE = "a solution may lie on the edge of what is asked for"
+_TWICE = "the orbit may be one of those that are counted, begun later"
+_OTHER = "its certificate is not of this orbit alone"
+
+
+def certify_all(
+    orbit: str | DeclaredOrbit | DeclaredSystem | SystemKernels,
+    parameters: Mapping[str, object] | None = None,
+    box: Mapping[str, Any] | None = None,
+    *,
+    itinerary: Sequence[tuple[str, str]] | None = None,
+    period: object = None,
+    largest: float = 100.0,
+    bits: int = 128,
+    limit: int = _LIMIT,
+    begin: Callable[[str], object] = lambda step: None,
+    progress: Callable[[float], object] = lambda share: None,
+) -> Census:
+    """Prove how many orbits an itinerary has whose dwell times lie in a box.
+
+    Branch and prune in ball arithmetic: a box is dropped when its equations are proved to have
+    no root there, and cut until each root has a box in which it is the only one. Then each
+    orbit is certified. The dwell times are searched, of a derived orbit only those that its
+    reduced equations leave: the others follow from them, a first return being the first one.
+
+    Parameters
+    ----------
+    orbit : str, Itinerary, System or SystemKernels
+        ``system/orbit`` or ``FILE.py:ORBIT``; with an itinerary, a system.
+    parameters : mapping of str to number, text or Value, optional
+        As for `solve`, or, with an itinerary, as for `compose`.
+    box : mapping of str to (lower, upper) or upper
+        Of each dwell time that is searched, nondimensional. Bounds belong to the box, except
+        a lower bound 0. Without one it is 1e-6: at 0 the equations often have solutions that
+        are no orbits, which balls cannot tell from very short phases.
+    itinerary : sequence of (configuration, boundary), optional
+        Its dwell times are tau1, tau2, .... Of one that repeats itself, as where a period
+        doubles, an orbit counts once wherever it begins, and not if it repeats itself.
+    period : number, text or Value, optional
+        Of a conservative itinerary.
+    largest : float
+        Where dwell times are searched: only orbits whose free coordinates at the start of a
+        phase, which the census names, are not larger.
+    bits : int
+        Of the certificates.
+    limit : int
+        The most boxes that are looked at; what is left then is undecided.
+    begin, progress : functions, optional
+        Are told which step begins, and the share of the box that is searched.
+
+    Returns
+    -------
+    Census
+
+    Raises
+    ------
+    InputError
+        For wrong names, values or bounds, a conservative itinerary without its period, a border
+        collision, or an orbit that is declared by a symmetry.
+    Interrupted
+        By Ctrl-C in the search; its `partial` is a Census with the rest of the box undecided.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> census = ns.certify_all("dry-friction/global-stick", box={"tau": 3, "tau1": 3})
+    >>> census.decided, census.count, census.admissible
+    (True, 1, 1)
+    """
+    for name, number, least in (("limit", limit, 1), ("bits", bits, FEWEST_BITS)):
+        if isinstance(number, bool) or not isinstance(number, int) or number < least:
+            raise InputError(f"{name} = {number!r} is not an integer from {least} on")
+    if bits > MOST_BITS:
+        raise InputError(f"bits = {bits} is more than {MOST_BITS}")
+    if not 0 < largest < math.inf:
+        raise InputError(f"largest = {largest!r} is not positive and finite")
+    with flint_precision(_WORK):
+        asked = asked_of(
+            orbit, parameters or {}, box or {}, itinerary, period, float(largest), _WORK
+        )
+        begin("searching")
+        roots: list[tuple[Problem, Root]] = []
+        left: list[Open] = []
+        looked = 0
+        problems = asked.question.problems
+        for place, problem in enumerate(problems):
+            found = search(problem, max(1, limit - looked), _share(progress, place, len(problems)))
+            looked += found.looked
+            roots += [(problem, root) for root in found.roots]
+            names = asked.question.unknowns(problem)
+            reason = "too many boxes" if looked >= limit else "the equations are nearly singular"
+            reason = _STOPPED if found.interrupted else reason
+            left += [Open(_texts(names, sides), reason) for sides in found.undecided]
+            if found.interrupted:
+                raise Interrupted(_judged(asked, roots, left, looked, bits, begin))
+        return _judged(asked, roots, left, looked, bits, begin)
+
+
+def _judged(
+    asked: Asked,
+    roots: Sequence[tuple[Problem, Root]],
+    left: list[Open],
+    looked: int,
+    bits: int,
+    begin: Callable[[str], object],
+) -> Census:
+    """Which roots are in the box, and what is proved of each."""
+    counted: list[Counted] = []
+    inside: list[tuple[float, Problem, Root, dict[str, arb]]] = []
+    beyond, question = 0, asked.question
+    follow = question.follow
+    for problem, root in roots:
+        names = asked.question.unknowns(problem)
+        dwell = question.dwell(problem, root)
+        asks = [question.small(problem, root)]
+        asks += [side.holds(dwell[side.name]) for side in asked.sides if side.name not in follow]
+        rest = [side.holds(dwell[side.name]) for side in asked.sides if side.name in follow]
+        if False in asks:
+            continue
+        if False in rest:
+            beyond += 1
+        elif None in asks or None in rest:
+            left.append(Open(_texts(names, root.sides), _EDGE))
+        elif (again := _again(question, problem, root, inside)) is None:
+            left.append(Open(_texts(names, root.sides), _TWICE))
+        elif not again:
+            inside.append((float(dwell[asked.sides[0].name].mid()), problem, root, dwell))
+    certificates: list[Certificate] = []
+    for number, (_, problem, root, dwell) in enumerate(sorted(inside, key=lambda x: x[0]), 1):
+        begin(f"certifying orbit {number} of {len(inside)}")
+        certificate, reason = _certified(question, problem, root, bits)
+        if certificate is not None and not (
+            _is_of(certificate, dwell, asked.sides)
+            and all(_apart(certificate, c) for c in certificates)
+        ):
+            certificate, reason = None, _OTHER
+        if certificate is not None:
+            certificates.append(certificate)
+        names = asked.question.unknowns(problem)
+        if certificate is None and question.surplus:
+            left.append(Open(_texts(names, root.sides), reason))
+        else:
+            counted.append(Counted(_texts(names, root.unique), certificate, reason))
+    return Census(
+        asked.label,
+        asked.system,
+        asked.parameters,
+        asked.itinerary,
+        tuple(str(side) for side in asked.sides),
+        question.conditions,
+        tuple(counted),
+        beyond,
+        tuple(left),
+        looked,
+        bits,
+    )
+
+
+def _again(
+    question: Question, problem: Problem, root: Root, inside: Sequence[tuple[Any, ...]]
+) -> bool | None:
+    """Whether a root is begun later another one, or itself; None if that is undecided."""
+    others = [root, *(other for _, its, other, _ in inside if its is problem)]
+    verdicts = [question.again(problem, root, other) for other in others]
+    return True if True in verdicts else None if None in verdicts else False
+
+
+def _certified(
+    question: Question, problem: Problem, root: Root, bits: int
+) -> tuple[Certificate | None, str]:
+    try:
+        certificate = certify(question.orbit(problem, root), bits)
+    except InputError as reason:
+        return None, str(reason)
+    if certificate.claims["existence"] != "proved":
+        return None, certificate.reasons["existence"]
+    return certificate, ""
+
+
+def _is_of(certificate: Certificate, dwell: Mapping[str, arb], sides: Sequence[Side]) -> bool:
+    """Whether a certified orbit is in the box, and its dwell times may be those of a root.
+
+    Certified orbits that are in the box are roots, and as many as there are of them that are
+    apart from each other; no more is needed to count them.
+    """
+    found = {name: certificate.enclosures[name].ball for name in dwell}
+    return all(found[n].overlaps(t) for n, t in dwell.items()) and all(
+        side.holds(found[side.name]) for side in sides
+    )
+
+
+def _apart(one: Certificate, other: Certificate) -> bool:
+    """Whether two certificates are of orbits that differ in a dwell time or at the start."""
+    names = (*one.dwell_names, *one.start_names)
+    return any(not one.enclosures[n].ball.overlaps(other.enclosures[n].ball) for n in names)
+
+
+def _share(
+    progress: Callable[[float], object], place: int, count: int
+) -> Callable[[float], object]:
+    """What is told of all searches, from one of them."""
+    return lambda share: progress((place + share) / count)
+
+
+def _texts(names: Sequence[str], sides: Sides) -> Bounds:
+    return {n: (repr(low), repr(high)) for n, (low, high) in zip(names, sides, strict=True)}

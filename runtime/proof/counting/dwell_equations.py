@@ -1,0 +1,353 @@
+"""The equations of any cycle in its dwell times, in balls, from the declared numbers.
+
+Given the dwell times, closure and switching are linear in the start's coordinates q: together
+they are G(u) (q, 1) = 0. The start is sought where what is exactly true of it leaves the
+fewest coordinates. A boundary on which a phase exactly begins is met at time 0 whatever the
+orbit; its condition is divided by the power of the time by which it vanishes there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.proof.counting.contraction import (
+    Linear,
+    Sides,
+    balls_of,
+    floats_around,
+    middles_of,
+)
+from nonsmooth.runtime.proof.cycle_equations import Chain, chain_of
+from nonsmooth.runtime.proof.exact_tables import Tables
+from nonsmooth.runtime.proof.invariants import known_of
+from nonsmooth.runtime.proof.motion.exact_rows import Facts, product
+from nonsmooth.runtime.shooting.shooting_map import Cycle
+
+if TYPE_CHECKING:
+    from flint import arb, arb_mat
+
+__all__ = ["DwellProblem", "Given", "Setting", "setting_of"]
+
+_TERMS = 48
+_SERIES = 4  # norm of field and time up to which the divided flow is summed as a series
+_KEPT = 40_000  # matrix exponentials
+
+
+class Setting(NamedTuple):
+    """Where the start is sought, and which conditions hold at time 0 already.
+
+    Attributes
+    ----------
+    rotation : int
+        The phase at which the start is.
+    places : tuple of int
+        States whose values there are the coordinates q.
+    embedding : tuple of rows
+        State at the start, of (q, cosines and sines of the forcings, 1).
+    orders : tuple of int
+        Of the zero at time 0 of each phase's boundary function, phases counted from there.
+    possible : bool
+        Whether what has to be true of an orbit can be.
+    """
+
+    rotation: int
+    places: tuple[int, ...]
+    embedding: tuple[tuple[Any, ...], ...]
+    orders: tuple[int, ...]
+    possible: bool
+
+
+class Given(NamedTuple):
+    """What closes a cycle: forcings, and what the dwell times sum up to.
+
+    Attributes
+    ----------
+    pairs : tuple of (int, int)
+        States of the forcings, cos(w t) and sin(w t).
+    speeds : tuple of number
+        Their w.
+    period : arb or None
+    unit : arb or None
+        The common period of the forcings: their times are sought in one of it.
+    """
+
+    pairs: tuple[tuple[int, int], ...] = ()
+    speeds: tuple[Any, ...] = ()
+    period: arb | None = None
+    unit: arb | None = None
+
+
+def setting_of(tables: Tables, cycle: Cycle) -> Setting:
+    """The setting with the fewest coordinates; all states, where the numbers are not exact."""
+    size, count = len(tables.fields[0]) - 1, len(cycle)
+    forced = [state for pair in cycle.structure.forcing for state in pair]
+    starts: Sequence[Facts] = [Facts((), ())] * count
+    if tables.exact:
+        starts = known_of(tables, cycle).starts
+    if not all(facts.consistent for facts in starts):
+        return Setting(0, (), (), (0,) * count, False)
+
+    def solved(facts: Facts) -> dict[int, Sequence[Any]]:
+        pairs = zip(facts.pivots, facts.rows, strict=True)
+        return {pivot: row for pivot, row in pairs if pivot not in forced}
+
+    rotation = max(range(count), key=lambda k: (len(solved(starts[k])), -k))
+    known = solved(starts[rotation])
+    places = tuple(k for k in range(size) if k not in known and k not in forced)
+    columns = [*places, *forced, size]
+    embedding = [
+        tuple(-known[k][j] if k in known else int(k == j) for j in columns) for k in range(size)
+    ]
+    embedding.append(tuple(int(j == size) for j in columns))
+    orders = []
+    for k in range(count):
+        place = (rotation + k) % count
+        row, field = tables.rows[cycle.rows[place]], tables.fields[cycle.configurations[place]]
+        order = 0
+        while tables.exact and order <= size and not any(starts[place].reduce(row)):
+            row, order = product(row, field), order + 1
+        orders.append(order if order <= size else 0)
+    return Setting(rotation, places, tuple(embedding), tuple(orders), True)
+
+
+class _Flow(NamedTuple):
+    """Over a time: the flow, the row of the switching condition, and that row's derivative."""
+
+    flow: arb_mat
+    row: arb_mat
+    rate: arb_mat
+
+
+class DwellProblem:
+    """Equations of a cycle in its dwell times, at the working precision.
+
+    Unknowns are a forcing's time at the start, where there is one, and the dwell times from
+    the setting's phase on; the last of these is none where their sum is given.
+
+    Parameters
+    ----------
+    tables : Tables
+    cycle : Cycle
+    setting : Setting
+        A possible one.
+    given : Given
+    domain : sequence of (float, float)
+        Of the unknowns.
+    largest : float
+        No coordinate of the start is larger in the roots that are found.
+    last : (float, float), optional
+        Of the last dwell time, where it is no unknown.
+    """
+
+    def __init__(
+        self,
+        tables: Tables,
+        cycle: Cycle,
+        setting: Setting,
+        given: Given,
+        domain: Sequence[tuple[float, float]],
+        largest: float,
+        last: tuple[float, float] | None = None,
+    ) -> None:
+        from flint import arb, arb_mat
+
+        self.domain, self.setting, self.given = tuple(domain), setting, given
+        self.largest, self.last = largest, last
+        self.chain: Chain = chain_of(tables, cycle.rotated(setting.rotation))
+        self.embedding = arb_mat([[arb(x) for x in row] for row in setting.embedding])
+        self.speeds = [arb(speed) for speed in given.speeds]
+        self.first = int(bool(given.pairs))
+        self._kept: dict[tuple[int, float, float, bool], _Flow] = {}
+        self._norms = [_norm(field) for field in self.chain.fields]
+        self._powers = [_powers(f, r) for f, r in zip(*self.chain[:2], strict=True)]
+
+    @property
+    def unit(self) -> arb | None:
+        """The period of the forcing's time, where that is an unknown."""
+        return self.given.unit
+
+    def linear(self, sides: Sides) -> Linear | None:
+        """The equations over a box; None where the last dwell time is outside of its range."""
+        balls, middles = balls_of(sides), middles_of(sides)
+        times = self._dwell(balls)
+        if self.last is not None and (times[-1] < self.last[0] or times[-1] > self.last[1]):
+            return None
+        divided = [self._divides(place, time) for place, time in enumerate(times)]
+        points = tuple((float(x), float(x)) for x in middles)
+        centre, _, _ = self._passage(middles, points, divided, slopes=False)
+        _, slopes, _ = self._passage(balls, sides, divided, slopes=True)
+        trivial = any(
+            order and not (time > 0) and not cut
+            for order, time, cut in zip(self.setting.orders, times, divided, strict=True)
+        )
+        return Linear.of(centre, slopes, sides)._replace(trivial=trivial, largest=self.largest)
+
+    def dwell(self, sides: Sides) -> list[arb]:
+        """Dwell times in the cycle's own order, over a box."""
+        return self._own_order(self._dwell(balls_of(sides)))
+
+    def begun_later(self, sides: Sides, phases: int) -> Iterator[Sides]:
+        """The unknowns of the same orbits, begun so many phases later, that may be in the domain.
+
+        The itinerary has to be the same from there.
+        """
+        from flint import arb
+
+        balls = balls_of(sides)
+        times = self._dwell(balls)
+        turned = times[phases:] + times[:phases]
+        rest = tuple(floats_around(t) for t in turned)[: len(sides) - self.first]
+        if self.unit is None:
+            yield rest
+            return
+        later = balls[0] + sum(times[:phases], arb(0))
+        (begin, _), *_ = self.domain
+        turns = round(float(((later - begin) / self.unit).mid()) - 0.5)
+        for number in (turns - 1, turns, turns + 1):
+            yield (floats_around(later - number * self.unit), *rest)
+
+    def starts(self, sides: Sides, coordinates: Sequence[arb]) -> list[list[arb]]:
+        """State at the start of each phase in the cycle's own order, over a box."""
+        from flint import arb, arb_mat
+
+        whole = [False] * len(self.setting.orders)
+        _, _, states = self._passage(balls_of(sides), sides, whole, slopes=False)
+        column = arb_mat([[x] for x in (*coordinates, arb(1))])
+        return self._own_order([(state * column).entries()[:-1] for state in states])
+
+    def _own_order(self, found: list[Any]) -> list[Any]:
+        cut = len(found) - self.setting.rotation
+        return found[cut:] + found[:cut]
+
+    def _dwell(self, unknowns: Sequence[arb]) -> list[arb]:
+        times = list(unknowns[self.first :])
+        if self.given.period is not None:
+            times.append(self.given.period - sum(times, 0 * self.given.period))
+        return times
+
+    def _divides(self, place: int, time: arb) -> bool:
+        """Whether a phase's switching condition is divided over a time."""
+        order = self.setting.orders[place]
+        return bool(order and self._norms[place] * abs(time).upper() <= _SERIES)
+
+    def _passage(
+        self, unknowns: Sequence[arb], sides: Sides, divided: Sequence[bool], *, slopes: bool
+    ) -> tuple[arb_mat, list[arb_mat], list[arb_mat]]:
+        """G, its derivatives if they are asked for, and the states at the starts of phases."""
+        from flint import arb_mat
+
+        state, begun = self._start(unknowns)
+        first, width, count = state, state.ncols(), len(unknowns) if slopes else 0
+        moving = [arb_mat(state.nrows(), width) for _ in range(count)]
+        if self.first and slopes:
+            moving[0] = begun
+        states: list[arb_mat] = []
+        rows: list[list[Any]] = []
+        by: list[list[list[Any]]] = [[] for _ in range(count)]
+        for place, time in enumerate(self._dwell(unknowns)):
+            states.append(state)
+            own = self.first + place
+            flow = self._flow(place, time, sides[own] if own < len(sides) else None, divided[place])
+            reset = self.chain.resets[place]
+            end, rate = flow.flow * state, flow.rate * state
+            rows.append((flow.row * state).entries())
+            speed = self.chain.fields[place] * end
+            for j in range(count):
+                # the last dwell time is what the others leave of the period
+                turn = int(own == j) - int(own >= len(sides) and j >= self.first)
+                before = moving[j]
+                by[j].append((flow.row * before + rate * turn).entries())
+                moving[j] = reset * (flow.flow * before + speed * turn)
+            state = reset * end
+        change = state - first
+        if self.first and slopes:
+            moving[0] = moving[0] - begun
+        for k in self.setting.places:
+            rows.append([change[k, i] for i in range(width)])
+            for entries, moved in zip(by, moving, strict=True):
+                entries.append([moved[k, i] for i in range(width)])
+        return arb_mat(rows), [arb_mat(entries) for entries in by], states
+
+    def _start(self, unknowns: Sequence[arb]) -> tuple[arb_mat, arb_mat]:
+        """State at the start as a matrix on (q, 1), and its derivative by the forcing's time."""
+        from flint import arb_mat
+
+        count = len(self.setting.places)
+        inner = arb_mat(count + 2 * len(self.given.pairs) + 1, count + 1)
+        rate = arb_mat(inner.nrows(), count + 1)
+        for k in range(count):
+            inner[k, k] = 1
+        for k, speed in enumerate(self.speeds):
+            sine, cosine = (speed * unknowns[0]).sin_cos()
+            place = count + 2 * k
+            inner[place, count], inner[place + 1, count] = cosine, sine
+            rate[place, count], rate[place + 1, count] = -speed * sine, speed * cosine
+        inner[inner.nrows() - 1, count] = 1
+        return self.embedding * inner, self.embedding * rate
+
+    def _flow(
+        self, place: int, time: arb, side: tuple[float, float] | None, divided: bool
+    ) -> _Flow:
+        if side is None:
+            return self._computed(place, time, divided)
+        key = (place, *side, divided)
+        found = self._kept.get(key)
+        if found is None:
+            if len(self._kept) >= _KEPT:
+                self._kept.clear()
+            found = self._kept[key] = self._computed(place, time, divided)
+        return found
+
+    def _computed(self, place: int, time: arb, divided: bool) -> _Flow:
+        """Flow and switching condition; over a box the wide factor has a small exponent."""
+        field, row = self.chain.fields[place], self.chain.rows[place]
+        middle = time.mid()
+        flow = (field * middle).exp()
+        rest = time - middle
+        if not rest.is_zero():
+            flow = (field * rest).exp() * flow
+        if divided:
+            return _Flow(flow, *self._divided(place, time))
+        ahead = row * flow
+        return _Flow(flow, ahead, ahead * field)
+
+    def _divided(self, place: int, time: arb) -> tuple[arb_mat, arb_mat]:
+        """The row n exp(B t) / t^m without its first m terms, which vanish, and its derivative.
+
+        The terms from k = K on, where s = |B| |t| <= S, add up to at most
+        |n| |B|^m S^(K-m) / K! * 2, those of the derivative to |n| |B|^(m+1) S^(K-m-1) / (K-1)! * 2.
+        """
+        from flint import arb, arb_mat
+
+        powers, order = self._powers[place], self.setting.orders[place]
+        width = powers[0].ncols()
+        row, rate = arb_mat(1, width), arb_mat(1, width)
+        for k in range(_TERMS - 1, order - 1, -1):
+            row = row * time + powers[k]
+        for k in range(_TERMS - 1, order, -1):
+            rate = rate * time + powers[k] * (k - order)
+        size = sum((abs(x).upper() for x in self.chain.rows[place].entries()), arb(0))
+        tail = size * (1 + self._norms[place]) ** (order + 1) * arb(_SERIES) ** (_TERMS - order)
+        tail = 2 * tail / arb(_TERMS).gamma()
+        wide = arb_mat([[arb(0, tail.upper())] * width])
+        return row + wide, rate + wide
+
+
+def _norm(field: arb_mat) -> arb:
+    """Largest absolute column sum of a matrix, rounded up."""
+    from flint import arb
+
+    size = field.nrows()
+    sums = [
+        sum((abs(field[i, j]).upper() for i in range(size)), arb(0)).upper() for j in range(size)
+    ]
+    return max(sums, key=float)
+
+
+def _powers(field: arb_mat, row: arb_mat) -> list[arb_mat]:
+    """Rows n B^k / k! for each k."""
+    found = [row]
+    for k in range(1, _TERMS):
+        found.append(found[-1] * field / k)
+    return found

@@ -1,0 +1,154 @@
+"""Where an orbit is: a box that contains exactly one solution of its equations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.certificate import GUARD, Unknown
+from nonsmooth.runtime.proof.closure import Closing
+from nonsmooth.runtime.proof.cycle_equations import (
+    Equations,
+    Flows,
+    Passage,
+    chain_of,
+    equations_in,
+)
+from nonsmooth.runtime.proof.exact_tables import Tables, exact_tables, numbers
+from nonsmooth.runtime.proof.krawczyk import Contraction, krawczyk, newton
+from nonsmooth.runtime.proof.orbit_cycle import Subject, guess_of
+from nonsmooth.runtime.proof.statement import decimals, rational
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["Missing", "Root", "equations_of", "locate", "unknown_names"]
+
+_NEAR = 1e-5  # how far from the given numbers an orbit is still theirs, in units of the states
+_ROUGH = 53  # bits that do for what nothing depends on
+_SHARES = (0.5, 0.7, 0.85)  # of the bits: radii of the boxes that are tried
+
+
+class Root(NamedTuple):
+    """The orbit in its box, at the working precision."""
+
+    equations: Equations
+    contraction: Contraction
+    passage: Passage
+    box: tuple[Unknown, ...]
+
+
+class Missing(Exception):
+    """Existence is not proved: "refuted" or "undecided", and why."""
+
+    def __init__(self, verdict: str, reason: str, box: tuple[Unknown, ...] = ()) -> None:
+        super().__init__(reason)
+        self.verdict, self.reason, self.box = verdict, reason, box
+
+
+def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
+    """Equations of a subject, at the working precision of so many bits."""
+    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
+    period = None if closing.period is None else closing.period.ball(bits)
+    return equations_in(
+        chain_of(tables, subject.cycle, None, closing.translations), closing, tables.number, period
+    )
+
+
+def locate(subject: Subject, closing: Closing, bits: int) -> Root:
+    """Find the orbit and prove that it is the only one in a box, at the working precision.
+
+    Parameters
+    ----------
+    bits : int
+        Of the enclosures; the working precision is larger by `GUARD`.
+
+    Raises
+    ------
+    Missing
+    """
+    from flint import arb
+
+    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
+    guess = guess_of(subject, closing, tables.near)
+    equations = equations_of(subject, closing, bits + GUARD)
+    with flint_precision(_ROUGH):
+        sizes = _sizes(equations_of(subject, closing, _ROUGH), guess)
+    names = unknown_names(subject, closing)
+    # the box is much wider than this point is exact, and Krawczyk's map finds the rest
+    enough = bits // 2 + 16
+    point = newton(lambda precision: equations_of(subject, closing, precision), guess, enough)
+    if point is None or not all(
+        abs(x - g) < _NEAR * size for x, g, size in zip(point, guess, sizes, strict=True)
+    ):
+        box, centre, radii = _box(names, guess, [_NEAR * size for size in sizes], bits)
+        # of a forced orbit one of the equations is a choice: how often the forcing turns
+        if not closing.pairs and krawczyk(equations, centre, radii).empty:
+            raise Missing("refuted", "no orbit is near the given numbers", box)
+        raise Missing("undecided", "Newton's method leaves the given numbers", box)
+    for share in _SHARES:
+        unit = arb(2) ** -max(24, int(bits * share))
+        box, centre, radii = _box(names, point, [unit * size for size in sizes], bits)
+        found = krawczyk(equations, centre, radii)
+        if found.unique:
+            break
+    else:
+        raise Missing(
+            "undecided",
+            "Krawczyk's test fails: the equations are singular here, or nearly so, or more bits"
+            " are needed",
+        )
+    passage = equations.passage(found.image, found.flows)
+    if closing.form is not None:
+        _check_dropped(closing, subject, tables, passage)
+    return Root(equations, found, passage, box)
+
+
+def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
+    """Units of the unknowns: how large they and their changes are along the cycle."""
+    from flint import arb
+
+    now = equations.passage(point, Flows(equations.chain, equations.dwell(point)))
+    dwell = [abs(t).mid() for t in equations.dwell(point)]
+    sizes = []
+    for k in equations.free:
+        seen = [abs(y[k, 0]) for y in (*now.starts, *now.ends)]
+        seen += [abs(f[k, 0] * t) for f, t in zip(now.speeds, dwell, strict=True)]
+        size = max((x.mid() for x in seen), key=float)
+        sizes.append(size if size > 0 else arb(1))
+    longest = max(dwell, key=float)
+    if equations.closing.pairs:
+        sizes.append(longest)
+    return [*sizes, *(longest for _ in dwell)]
+
+
+def _box(
+    names: Sequence[str], centre: Sequence[arb], radii: Sequence[Any], bits: int
+) -> tuple[tuple[Unknown, ...], list[arb], list[arb]]:
+    """A box with decimal middles and radii, and these in balls."""
+    from flint import arb
+
+    box = tuple(
+        Unknown(name, *decimals(arb(x.mid(), r), bits))
+        for name, x, r in zip(names, centre, radii, strict=True)
+    )
+    return box, [arb(rational(x.mid)) for x in box], [arb(rational(x.rad)) for x in box]
+
+
+def unknown_names(subject: Subject, closing: Closing) -> list[str]:
+    """Names of the unknowns of the equations."""
+    free = [name for k, name in enumerate(subject.start_names) if k not in closing.forced]
+    return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]
+
+
+def _check_dropped(closing: Closing, subject: Subject, tables: Tables, now: Passage) -> None:
+    """The coordinate whose closure was dropped: the energy, monotone in it, returns it."""
+    assert closing.form is not None
+    first, last, k = now.starts[0], now.starts[-1], closing.dropped
+    state = first * 1
+    state[k, 0] = first[k, 0].union(last[k, 0])
+    energy = closing.form.energies[subject.cycle.configurations[0]]
+    slope = (numbers(energy, tables.number) * state)[k, 0]
+    if not (slope > 0 or slope < 0):
+        raise Missing("undecided", "the energy does not give the coordinate that is left out")

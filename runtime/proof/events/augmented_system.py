@@ -1,0 +1,266 @@
+"""An orbit's equations joined by what holds at an event; the parameter is an unknown too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of, space_of
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.proof.admissibility_conditions import Plan, Watched
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
+from nonsmooth.runtime.proof.boxes.tile import conserved, equations_over
+from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Passage
+from nonsmooth.runtime.proof.exact_tables import Number
+from nonsmooth.runtime.proof.motion.exact_rows import evaluate
+from nonsmooth.runtime.proof.multipliers import CORNER, reduced_map
+from nonsmooth.runtime.proof.orbit_cycle import NotCovered
+
+if TYPE_CHECKING:
+    from flint import arb, arb_mat
+
+__all__ = ["Augmented", "augmented", "instant_of"]
+
+_LARGEST_MAP = 6  # multipliers
+
+
+class _Here(NamedTuple):
+    """The orbit near the event."""
+
+    region: Region
+    number: Number
+    equations: Equations
+    now: Passage
+    unknowns: Sequence[Any]
+    more: Sequence[Any]
+
+
+class Augmented(NamedTuple):
+    """Equations of an event.
+
+    Attributes
+    ----------
+    region : Region
+        Over one parameter.
+    own : int
+        How many unknowns the orbit's equations have.
+    names : tuple of str
+        These, the parameter, and what else there is.
+    values : function of an orbit near the event
+        What vanishes there beside the orbit's equations.
+    """
+
+    region: Region
+    own: int
+    names: tuple[str, ...]
+    values: Callable[[_Here], list[Any]]
+
+    def __call__(self, middles: Sequence[arb], halves: Sequence[arb]) -> list[Any]:
+        """The left-hand sides as models over a box, of the first order in its coordinates."""
+        here = self._here(middles, halves)
+        return [*here.now.values.entries(), *self.values(here)]
+
+    def closes(self, middles: Sequence[arb], halves: Sequence[arb]) -> bool:
+        """Whether what is no equation follows: the energy returns the coordinate left out."""
+        if self.region.closing.form is None:
+            return True
+        here = self._here(middles, halves)
+        return conserved(here.region, here.number, here.now)
+
+    def _here(self, middles: Sequence[arb], halves: Sequence[arb]) -> _Here:
+        region = self.region
+        space = space_of(len(middles), 1)
+        box = [
+            space.variable(k, x, r) for k, (x, r) in enumerate(zip(middles, halves, strict=True))
+        ]
+        count = self.own
+        number = region.number([box[count]])
+        equations = equations_over(region, number)
+        flows = Flows(equations.chain, equations.dwell(box[:count]))
+        now = equations.passage(box[:count], flows)
+        return _Here(region, number, equations, now, box[:count], box[count + 1 :])
+
+
+def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
+    """The equations of an event.
+
+    Parameters
+    ----------
+    region : Region
+        Over the event's parameter.
+    event : Event
+    names : sequence of str
+        Unknowns of the orbit's equations.
+
+    Raises
+    ------
+    NotCovered
+        For kinds of events that are no regular roots of such equations.
+    """
+    more: tuple[str, ...] = ()
+    conservative = region.closing.form is not None
+    if event.kind == "flip" or (event.kind == "fold" and not conservative):
+        sign = 1 if event.kind == "flip" else -1
+        values = _multiplier(sign)
+    elif event.kind == "neimark-sacker":
+        values = _pair
+    elif event.kind == "vanishing-phase":
+        values = _vanishing(event)
+    elif event.kind == "grazing":
+        values, more = _grazing(event), ("time",)
+    elif event.kind in ("entry", "tangent", "simultaneous"):
+        values = _ending(event)
+    elif event.kind == "condition":
+        values = _condition(event)
+    else:
+        raise NotCovered(f"{event.kind}: it is no regular root of the equations of the whole orbit")
+    return Augmented(region, len(names), (*names, *region.names, *more), values)
+
+
+def _map(here: _Here) -> Any:
+    region = here.region
+    if region.cycle.one_sided:
+        raise NotCovered(CORNER)
+    maps = here.equations.maps(here.now)
+    found = reduced_map(maps, region.known, region.closing, here.number)
+    if found.nrows() > _LARGEST_MAP:
+        raise NotCovered(f"more than {_LARGEST_MAP} multipliers")
+    return found
+
+
+def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
+    """det(M + 1) = 0 or det(M - 1) = 0."""
+
+    def values(here: _Here) -> list[Any]:
+        found = _map(here)
+        size = found.nrows()
+        return [_determinant([[found[i, j] + sign * (i == j) for j in range(size)]
+                              for i in range(size)])]  # fmt: skip
+
+    return values
+
+
+def _pair(here: _Here) -> list[Any]:
+    """Two multipliers with the product 1 that are not real, by the bialternate product."""
+    found = _map(here)
+    _check_pair(range_of(found))
+    pairs = list(combinations(range(found.nrows()), 2))
+
+    def entry(p: int, q: int, r: int, s: int) -> Any:
+        return found[p, r] * found[q, s] - found[p, s] * found[q, r] - int((p, q) == (r, s))
+
+    return [_determinant([[entry(*left, *right) for right in pairs] for left in pairs])]
+
+
+def _check_pair(found: arb_mat) -> None:
+    """Refuse a product 1 of real multipliers: every pair that may have it is not real."""
+    from flint import acb_mat
+
+    try:
+        multipliers = acb_mat(found).eig()
+    except ValueError:
+        raise NotCovered("neimark-sacker: the multipliers cannot be told apart") from None
+    for first, second in combinations(multipliers, 2):
+        real = first.imag.contains(0) or second.imag.contains(0)
+        if real and (first * second).contains(1):
+            raise NotCovered("neimark-sacker: the pair may be real")
+
+
+def _determinant(rows: Sequence[Sequence[Any]]) -> Any:
+    """By elimination, the largest pivot first: at an event only the last one is zero."""
+    left = [list(row) for row in rows]
+    found: Any = None
+    while left:
+        sizes = {
+            (i, j): abs(float(middle_of(x)))
+            for i, row in enumerate(left)
+            for j, x in enumerate(row)
+        }
+        i, j = max(sizes, key=lambda place: sizes[place])
+        taken = left.pop(i)
+        pivot = taken.pop(j) * (-1) ** (i + j)
+        found = pivot if found is None else found * pivot
+        for row in left:
+            factor = row.pop(j) / (pivot * (-1) ** (i + j))
+            row[:] = [x - factor * y for x, y in zip(row, taken, strict=True)]
+    return found
+
+
+def instant_of(event: Event) -> str:
+    """When in its phase an event happens: at the start, inside, or at the end."""
+    if event.kind == "grazing":
+        return "inside"
+    if event.kind in ("simultaneous", "condition") or (event.kind == "tangent" and event.time):
+        return "end"
+    return "start" if event.kind in ("entry", "tangent") else ""
+
+
+def _place(event: Event) -> int:
+    if event.phase is None:
+        raise NotCovered(f"{event.kind}: no phase is named")
+    return event.phase
+
+
+def _watched(here: _Here, event: Event) -> tuple[Plan, Watched]:
+    plan = here.region.plans[_place(event)].at(here.number)
+    for watched in plan.watched:
+        if watched.name == event.boundary:
+            return plan, watched
+    raise NotCovered(f"{event.boundary} is no boundary of phase {(event.phase or 0) + 1}")
+
+
+def _vanishing(event: Event) -> Callable[[_Here], list[Any]]:
+    return lambda here: [here.equations.dwell(here.unknowns)[_place(event)]]
+
+
+def _grazing(event: Event) -> Callable[[_Here], list[Any]]:
+    """A time inside the phase at which the boundary function and its rate are zero."""
+
+    def values(here: _Here) -> list[Any]:
+        plan, watched = _watched(here, event)
+        (time,) = here.more
+        field = here.equations.chain.fields[plan.place]
+        state = (field * time).exp() * here.now.starts[plan.place]
+        row, speed = matrix([watched.row]), field * state
+        if not (time > 0 and here.equations.dwell(here.unknowns)[plan.place] - time > 0):
+            raise NotCovered("the boundary is not touched inside the phase")
+        if not (row * (field * speed))[0, 0] < 0:
+            raise NotCovered("the boundary is not surely touched from inside")
+        return [(row * state)[0, 0], (row * speed)[0, 0]]
+
+    return values
+
+
+def _ending(event: Event) -> Callable[[_Here], list[Any]]:
+    """What is zero where the phase begins or ends."""
+
+    def values(here: _Here) -> list[Any]:
+        plan, watched = _watched(here, event)
+        if instant_of(event) == "end":
+            row = watched.ends if event.kind == "simultaneous" else watched.speed
+            return [evaluate(row, here.now.ends[plan.place].entries()[:-1])]
+        if watched.begins is None:
+            raise NotCovered(f"{event.boundary} stays reached")
+        return [evaluate(watched.begins.row, here.now.starts[plan.place].entries()[:-1])]
+
+    return values
+
+
+def _condition(event: Event) -> Callable[[_Here], list[Any]]:
+    """Of the conditions of a phase's transitions the one that is nearest to zero."""
+
+    def values(here: _Here) -> list[Any]:
+        plan = here.region.plans[_place(event)].at(here.number)
+        state = here.now.ends[plan.place].entries()[:-1]
+        found = [
+            evaluate(behind.row, state)
+            for follower in plan.followers
+            for behind, _ in follower.conditions
+            if behind is not None
+        ]
+        if not found:
+            raise NotCovered("no condition of the transition depends on the state")
+        return [min(found, key=lambda value: abs(float(range_of(value).mid())))]
+
+    return values

@@ -1,0 +1,291 @@
+"""Enclose an event of a branch: the bifurcation or the limit of admissibility near a computed one.
+
+Over a box around it the augmented equations are H(z + r e) = c(e) + L(e) e, with e in
+[-1, 1]: c and L are continuous, with values in balls, and every matrix in the ball of L is
+regular. If -c/L lies in [-1, 1] for all e, then e -> -c(e)/L(e) has a fixed point by
+Brouwer's theorem, which is a root; and every root of the box lies in -c/L.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import zip_longest
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
+from nonsmooth.runtime.proof.certificate import GUARD, Unknown
+from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
+from nonsmooth.runtime.proof.enclosure import unknown_names
+from nonsmooth.runtime.proof.events.augmented_system import Augmented, augmented, instant_of
+from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+from nonsmooth.runtime.proof.orbit_cycle import NotCovered, chosen_of, guess_of, system_of
+from nonsmooth.runtime.proof.statement import decimals, rational
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["certify_branch", "certify_event"]
+
+_ROUGH = 96  # bits of the first steps
+_STEPS = 5
+_NEIGHBOURS = 4
+_KNOWN = 1e-6  # residual of the orbit at the computed event
+# how far from the computed event it is still that, in units of the unknowns
+_NEAR = 1e-6  # the parameter
+_ALIKE = 0.05  # the orbit, of which a neighbour may be all that is known
+_SHARES = (0.6, 0.75, 0.9)  # of the bits: halves of the boxes that are tried
+
+
+def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertificate:
+    """Prove that there is an event of a branch near a computed one, and enclose it.
+
+    The orbit's equations in physical coordinates are joined by what holds at the event: a
+    multiplier that is -1 or 1, a boundary function that is zero where it is touched, a
+    dwell time that is zero. Their unknowns are the orbit and the branch's parameter.
+
+    Parameters
+    ----------
+    branch : Branch
+    event : Event
+        One of its events.
+    bits : int
+        The enclosures have about so many bits.
+
+    Returns
+    -------
+    EventCertificate
+
+    Raises
+    ------
+    InputError
+        For an event that is not the branch's, or bits outside 53 ... 400000.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
+    >>> found = ns.certify_event(branch, flip)
+    >>> found.proved, abs(float(found.value) - flip.value) < 1e-9
+    (True, True)
+    """
+    if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
+        raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
+    if not isinstance(branch, Branch) or not isinstance(event, Event):
+        raise InputError("certify_event takes a branch and one of its events")
+    if event not in branch.events:
+        raise InputError(f"{event.text}: this is no event of the branch")
+    undecided = _undecided(branch, event, bits)
+    try:
+        orbit = _orbit_near(branch, event)
+        region = _region(orbit, event)
+        found = _about(undecided, orbit, event, region)
+        system, guess = _problem(region, event)
+        names, enclosures, box = _enclosed(system, guess, bits)
+    except NotCovered as reason:
+        return replace(undecided, reason=str(reason))
+    with flint_precision(bits + GUARD):
+        told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
+    return replace(found, claim="proved", enclosures=told, box=box)
+
+
+def certify_branch(
+    branch: Branch,
+    bits: int = 128,
+    known: Sequence[EventCertificate] = (),
+    progress: Callable[[int], object] = lambda done: None,
+) -> tuple[EventCertificate, ...]:
+    """Enclose all events of a branch, in their order.
+
+    Parameters
+    ----------
+    branch : Branch
+    bits : int
+        As for `certify_event`.
+    known : sequence of EventCertificate
+        Those of its first events, from a call that was interrupted.
+    progress : callable
+        Told how many are done.
+
+    Raises
+    ------
+    InputError
+        As for `certify_event`, or if what is known is of something else.
+    Interrupted
+        By Ctrl-C; its `partial` are the certificates until then.
+    """
+    for certificate, event in zip_longest(known, branch.events[: len(known)]):
+        if event is None or not _is_of(certificate, _undecided(branch, event, bits)):
+            raise InputError("the events to resume are not those of this branch, to these bits")
+    found = list(known)
+    try:
+        for event in branch.events[len(known) :]:
+            found.append(certify_event(branch, event, bits))
+            progress(len(found))
+    except KeyboardInterrupt:
+        raise Interrupted(tuple(found)) from None
+    return tuple(found)
+
+
+def _is_of(certificate: EventCertificate, asked: EventCertificate) -> bool:
+    names = ("orbit", "system", "kind", "parameter", "phase", "configuration", "boundary", "bits")
+    same = all(getattr(certificate, name) == getattr(asked, name) for name in names)
+    given = {**asked.parameters, **certificate.parameters}
+    del given[asked.parameter]
+    return same and all(asked.parameters.get(n, v) == v for n, v in given.items())
+
+
+def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
+    orbit = branch.orbit
+    return EventCertificate(
+        branch.name, system_of(orbit), _beside(orbit, event), (), (),
+        event.kind, event.text, event.parameter, event.phase, event.configuration,
+        event.boundary, instant_of(event), "undecided", "", {}, (), bits, {}, {},
+    )  # fmt: skip
+
+
+def _about(
+    empty: EventCertificate, orbit: Orbit | ComposedOrbit, event: Event, region: Region
+) -> EventCertificate:
+    """With all that the equations are made from."""
+    chosen: dict[str, Value] = {}
+    if isinstance(orbit, Orbit):
+        chosen = chosen_of(orbit)
+        orbit = replace(orbit, opened={**orbit.opened, **chosen})
+    declaration, closing = region.statement(orbit)
+    return replace(
+        empty,
+        parameters=_beside(orbit, event),
+        chosen=tuple(chosen),
+        itinerary=region.cycle.itinerary,
+        declaration=declaration,
+        closing=closing,
+    )
+
+
+def _beside(orbit: Orbit | ComposedOrbit, event: Event) -> dict[str, Value]:
+    """All that was given for an orbit, beside the branch's parameter."""
+    return {name: value for name, value in given_of(orbit).items() if name != event.parameter}
+
+
+def _region(orbit: Orbit | ComposedOrbit, event: Event) -> Region:
+    """The orbit over values of the parameter around the event's."""
+    if not float(orbit.residual) < _KNOWN:
+        raise NotCovered(f"the orbit at the event is not known well enough: {orbit.message}")
+    value, own = Fraction(event.value), orbit.given[event.parameter].exact
+    assert own is not None  # a double
+    width = (abs(value) or Fraction(1)) / 10**6
+    return region_of(orbit, {event.parameter: (min(value, own) - width, max(value, own) + width)})
+
+
+def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
+    """The event's equations, and their unknowns about."""
+    from flint import arb
+
+    subject, known = region.subject, event.unknowns
+    if known.keys() >= {*subject.start_names, *subject.dwell_names}:
+        subject = replace(
+            subject,
+            start=[arb(known[name]) for name in subject.start_names],
+            dwell=[arb(known[name]) for name in subject.dwell_names],
+        )
+    system = augmented(region, event, unknown_names(subject, region.closing))
+    guess = [
+        *guess_of(subject, region.closing, region.near([Fraction(event.value)])),
+        arb(event.value),
+    ]
+    if event.kind == "grazing":
+        guess.append(arb(float(event.time or 0.0)))
+    return system, guess
+
+
+def _orbit_near(branch: Branch, event: Event) -> Orbit | ComposedOrbit:
+    """The orbit at an event; where it has a phase of no duration, the next one of the branch."""
+    places: list[Any] = sorted(range(len(branch)), key=lambda k: abs(k - event.place))
+    for place in (event, *places[:_NEIGHBOURS]):
+        try:
+            return branch.orbit_at(place)
+        except InputError:
+            continue
+    raise NotCovered("no orbit is known near the event")
+
+
+def _enclosed(
+    system: Augmented, guess: Sequence[arb], bits: int
+) -> tuple[tuple[str, ...], list[arb], tuple[Unknown, ...]]:
+    """Names, enclosures and box of the root.
+
+    Raises
+    ------
+    NotCovered
+        If none is proved to be there.
+    """
+    from flint import arb
+
+    sizes = [abs(x).mid() if abs(x) > 2.0**-10 else arb(1) for x in guess]
+    point = _newton(system, guess, sizes, bits)
+    near = [_ALIKE] * len(sizes)
+    near[system.own] = _NEAR
+    if not all(
+        abs(x - g) < share * size
+        for x, g, share, size in zip(point, guess, near, sizes, strict=True)
+    ):
+        raise NotCovered("Newton's method leaves the computed event")
+    with flint_precision(bits + GUARD):
+        for share in _SHARES:
+            unit = arb(2) ** -int(bits * share)
+            box = tuple(
+                Unknown(name, *decimals(x.mid() + arb(0, unit * size), bits + GUARD))
+                for name, x, size in zip(system.names, point, sizes, strict=True)
+            )
+            middles = [arb(rational(side.mid)) for side in box]
+            halves = [arb(rational(side.rad)) for side in box]
+            inside = _solved(system, middles, halves)
+            if inside is not None and all(abs(e) < 1 for e in inside):
+                if not system.closes(middles, halves):
+                    raise NotCovered("the energy does not give the coordinate that is left out")
+                moved = zip(middles, halves, inside, strict=True)
+                return system.names, [x + r * e for x, r, e in moved], box
+    raise NotCovered("the equations of the event are singular there, or nearly so")
+
+
+def _newton(system: Augmented, guess: Sequence[arb], sizes: Sequence[arb], bits: int) -> list[arb]:
+    """A point near the root; nothing is proved of it."""
+    from flint import arb
+
+    precisions = [bits + GUARD]
+    while precisions[-1] > 2 * _ROUGH:
+        precisions.append(precisions[-1] // 2 + GUARD)
+    point = list(guess)
+    for precision in [*(_ROUGH,) * _STEPS, *reversed(precisions)]:
+        with flint_precision(precision):
+            halves = [size * arb(2) ** -(precision // 2) for size in sizes]
+            middles = [x.mid() for x in point]
+            change = _solved(system, middles, halves)
+            if change is None:
+                raise NotCovered("the equations of the event are singular there, or nearly so")
+            moved = zip(middles, halves, change, strict=True)
+            point = [(x + (r * e).mid()).mid() for x, r, e in moved]
+    return point
+
+
+def _solved(system: Augmented, middles: Sequence[arb], halves: Sequence[arb]) -> list[arb] | None:
+    """-c/L over a box; None where that is not known."""
+    from flint import arb_mat
+
+    values: list[Any] = system(middles, halves)
+    constants = arb_mat([[value.parts[0]] for value in values])
+    slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
+    try:
+        found = (-slopes.solve(constants)).entries()
+    except ZeroDivisionError:
+        return None
+    return list(found) if all(x.is_finite() for x in found) else None

@@ -1,0 +1,162 @@
+"""Newton's method towards a root, and Krawczyk's test that a box has exactly one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.core.taylor_models import matrix
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Passage
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["Contraction", "Krawczyk", "krawczyk", "newton"]
+
+_DOUBLE = 40  # bits that a root in double precision has at least, as a rule
+_MOST_STEPS = 6  # at the last precision
+
+
+class Contraction(NamedTuple):
+    """Krawczyk's test on a box.
+
+    Attributes
+    ----------
+    box, image : list of arb or Model
+        The image contains every root of the box.
+    unique : bool
+        The image lies inside: the box contains exactly one root, and that is regular.
+    empty : bool
+        Image and box are apart: the box contains no root.
+    flows : Flows
+        Near the box's middle.
+    """
+
+    box: list[Any]
+    image: list[Any]
+    unique: bool
+    empty: bool
+    flows: Flows
+
+
+def newton(
+    equations_at: Callable[[int], Equations], guess: Sequence[arb], bits: int
+) -> list[arb] | None:
+    """A point near a root, by Newton's method with growing precision; nothing is proved.
+
+    None where the method does not converge.
+    """
+    point, steps = list(guess), [bits]
+    while steps[-1] > 2 * _DOUBLE:
+        steps.append(steps[-1] // 2 + 8)
+    steps = [*steps[::-1], *(bits,) * _MOST_STEPS]
+    before: Any = None
+    for count, precision in enumerate(steps):
+        with flint_precision(precision + 16):
+            equations = equations_at(precision + 16)
+            point = [x.mid() for x in point]
+            change = _step(equations.passage(point, _flows(equations, point)))
+            if change is None:
+                return None
+            point = [(x - d).mid() for x, d in zip(point, change, strict=True)]
+            size = max((abs(d).upper() for d in change), key=float)
+            if not size < 1e6:
+                return None
+            last = len(steps) - _MOST_STEPS - 1
+            if count >= last and (
+                size < _unit(bits, point) or (before is not None and size >= before)
+            ):
+                return point
+            before = size if count >= last else None
+    return point
+
+
+def krawczyk(equations: Equations, centre: Sequence[arb], radii: Sequence[arb]) -> Contraction:
+    """Test a box, and make the image of one that has a root as small as rounding lets it be."""
+    test = Krawczyk(equations, centre)
+    found = test(radii)
+    return test.sharpened(found) if found.unique else found
+
+
+class Krawczyk:
+    """K(X) = x - Y F(x) + (I - Y F'(X)) (X - x), with boxes X around x.
+
+    Y is an approximate inverse of F'(x), its rounding errors are forgotten: K contains all
+    roots of X whatever Y is, and if K is inside X then Y and all of F'(X) are regular.
+
+    Parameters
+    ----------
+    equations : Equations
+    centre : sequence of arb or Model
+        Balls around the exact numbers that they stand for, or polynomials of parameters:
+        then all is shown for each of their values, with boxes around those of the polynomials.
+    """
+
+    def __init__(self, equations: Equations, centre: Sequence[Any]) -> None:
+        self.equations, self.centre = equations, centre
+        self.flows = Flows(equations.chain, equations.dwell(centre))
+        self.at = equations.passage(centre, self.flows)
+        self.inverse: Any = None
+        with suppress(ZeroDivisionError):
+            self.inverse = self.at.jacobian.mid().inv().mid()
+
+    @property
+    def missed(self) -> list[Any]:
+        """How far the middles are from the root, about: -Y F(x)."""
+        return [] if self.inverse is None else list((-(self.inverse * self.at.values)).entries())
+
+    def __call__(self, radii: Sequence[arb]) -> Contraction:
+        """Test the box with these radii."""
+        from flint import arb
+
+        centre = self.centre
+        box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
+        if self.inverse is None:
+            return Contraction(box, box, False, False, self.flows)
+        moved = self._moved(self.at, box, [arb(0, r) for r in radii])
+        image = [x + d for x, d in zip(centre, moved, strict=True)]
+        unique = all(abs(d) < r for d, r in zip(moved, radii, strict=True))
+        empty = any(abs(d) > r for d, r in zip(moved, radii, strict=True))
+        return Contraction(box, image, unique, empty, self.flows)
+
+    def sharpened(self, found: Contraction) -> Contraction:
+        """The same with a smaller image: once more, from the middle of it."""
+        points = [x.mid() for x in found.image]
+        offsets = [x - point for x, point in zip(found.image, points, strict=True)]
+        at = self.equations.passage(points, self.flows)
+        moved = self._moved(at, found.image, offsets)
+        return found._replace(image=[x + d for x, d in zip(points, moved, strict=True)])
+
+    def _moved(self, at: Passage, box: list[Any], offsets: list[Any]) -> list[Any]:
+        """K(X) - x; X is x and offsets around 0, so that F'(X) is known between x and all of X."""
+        from flint import arb_mat
+
+        over = self.equations.passage(box, self.flows)
+        unit = arb_mat([[int(i == j) for j in range(len(box))] for i in range(len(box))])
+        column = matrix([[d] for d in offsets])
+        inside = (unit - self.inverse * over.jacobian) * column
+        entries: list[Any] = (inside - self.inverse * at.values).entries()
+        return entries
+
+
+def _flows(equations: Equations, point: Sequence[Any]) -> Flows:
+    return Flows(equations.chain, equations.dwell(point))
+
+
+def _step(now: Passage) -> list[arb] | None:
+    try:
+        # in floating point, which the midpoints are: the next step corrects it
+        change = now.jacobian.mid().solve(now.values.mid()).entries()
+    except ZeroDivisionError:
+        return None
+    return list(change) if all(x.is_finite() for x in change) else None
+
+
+def _unit(bits: int, point: Sequence[arb]) -> arb:
+    """What a last digit of the largest unknown is worth."""
+    from flint import arb
+
+    largest = max((abs(x) for x in point), key=float, default=arb(1))
+    return largest * arb(2) ** (8 - bits)

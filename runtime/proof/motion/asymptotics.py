@@ -1,0 +1,135 @@
+"""Whether an affine function stays negative for ever, by the sizes of its exponentials.
+
+Along a flow an affine function is a sum of terms c t^k e^(st) / k!. The exponents s are the
+roots of its minimal polynomial, which is found exactly: so are their multiplicities, and
+which of them lie on the imaginary axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import comb, factorial
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, left_kernel, product
+
+if TYPE_CHECKING:
+    from flint import acb, arb
+
+__all__ = ["stays_negative"]
+
+
+def stays_negative(
+    row: Row, field: Sequence[Row], lasting: Facts, state: Sequence[arb], time: arb
+) -> bool:
+    """Whether an affine function is proved to be negative from a time on.
+
+    Parameters
+    ----------
+    row : Row
+    field : rows of fmpq
+        Acts on (y, 1).
+    lasting : Facts
+        True along the motion.
+    state : sequence of arb
+        At time 0.
+    time : arb
+        Not negative, exact.
+    """
+    from flint import arb
+
+    rows, minimal = _sequence(row, field, lasting)
+    found = _coefficients(rows, _exponents(minimal), state)
+    if found is None:
+        return False
+    total = arb(0)
+    for exponent, coefficients in found:
+        bound = (
+            _drift([c.real for c in coefficients], time)
+            if exponent == 0
+            else _size(exponent.real, coefficients, time)
+        )
+        if bound is None:
+            return False
+        total += bound
+    return bool(total < 0)
+
+
+def _sequence(row: Row, field: Sequence[Row], lasting: Facts) -> tuple[list[Row], Row]:
+    """Rows of the derivatives, as many as are independent, and what the next one is of them."""
+    rows = [lasting.reduce(row)]
+    while not (kernel := left_kernel(rows)):
+        rows.append(lasting.reduce(product(rows[-1], field)))
+    return rows[:-1], kernel[0]
+
+
+def _exponents(minimal: Row) -> list[tuple[acb, int]]:
+    """Roots of a rational polynomial with their multiplicities; real parts 0 are exact."""
+    from flint import acb, fmpq_poly
+
+    def roots(coefficients: Sequence[Any]) -> list[acb]:
+        pairs: Any = fmpq_poly(list(coefficients)).complex_roots()
+        return [acb(root) for root, _ in pairs]
+
+    found = []
+    for factor, multiplicity in fmpq_poly(list(minimal)).factor()[1]:
+        coefficients = factor.coeffs()
+        if len(coefficients) > 2 and not any(coefficients[1::2]):
+            for square in roots(coefficients[::2]):
+                below = square.imag.is_zero() and square.real < 0
+                root = acb(0, (-square.real).sqrt()) if below else square.sqrt()
+                found += [(root, multiplicity), (-root, multiplicity)]
+        else:
+            found += [(root, multiplicity) for root in roots(coefficients)]
+    return found
+
+
+def _coefficients(
+    rows: Sequence[Row], exponents: Sequence[tuple[acb, int]], state: Sequence[arb]
+) -> list[tuple[acb, list[acb]]] | None:
+    """For each exponent its c, by power; None if the digits do not tell exponents apart."""
+    from flint import acb, acb_mat, arb
+
+    size = len(rows)
+    columns = [
+        [comb(j, k) * exponent ** (j - k) if j >= k else acb(0) for j in range(size)]
+        for exponent, multiplicity in exponents
+        for k in range(multiplicity)
+    ]
+    wronskian = acb_mat(size, size, [columns[i][j] for j in range(size) for i in range(size)])
+    try:
+        weights = wronskian.solve(acb_mat([[acb(entry) for entry in row] for row in rows]))
+    except ZeroDivisionError:
+        return None
+    values = (weights * acb_mat([[acb(x)] for x in (*state, arb(1))])).entries()
+    found, first = [], 0
+    for exponent, multiplicity in exponents:
+        found.append((exponent, values[first : first + multiplicity]))
+        first += multiplicity
+    return found
+
+
+def _drift(coefficients: Sequence[arb], time: arb) -> arb | None:
+    """Value of a polynomial at a time from which it does not rise."""
+    derivatives = [
+        sum((c * time**j / factorial(j) for j, c in enumerate(coefficients[k:])), 0 * time)
+        for k in range(len(coefficients))
+    ]
+    return derivatives[0] if all(d <= 0 for d in derivatives[1:]) else None
+
+
+def _size(rate: arb, coefficients: Sequence[acb], time: arb) -> arb | None:
+    """Bound from a time on of the terms with one exponent that is not zero."""
+    total = 0 * time
+    for k, coefficient in enumerate(coefficients):
+        if coefficient == 0:
+            continue
+        if rate.is_zero() and not k:
+            total += abs(coefficient)
+            continue
+        if not rate < 0:
+            return None
+        # t^k e^(rate t) falls from its maximum on
+        latest = time.max(-k / rate)
+        total += abs(coefficient) * latest**k / factorial(k) * (rate * latest).exp()
+    return total

@@ -1,0 +1,268 @@
+"""The first boundary that a phase reaches, proved in balls.
+
+A boundary function is negative inside its configuration. From where it is known to be
+negative a window is opened and decided by its second derivative over the window: it stays
+negative, or it rises and ends positive, then it is crossed exactly once in it. Else the
+window is halved. A window as short as the digits allow is a contact that they cannot tell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.proof.motion.asymptotics import stays_negative
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, Undecided
+from nonsmooth.runtime.proof.motion.exact_rows import Facts, product
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["LONGEST_SEARCH", "Crossing", "first_crossing"]
+
+LONGEST_SEARCH = 20_000  # segments of time in one phase
+_LOOKS = frozenset(8 * 2**k for k in range(12))  # segments after which for ever is judged
+
+
+class Crossing(NamedTuple):
+    """The end of a phase.
+
+    Attributes
+    ----------
+    time : arb
+        Since its start.
+    boundaries : tuple of int
+        Those that are reached.
+    state : list of arb
+        In front of the transition.
+    """
+
+    time: arb
+    boundaries: tuple[int, ...]
+    state: list[arb]
+
+
+class _Search:
+    """One boundary, and for how long it is proved not to be reached.
+
+    The present window is part `index` of 2^`depth` equal parts of a segment of time.
+    """
+
+    def __init__(
+        self,
+        system: EnclosedSystem,
+        configuration: int,
+        boundary: int,
+        state: Sequence[arb],
+        order: int,
+    ) -> None:
+        shape = system.structure.boundaries[configuration][boundary]
+        self.name, self.boundary = shape.name, boundary
+        self.row, self.flow = shape.row, system.flows[configuration]
+        self.state = state
+        self.deepest = system.bits // 2
+        self.segment = self.index = self.depth = 0
+        self.function = self.flow.expansion(self.row, 0, state)
+        self.time = self.function.start  # up to then the boundary is not reached
+        if order:
+            self._leave(order)
+
+    def _place(self, part: int) -> arb:
+        """Start, middle and end of the window among -1 to 1: parts 0, 1, 2."""
+        from flint import arb
+
+        return arb(2 * self.index + part) * arb(2) ** -self.depth - 1
+
+    def _window(self) -> tuple[arb, arb]:
+        """Middle and half of the length, exact."""
+        from flint import arb
+
+        return self._place(1), arb(2) ** -self.depth
+
+    def _leave(self, order: int) -> None:
+        """Go on to where a boundary is left for sure that is zero at the start.
+
+        Its derivatives below `order` are zero there and that one is negative.
+        """
+        from flint import arb
+
+        while not self.function.at(order, arb(*self._window())) < 0:
+            self._halve("is left so slowly that digits are missing")
+        self._pass()
+
+    def _halve(self, why: str) -> None:
+        if self.depth == self.deepest:
+            raise Undecided(f"{self.name} {why}", self._contact())
+        self.index, self.depth = 2 * self.index, self.depth + 1
+
+    def _pass(self) -> None:
+        """Go on to the next window, as long as the binary digits of its place allow."""
+        self.index += 1
+        while self.depth and self.index % 2 == 0:
+            self.index, self.depth = self.index // 2, self.depth - 1
+        if self.index == 1 and not self.depth:
+            self.segment, self.index = self.segment + 1, 0
+            self.function = self.flow.expansion(self.row, self.segment, self.state)
+            self.time = self.function.start
+        else:
+            self.time = self.function.time(self._place(0))
+
+    def _contact(self) -> arb:
+        """About where the function is largest, by Newton's method on its slope, if close."""
+        start, end = self._place(0), self._place(2)
+        place = start
+        for _ in range(60):
+            curve = self.function.at(2, place).mid()
+            if curve == 0:
+                break
+            place = (place - self.function.at(1, place).mid() / curve).mid()
+            if not abs(place - start) < 1:
+                break
+        else:
+            if place >= start:
+                end = 2 * place - start
+        return self.function.time(start).union(self.function.time(end))
+
+    def window(self) -> tuple[arb, list[arb]] | None:
+        """Decide one window; the time and the state of the crossing if it is in it."""
+        from flint import arb
+
+        function, (middle, radius) = self.function, self._window()
+        curve = function.at(2, arb(middle, radius))
+        rate = function.at(1, middle)
+        slope = rate + curve * arb(0, radius)
+        if not slope < 0:
+            half = radius * radius / 4
+            whole = function.at(0, middle) + rate * arb(0, radius)
+            if not whole + curve * arb(half, half) < 0:
+                last = function.at(0, self._place(2)) if slope > 0 else None
+                if last is not None and last > 0:
+                    return self._newton(arb(middle, radius), slope)
+                if last is None or not last < 0:
+                    self._halve("is reached tangentially, or comes closer than the digits tell")
+                    return None
+        self._pass()
+        return None
+
+    def _newton(self, places: arb, slope: arb) -> tuple[arb, list[arb]]:
+        """The one crossing in a ball of places over which the slope is positive."""
+        function = self.function
+        while True:
+            middle = places.mid()
+            value = function.at(0, middle)
+            better = places.intersection(middle - value / slope)
+            if 2 * better.rad() >= places.rad():
+                # a slope that is not known well leaves the halves, told by the sign
+                if not (value < 0 or value > 0):
+                    times, rate = function.time(better), slope / function.half
+                    return self.flow.crossing(self.row, self.state, times, rate)
+                end = places.upper() if value < 0 else places.lower()
+                better = better.intersection(middle.union(end))
+            places = better
+            near = function.at(1, places.mid())
+            near += function.at(2, places) * (places - places.mid())
+            if near > 0:
+                slope = near
+
+
+def first_crossing(
+    system: EnclosedSystem,
+    configuration: int,
+    facts: Facts,
+    lasting: Facts,
+    state: Sequence[arb],
+) -> Crossing | None:
+    """When a phase ends, and which boundaries are reached then; None if it never does.
+
+    Time 0 is for boundaries that the start is beyond, or on and about to pass.
+
+    Parameters
+    ----------
+    system : EnclosedSystem
+    configuration : int
+    facts, lasting : Facts
+        Of the start, and those that stay true along the phase.
+    state : sequence of arb
+        The start.
+
+    Raises
+    ------
+    Undecided
+        If the balls cannot tell.
+    """
+    from flint import arb
+
+    exact, structure = system.exact, system.structure
+    field = exact.fields[configuration]
+    crossed, orders = [], {}
+    for b, boundary in enumerate(structure.boundaries[configuration]):
+        try:
+            order, sign = system.leading(exact.rows[boundary.row], configuration, facts, state)
+        except Undecided as unknown:
+            raise Undecided(
+                f"whether {boundary.name} is passed at the start of the phase: {unknown.reason}"
+            ) from None
+        if sign > 0:
+            crossed.append(b)
+        elif sign < 0:
+            orders[b] = order
+    if crossed:
+        return Crossing(arb(0), tuple(crossed), list(state))
+    together: dict[Any, list[int]] = {}
+    for b in orders:
+        row = exact.rows[structure.boundaries[configuration][b].row]
+        if any(lasting.reduce(product(row, field))):
+            together.setdefault(_direction(lasting.reduce(row)), []).append(b)
+    searches = [
+        _Search(system, configuration, group[0], state, orders[group[0]])
+        for group in together.values()
+    ]
+
+    def never(search: _Search) -> bool:
+        return stays_negative(exact.rows[search.row], field, lasting, state, search.time)
+
+    found = _earliest(searches, never)
+    if found is None:
+        return None
+    time, behind, search = found
+    reached = next(tuple(g) for g in together.values() if g[0] == search.boundary)
+    return Crossing(time, reached, behind)
+
+
+def _earliest(
+    searches: list[_Search], never: Callable[[_Search], bool]
+) -> tuple[arb, list[arb], _Search] | None:
+    best: tuple[arb, list[arb], _Search] | None = None
+    while searches:
+        search = min(searches, key=lambda s: s.time)
+        if best is not None and search.time > best[0]:
+            break
+        if search.segment >= LONGEST_SEARCH:
+            raise Undecided(
+                f"no boundary is reached, and {search.name} still could be",
+                search.time,
+                digits=False,
+            )
+        before = search.segment
+        found = search.window()
+        if found is not None:
+            time, state = found
+            searches.remove(search)
+            if best is None or time < best[0]:
+                best = (time, state, search)
+            elif not time > best[0]:
+                raise Undecided(
+                    f"{best[2].name} and {search.name} are reached at one instant, or closer "
+                    "together than the digits tell",
+                    time.union(best[0]),
+                )
+        elif before < search.segment in _LOOKS and never(search):
+            searches.remove(search)
+    return best
+
+
+def _direction(row: Sequence[Any]) -> tuple[Any, ...]:
+    """A row up to a positive factor: what is zero at the same instants."""
+    leading = next(entry for entry in row if entry)
+    size = leading if leading > 0 else -leading
+    return tuple((entry / size) for entry in row)

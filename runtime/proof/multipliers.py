@@ -1,0 +1,234 @@
+"""Trace and multipliers of an orbit, and on which side of the unit circle they are proved to be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.proof.closure import Closing
+from nonsmooth.runtime.proof.exact_tables import Number, numbers
+from nonsmooth.runtime.proof.invariants import Known
+from nonsmooth.runtime.proof.motion.exact_rows import Facts
+from nonsmooth.runtime.shooting.translations import gauges_of
+
+if TYPE_CHECKING:
+    from flint import acb, arb, arb_mat, arb_poly
+
+__all__ = [
+    "CORNER",
+    "apart",
+    "eigenvalues_of",
+    "inside_circle",
+    "neutral_pairs",
+    "product_of",
+    "reduced_map",
+    "trace_of",
+]
+
+CORNER = "boundaries are reached together: the Poincare map has a corner"
+_MOST_SQUARINGS = 48
+_LEAST_SLOPE = 2.0**-72
+
+
+def reduced_map(maps: Sequence[Any], known: Known | None, closing: Closing, number: Number) -> Any:
+    """The product of the phases' maps on the smallest section that is known.
+
+    Its other multipliers are exactly zero.
+
+    Parameters
+    ----------
+    maps : sequence of matrices (N, N)
+    known : Known or None
+    closing : Closing
+        Where the maps are at fixed times, only facts that last hold for changes, and the states
+        of forcings do not change from period to period.
+    number : function
+        From the facts' exact entries to the maps' numbers.
+    """
+    size = maps[0].nrows()
+    facts: Sequence[Facts] = [Facts((), ())] * len(maps)
+    if known is not None:
+        facts = known.lasting if closing.timed else known.starts
+    # where the cycle closes the first coordinates of translations are zero
+    fixed = [(*closing.forced, *gauges_of(closing.translations)), *(closing.forced for _ in facts)]
+    tangents = [_tangent(f, still, size) for f, still in zip(facts, fixed, strict=False)]
+    first = min(range(len(maps)), key=lambda k: len(tangents[k][0]))
+    free, basis = tangents[first]
+    found = numbers(basis, number)
+    for place in range(first, first + len(maps)):
+        found = maps[place % len(maps)] * found
+    return matrix([[found[i, j] for j in range(len(free))] for i in free])
+
+
+def inside_circle(mapping: Any) -> bool | None:
+    """Whether all eigenvalues lie strictly inside the unit circle; None if undecided.
+
+    Of two, trace and determinant tell. Else some power has a norm below 1, or a trace above
+    its dimension in absolute value.
+    """
+    from flint import arb
+
+    size, power = mapping.nrows(), mapping
+    if size == 2:
+        trace = trace_of(mapping)
+        product = mapping[0, 0] * mapping[1, 1] - mapping[0, 1] * mapping[1, 0]
+        ahead, behind = 1 - trace + product, 1 + trace + product
+        if ahead > 0 and behind > 0 and product < 1:
+            return True
+        if ahead < 0 or behind < 0 or abs(product) > 1:
+            return False
+    for _ in range(_MOST_SQUARINGS):
+        entries = range_of(power).entries()
+        if not all(x.is_finite() for x in entries):
+            return None
+        rows = [
+            sum((abs(x) for x in entries[i * size : (i + 1) * size]), arb(0)) for i in range(size)
+        ]
+        if all(row < 1 for row in rows):
+            return True
+        if abs(trace_of(power)) > size:
+            return False
+        power = power * power
+    return None
+
+
+def neutral_pairs(section: arb_mat, trace: arb) -> tuple[bool | None, tuple[acb, ...] | None]:
+    """Whether the pairs of a symplectic map lie on the unit circle, apart from each other.
+
+    The section map has one multiplier 1, one that is 0, and pairs m, 1/m. It is neutral
+    where every m + 1/m is proved to be real and inside (-2, 2).
+
+    Parameters
+    ----------
+    section : arb_mat (N, N)
+    trace : arb
+        Of it: with one pair, m + 1/m = trace - 1.
+    """
+    from flint import acb, acb_poly, arb_poly
+
+    size = section.nrows()
+    if size == 2:
+        return True, ()
+    if size == 4:
+        sums = [acb(trace - 1)]
+    else:
+        coefficients = section.charpoly().coeffs()
+        quotient = arb_poly(_divided(coefficients[1:]))
+        try:
+            sums = acb_poly(_of_sums(quotient)).roots()
+        except ValueError:
+            return None, None
+    found: list[acb] = []
+    verdict: bool | None = True
+    for place, total in enumerate(sums):
+        root = (total * total / 4 - 1).sqrt()
+        others = (*sums[:place], *sums[place + 1 :])
+        # the conjugate is a root too: where it is in no other ball it is this one, and real
+        if total.imag.contains(0) and not any(total.conjugate().overlaps(x) for x in others):
+            half = total.real / 2
+            if abs(half) < 1:
+                height = (1 - half * half).sqrt()
+                found += [acb(half, height), acb(half, -height)]
+                continue
+            if not abs(half) > 1:
+                return None, None
+            root = acb((half * half - 1).sqrt())
+        verdict = False
+        larger = total / 2 + (root if (total / 2).real * root.real > 0 else -root)
+        found += [larger, 1 / larger]
+    return verdict, tuple(found)
+
+
+def apart(multipliers: Sequence[acb], size: int, *, trivial: bool) -> tuple[acb, ...]:
+    """Those that are clear roots of the map's characteristic polynomial.
+
+    Its slope there is the product of the distances to the others: to the trivial 1, where there
+    is one, and to zero, which is all the rest. The check cannot tell those that are too near.
+    """
+    from flint import acb
+
+    known = [*multipliers, *([acb(1)] if trivial else [])]
+    known += [acb(0)] * (size - len(known))
+    found = []
+    for place, multiplier in enumerate(multipliers):
+        slope = acb(1)
+        for other in (*known[:place], *known[place + 1 :]):
+            slope *= multiplier - other
+        if abs(slope) > _LEAST_SLOPE:
+            found.append(multiplier)
+    return tuple(found)
+
+
+def _divided(coefficients: Sequence[arb]) -> list[arb]:
+    """A polynomial whose root 1 is known, divided by x - 1."""
+    found: list[Any] = []
+    carried = 0 * coefficients[-1]
+    for coefficient in reversed(coefficients[1:]):
+        carried = carried + coefficient
+        found.append(carried)
+    return found[::-1]
+
+
+def _of_sums(polynomial: arb_poly) -> arb_poly:
+    """A reciprocal polynomial of degree 2m as one of degree m in x + 1/x."""
+    from flint import arb_poly
+
+    coefficients = polynomial.coeffs()
+    half = len(coefficients) // 2
+    before, power = arb_poly([2]), arb_poly([0, 1])
+    total = arb_poly([coefficients[half]])
+    for k in range(1, half + 1):
+        total = total + power * coefficients[half + k]
+        before, power = power, arb_poly([0, 1]) * power - before
+    return total
+
+
+def _tangent(facts: Facts, forced: Sequence[int], size: int) -> tuple[list[int], list[list[Any]]]:
+    """Free coordinates of a section, and how a change moves along it by theirs: (N, free)."""
+    from flint import fmpq
+
+    rows = [(*row[:-1], fmpq(0)) for row in facts.rows]
+    rows += [tuple(fmpq(int(j == k)) for j in range(size + 1)) for k in forced]
+    kept = Facts.of(rows)
+    free = [k for k in range(size) if k not in kept.pivots]
+    basis = [[fmpq(int(i == k)) for k in free] for i in range(size)]
+    for row, pivot in zip(kept.rows, kept.pivots, strict=True):
+        basis[pivot] = [-row[k] for k in free]
+    return free, basis
+
+
+def product_of(maps: Sequence[Any]) -> Any:
+    """The maps one after the other."""
+    product = maps[0]
+    for behind in maps[1:]:
+        product = behind * product
+    return product
+
+
+def trace_of(square: Any) -> Any:
+    """Sum of the diagonal."""
+    from flint import arb
+
+    return sum((square[k, k] for k in range(square.nrows())), arb(0))
+
+
+def eigenvalues_of(square: arb_mat) -> tuple[acb, ...] | None:
+    """Eigenvalues; None if the balls do not tell them apart."""
+    from flint import acb, acb_mat
+
+    if square.nrows() == 1:
+        return (acb(square[0, 0]),)
+    if square.nrows() == 2:
+        half, product = trace_of(square) / 2, square.det()
+        apart = half * half - product
+        if apart > 0:
+            return acb(half + apart.sqrt()), acb(half - apart.sqrt())
+        if apart < 0:
+            height = (-apart).sqrt()
+            return acb(half, height), acb(half, -height)
+        return None
+    try:
+        return tuple(acb_mat(square).eig())
+    except ValueError:
+        return None

@@ -1,0 +1,198 @@
+"""Whether an affine function stays negative along a phase, for all its times.
+
+Time is cut into segments about as long as half a radian. On each the function is its Taylor
+polynomial, whose last coefficient is a ball: the derivative of that order over the segment,
+bounded by the exponential of the field over it. Windows of time are halved until each is
+decided: by value, slope and curvature; by rising towards the next window, which is decided
+too, or towards the end where the function is zero; and where it is zero at the start by the
+sign of its first derivative that is not.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
+from nonsmooth.runtime.proof.motion.enclosures import Undecided
+
+if TYPE_CHECKING:
+    from flint import arb, arb_mat, arb_poly
+
+__all__ = ["Crossed", "Ends", "Waves", "scales_of"]
+
+_ORDER = 12
+_DEEPEST = 60  # halvings of a window
+MOST_SEGMENTS = 20_000
+
+
+class Crossed(Exception):
+    """A function is proved to be positive at a time inside the phase."""
+
+    def __init__(self, time: arb) -> None:
+        super().__init__()
+        self.time = time
+
+
+class Ends(NamedTuple):
+    """Where a function is exactly zero.
+
+    Attributes
+    ----------
+    order : int
+        At the start its derivatives below that order vanish; 0 where it does not itself.
+    last : bool
+        At the end.
+    """
+
+    order: int
+    last: bool
+
+
+class Waves:
+    """The affine functions along one phase, at the working precision.
+
+    Parameters
+    ----------
+    field : arb_mat (N + 1, N + 1)
+    start : arb_mat (N + 1, 1)
+    dwell : arb
+        Positive.
+
+    Raises
+    ------
+    Undecided
+        If there are too many segments.
+    """
+
+    def __init__(self, field: arb_mat, start: arb_mat, dwell: arb) -> None:
+        from flint import arb
+
+        self.dwell = dwell
+        self.scales, norm = scales_of(middle_of(field))
+        self.field = _diagonal([1 / s for s in self.scales]) * field * _diagonal(self.scales)
+        self.end = range_of(dwell).upper()
+        half = arb(2) ** (-math.ceil(math.log2(norm)) - 1) if norm else self.end
+        self.half = half
+        count = float(self.end / (2 * half))
+        if not count < MOST_SEGMENTS:
+            raise Undecided(f"it lasts {count:.3g} radians, too many to look at", digits=False)
+        self.count = max(1, math.floor(count))
+        while not 2 * half * self.count >= self.end:
+            self.count += 1
+        over = (self.field * arb(0, half)).exp()
+        first, step = (self.field * half).exp(), (self.field * (2 * half)).exp()
+        state = first * (_diagonal([1 / s for s in self.scales]) * start)
+        self.middles = [(state, over * state)]
+        for _ in range(self.count - 1):
+            state = step * state
+            self.middles.append((state, over * state))
+
+    def function(self, row: arb_mat) -> list[arb_poly]:
+        """An affine function on each segment, as a polynomial of u in [-1, 1]."""
+        from flint import arb_poly
+
+        last = row * _diagonal(self.scales)
+        unit, rows = self.field * self.half, [last.entries()]
+        for k in range(1, _ORDER + 1):
+            last = last * unit / k
+            rows.append(last.entries())
+        below = matrix(rows[:-1])
+        return [
+            arb_poly([*range_of(below * middle).entries(), range_of(last * over)[0, 0]])
+            for middle, over in self.middles
+        ]
+
+    def largest(self, function: list[arb_poly]) -> arb:
+        """About the largest value: of some that are looked at, nothing is proved."""
+        from flint import arb
+
+        seen = []
+        for number, polynomial in enumerate(function):
+            last = min(1.0, float(self._place(self.end, number)))
+            seen += [polynomial(arb(u * (last + 1) / 4 - 1)).mid() for u in range(5)]
+        return max(seen, key=float)
+
+    def stays_negative(self, function: list[arb_poly], ends: Ends) -> None:
+        """Prove that a function is negative inside the phase.
+
+        Raises
+        ------
+        Crossed
+            If it is positive somewhere.
+        Undecided
+        """
+        from flint import arb
+
+        for number, polynomial in enumerate(function):
+            final = number == self.count - 1
+            last = self._place(self.end, number).upper() if final else arb(1)
+            order = ends.order if number == 0 else 0
+            # where the last window may not rise: it has nothing negative or zero behind it
+            falling = last if final and not ends.last else None
+            self._segment(polynomial, number, last, order, falling)
+
+    def _place(self, time: arb, number: int) -> arb:
+        """The place u of a time in a segment."""
+        return time / self.half - (2 * number + 1)
+
+    def _segment(
+        self, polynomial: arb_poly, number: int, last: arb, order: int, falling: arb | None
+    ) -> None:
+        from flint import arb
+
+        slope = polynomial.derivative()
+        curve = slope.derivative()
+        leading = polynomial
+        for _ in range(order):
+            leading = leading.derivative()
+        windows = [(arb(-1), last, 0)]
+        while windows:
+            begin, end, depth = windows.pop()
+            middle, window = ((begin + end) / 2).mid(), begin.union(end)
+            if order and begin == -1:
+                done = bool(leading(window) < 0)
+            elif (falling is None or end < falling) and slope(window) > 0:
+                done = True
+            else:
+                value, away = polynomial(middle), window - middle
+                bound = value + slope(middle) * away
+                bound += curve(window) * arb(0).union(away.abs_upper() ** 2 / 2)
+                done = bool(bound < 0)
+                if not done and value > 0:
+                    time = self.half * (middle + 2 * number + 1)
+                    if time < self.dwell:
+                        raise Crossed(time)
+            if done:
+                continue
+            if depth == _DEEPEST:
+                raise Undecided("it comes closer to zero than the digits tell")
+            windows += [(middle, end, depth + 1), (begin, middle, depth + 1)]
+
+
+def _diagonal(entries: Sequence[float]) -> arb_mat:
+    from flint import arb_mat
+
+    found = arb_mat(len(entries), len(entries))
+    for k, entry in enumerate(entries):
+        found[k, k] = entry
+    return found
+
+
+def scales_of(field: arb_mat) -> tuple[list[float], float]:
+    """Powers of two as units of the states that make the field small, and its norm in them.
+
+    They are found in floating point and only choose how time is cut.
+    """
+    size = field.nrows()
+    entries = [[abs(float(field[i, j].mid())) for j in range(size)] for i in range(size)]
+    scales = [1.0] * size
+    for _ in range(3 * size):
+        for k in range(size):
+            down = sum(entries[i][k] * scales[k] / scales[i] for i in range(size) if i != k)
+            across = sum(entries[k][j] * scales[j] / scales[k] for j in range(size) if j != k)
+            if down > 0 and across > 0:
+                scales[k] *= 2.0 ** round(math.log2(across / down) / 2)
+    norm = max(sum(entries[i][j] * scales[j] / scales[i] for j in range(size)) for i in range(size))
+    return scales, norm

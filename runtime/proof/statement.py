@@ -1,0 +1,190 @@
+"""The exact system of a certificate, as the file states it and the checker reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.rational_functions import Quotient
+from nonsmooth.runtime.proof.closure import Closing
+from nonsmooth.runtime.proof.contact_statement import law_json, steps_json
+from nonsmooth.runtime.proof.exact_tables import Tables, rational_of
+from nonsmooth.runtime.shooting.shooting_map import Cycle
+
+if TYPE_CHECKING:
+    from flint import arb, fmpq
+
+__all__ = ["closing_json", "decimals", "declaration_json", "rational"]
+
+_RADIUS = 3  # digits that a radius needs
+
+
+def rational(text: str) -> fmpq:
+    """A decimal or a fraction, exactly."""
+    return rational_of(Fraction(text))
+
+
+def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
+    """Middle and radius of a decimal ball around a ball: as many digits as count.
+
+    So many bits are enough of an exact number.
+    """
+    if ball.is_zero():
+        return "0e0", "0e0"
+    middle, radius, exponent = map(int, ball.mid_rad_10exp(int(bits * 0.302) + 5))
+    drop = max(0, len(str(radius)) - digits)
+    unit = 10**drop
+    middle = (2 * middle + unit) // (2 * unit)
+    return _scientific(middle, exponent + drop), _scientific(radius // unit + 2, exponent + drop)
+
+
+def _scientific(integer: int, exponent: int) -> str:
+    digits = str(abs(integer))
+    sign, tail = "-" * (integer < 0), digits[1:]
+    return f"{sign}{digits[0]}{'.' * bool(tail)}{tail}e{exponent + len(tail)}"
+
+
+def declaration_json(
+    tables: Tables,
+    cycle: Cycle,
+    parameters: Sequence[str],
+    start: Sequence[str],
+    dwell: Sequence[str],
+) -> dict[str, Any]:
+    """Configurations and transitions that the proof is about, with all their numbers.
+
+    Parameters
+    ----------
+    tables : Tables
+    cycle : Cycle
+    parameters : sequence of str
+        What the entries of the tables are functions of, in the order of their exponents.
+    start, dwell : sequences of str
+        Names of the states at the start, and of the phases' dwell times.
+    """
+    structure = cycle.structure
+    needed = set(cycle.configurations)
+    transitions: list[dict[str, Any]] = []
+    phases = []
+    for configuration, taken in zip(cycle.configurations, cycle.transitions, strict=True):
+        shapes = structure.boundaries[configuration]
+        names = structure.configurations
+        own = -1
+        for other in structure.transitions[configuration]:
+            if other.boundaries != taken.boundaries:
+                continue
+            entry: dict[str, Any] = {
+                "source": names[configuration],
+                "boundaries": sorted(shapes[b].name for b in other.boundaries),
+                "conditions": [
+                    [_row(tables.rows[row]), names[along], holds]
+                    for row, along, holds in other.conditions
+                ],
+                "reset": [_row(row) for row in tables.resets[other.reset][:-1]],
+                "target": names[other.target],
+            }
+            if other.path is not None and structure.law is not None:
+                entry["steps"] = steps_json(structure.law, other.path)
+            needed |= {along for _, along, _ in other.conditions}
+            if entry not in transitions:
+                transitions.append(entry)
+            if other is taken:
+                own = transitions.index(entry)
+        phases.append((configuration, own))
+    law: dict[str, Any] = {}
+    if structure.law is not None and any("steps" in entry for entry in transitions):
+        law["law"] = law_json(structure.law, cycle, lambda row: _row(tables.rows[row]))
+    return {
+        "parameters": list(parameters),
+        "states": list(structure.states),
+        "start": list(start),
+        "forcing": [list(pair) for pair in structure.forcing],
+        "configurations": {
+            structure.configurations[c]: {
+                "field": [_row(row) for row in tables.fields[c][:-1]],
+                "boundaries": {b.name: _row(tables.rows[b.row]) for b in structure.boundaries[c]},
+                "held": [_row(tables.rows[row]) for row in structure.constraints[c]],
+            }
+            for c in sorted(needed)
+        },
+        "transitions": transitions,
+        "phases": [
+            {
+                "configuration": structure.configurations[c],
+                "boundaries": cycle.itinerary[place][1].split("+"),
+                "transition": own,
+                "dwell_time": dwell[place],
+            }
+            for place, (c, own) in enumerate(phases)
+        ],
+        **law,
+    }
+
+
+def closing_json(
+    closing: Closing, cycle: Cycle, parameters: Sequence[str], variables: Sequence[str], period: str
+) -> dict[str, Any]:
+    """How the cycle closes; the energy's form where there is one.
+
+    Parameters
+    ----------
+    closing : Closing
+    cycle : Cycle
+    parameters : sequence of str
+        As for `declaration_json`.
+    variables : sequence of str
+        Those of them that the form's entries are functions of, in the order of these.
+    period : str
+        The name among the parameters that the dwell times sum up to.
+    """
+    told: dict[str, Any] = {"kind": closing.kind}
+    if closing.kind == "forcing":
+        told["turns"] = closing.turns
+    if closing.translations:
+        told["translations"] = [_row(row) for row in closing.translations]
+    if closing.form is not None:
+        places, count = [parameters.index(name) for name in variables], len(parameters)
+        names, form = cycle.structure.configurations, closing.form
+        told |= {
+            "period": period,
+            "dropped": closing.dropped,
+            "form": [[_moved(x, places, count) for x in row] for row in form.omega],
+            "constants": {names[c]: _moved(x, places, count) for c, x in form.constants.items()},
+        }
+    return told
+
+
+def _moved(number: Any, places: Sequence[int], count: int) -> Any:
+    """An entry whose variables have these places among so many."""
+    found = _entry(number)
+    for terms in found.values() if isinstance(found, dict) else ():
+        for term in terms:
+            exponents = [0] * count
+            for place, exponent in zip(places, term[1], strict=True):
+                exponents[place] = exponent
+            term[1] = exponents
+    return found
+
+
+def _terms(polynomial: Any) -> list[list[Any]]:
+    """Coefficients and exponents."""
+    terms = polynomial.to_dict().items()
+    return [[str(c), [int(e) for e in exponents]] for exponents, c in terms]
+
+
+def _row(row: Sequence[Any]) -> list[Any]:
+    return [_entry(number) for number in row]
+
+
+def _entry(number: Any) -> Any:
+    """A fraction as text, a rational function by its polynomials, a ball by middle and radius."""
+    if isinstance(number, Quotient):
+        return {"above": _terms(number.above), "below": _terms(number.below)}
+    if not hasattr(number, "rad"):
+        return str(number)
+    if number.is_exact():
+        mantissa, exponent = number.man_exp()
+        return str(Fraction(int(mantissa)) * Fraction(2) ** int(exponent))
+    middle, radius = decimals(number, max(64, number.rel_accuracy_bits() + 32))
+    return {"mid": middle, "rad": radius}

@@ -1,0 +1,400 @@
+"""The Poincare map of a composed orbit: sections, multipliers and what they mean.
+
+Behind a transition a motion lies on a section that may have fewer dimensions than the states
+less one: a velocity that a reset has set stays what it is. The map from the smallest of the
+sections to itself has no multiplier that is zero for this reason; the others are exactly zero.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.shooting.cycle_newton import LEAST, sizes
+from nonsmooth.runtime.shooting.multipliers import Multiplier
+from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage
+from nonsmooth.runtime.shooting.translations import projection_along
+
+__all__ = [
+    "ComposedStability",
+    "assess",
+    "local_maps",
+    "mechanical_states",
+    "saltations",
+    "section_dimension",
+    "smallest_section",
+    "stroboscopic_maps",
+]
+
+_RANK = 1e-9  # relative length below which a direction is none
+
+
+@dataclass(frozen=True)
+class ComposedStability:
+    """Multipliers and verdict.
+
+    Attributes
+    ----------
+    multipliers : tuple of Multiplier
+        Of the map on the section where the orbit starts, by decreasing absolute value; those
+        that are zero because the orbit passes a smaller section are exact.
+    trace : number
+        Of the same map.
+    rank : int
+        No more multipliers differ from zero.
+    margin : number
+        1 - the largest nontrivial |multiplier|; 0 where the verdict is "neutral".
+    verdict : {"stable", "neutral", "unstable", "undecided"}
+        As `nonsmooth.runtime.orbits.stability.Stability`.
+    """
+
+    multipliers: tuple[Multiplier, ...]
+    trace: Any
+    rank: int
+    margin: Any
+    verdict: str
+
+
+def local_maps(cycle: Cycle, numbers: Numbers, now: Passage) -> list[Any]:
+    """Derivative of each phase's start by that of the phase before it, on the sections."""
+    size = now.starts.shape[-1]
+    found = []
+    for place, transition in enumerate(cycle.transitions):
+        normal = numbers.rows[cycle.rows[place], :size]
+        projected = np.eye(size, dtype=int) - np.outer(
+            now.fields[place], normal / now.speeds[place]
+        )
+        reset = numbers.resets[transition.reset, :, :size]
+        found.append(reset @ projected @ now.flows[place][:, :size])
+    return found
+
+
+def saltations(cycle: Cycle, numbers: Numbers, now: Passage) -> Any:
+    """Saltation matrix of each transition (p, N, N): R + (f_after - R f_before) n / (n f_before).
+
+    A perturbation in front of the transition, times the matrix, is that behind it, to first
+    order at the same time.
+    """
+    size, count = now.starts.shape[-1], len(cycle)
+    found = []
+    for place, transition in enumerate(cycle.transitions):
+        reset = numbers.resets[transition.reset, :, :size]
+        field = numbers.fields[cycle.configurations[(place + 1) % count]]
+        after = field[:, :size] @ now.starts[place + 1] + field[:, size]
+        normal = numbers.rows[cycle.rows[place], :size]
+        jump = after - reset @ now.fields[place]
+        found.append(reset + np.outer(jump, normal / now.speeds[place]))
+    return np.array(found)
+
+
+def mechanical_states(cycle: Cycle) -> list[int] | None:
+    """States that are no forcing's, where there is a forcing.
+
+    A forced motion is periodic in time: its Poincare map is the stroboscopic one, at a fixed
+    phase of the forcing.
+    """
+    forcing = cycle.structure.forcing
+    if not forcing:
+        return None
+    own = {state for pair in forcing for state in pair}
+    return [k for k in range(len(cycle.structure.states)) if k not in own]
+
+
+def _timed_maps(cycle: Cycle, numbers: Numbers, now: Passage, states: list[int]) -> list[Any]:
+    """Derivatives of each phase's start by that of the phase before it, at fixed times."""
+    size = now.starts.shape[-1]
+    jumps = saltations(cycle, numbers, now)
+    found = [jump @ flow[:, :size] for jump, flow in zip(jumps, now.flows, strict=True)]
+    return [matrix[np.ix_(states, states)] for matrix in found]
+
+
+def stroboscopic_maps(
+    cycle: Cycle, fields: np.ndarray, starts: np.ndarray, maps: np.ndarray, states: list[int]
+) -> np.ndarray:
+    """Stroboscopic maps (n, k, k) of forced motions from those on the section (n, N, N).
+
+    The change of the period is what turns the forcing.
+
+    Parameters
+    ----------
+    fields : array (n, N, N + 1)
+        Of the first configuration.
+    starts : array (n, N)
+    """
+    (cosine, sine), *_ = cycle.structure.forcing
+    velocity = np.einsum("nij,nj->ni", fields[..., :-1], starts) + fields[..., -1]
+    turn = velocity[:, [cosine, sine]]
+    turned = np.einsum("ni,nij->nj", turn, maps[:, [cosine, sine]])
+    rate = -turned / (turn * turn).sum(axis=-1, keepdims=True)
+    whole = maps + velocity[:, :, None] * rate[:, None, :]
+    return np.asarray(whole[:, states][:, :, states])
+
+
+def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
+    """Basis (N, k) of what is left of all directions at the start of each phase.
+
+    Passage after passage under the local maps, until none loses a dimension; orthonormal, in
+    units of the states' sizes.
+    """
+    basis = np.eye(len(size_of), dtype=maps[0].dtype)
+    while True:
+        bases = []
+        for matrix in maps:
+            bases.append(basis)
+            basis = _orthonormal(_scaled(matrix, size_of) @ basis, lib)
+        if bases[0].shape[1] == basis.shape[1]:
+            return bases
+
+
+def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
+    """Phase from which one passage leaves the fewest directions, and how many.
+
+    The map from there has no more multipliers that are not zero, and zero is not a defective
+    one of them.
+    """
+    ranks = []
+    for first in range(len(maps)):
+        basis = np.eye(len(size_of))
+        for matrix in (*maps[first:], *maps[:first]):
+            basis = _orthonormal(_scaled(matrix, size_of) @ basis, np)
+        ranks.append(basis.shape[1])
+    return ranks.index(min(ranks)), min(ranks)
+
+
+def section_dimension(cycle: Cycle, numbers: Numbers, size_of: Any, lib: Any) -> int:
+    """Dimension of the section where the first phase starts.
+
+    It is the reset's image of where the last phase's boundary is reached, and its constraints
+    hold.
+    """
+    size = len(size_of)
+    kept = [*cycle.structure.constraints[cycle.configurations[-1]], cycle.rows[-1]]
+    normals = (numbers.rows[kept, :size] * size_of).T
+    across = _orthonormal(normals, lib)
+    reached = np.eye(size, dtype=normals.dtype)
+    reached = _orthonormal(reached - across @ across.T, lib)
+    reset = numbers.resets[cycle.transitions[-1].reset, :, :size]
+    return int(_orthonormal(_scaled(reset, size_of) @ reached, lib).shape[1])
+
+
+def _scaled(matrix: Any, size_of: Any) -> Any:
+    return matrix * size_of[None, :] / size_of[:, None]
+
+
+def _orthonormal(columns: Any, lib: Any) -> Any:
+    """Orthonormal basis of what the columns span, by Gram and Schmidt with pivoting."""
+    left = [columns[:, k] for k in range(columns.shape[1])]
+    basis: list[Any] = []
+    largest = max((lib.sqrt(v @ v) for v in left), default=0)
+    while left:
+        lengths = [lib.sqrt(v @ v) for v in left]
+        best = max(range(len(left)), key=lambda k: lengths[k])
+        if not lengths[best] > _RANK * largest:
+            break
+        unit = left.pop(best) / lengths[best]
+        for _ in range(2):  # once more for what the first pass has lost
+            unit = unit - sum((b * (b @ unit) for b in basis), 0 * unit)
+            unit = unit / lib.sqrt(unit @ unit)
+        basis.append(unit)
+        left = [v - unit * (unit @ v) for v in left]
+    if not basis:
+        return columns[:, :0]
+    return np.stack(basis, axis=-1)
+
+
+def assess(
+    cycle: Cycle,
+    numbers: Numbers,
+    now: Passage,
+    dwell: Any,
+    translations: np.ndarray,
+    family: bool,
+    lib: Any,
+    error: Any,
+) -> ComposedStability:
+    """Multipliers and verdict of an orbit.
+
+    Parameters
+    ----------
+    cycle, numbers, now, dwell
+        Of the orbit as it closes.
+    translations : array (m, N)
+        Directions along which the system does not change: each has a multiplier 1.
+    family : bool
+        Whether the orbit is one of a family: then one multiplier is 1.
+    lib : arithmetic of single numbers
+        `numpy`, or a context of mpmath.
+    error : number
+        Relative error of an orbit, and of the derivative of a phase, where all is well
+        conditioned.
+    """
+    size_of = sizes(now, dwell)
+    driven = mechanical_states(cycle)
+    if driven is None:
+        maps = local_maps(cycle, numbers, now)
+        dimension = section_dimension(cycle, numbers, size_of, lib)
+    else:
+        maps, size_of = _timed_maps(cycle, numbers, now, driven), size_of[driven]
+        dimension = len(driven) - len(translations)
+        translations = translations[:, driven]
+    if len(translations):
+        maps[-1] = projection_along(translations) @ maps[-1]
+    bases = _remaining(maps, size_of, lib)
+    rank = bases[0].shape[1]
+    dimension = max(rank, dimension)
+    parts = [
+        after.T @ _scaled(local, size_of) @ before
+        for local, before, after in zip(maps, bases, [*bases[1:], bases[0]], strict=True)
+    ]
+    matrix = np.eye(rank, dtype=maps[0].dtype)
+    for local in parts:
+        matrix = local @ matrix
+    precise = maps[0].dtype == object
+    zero, shifts = lib.zero if precise else 0.0, len(translations)
+    trace = sum((matrix[k, k] for k in range(rank)), zero)
+    trace = trace if precise else float(trace)
+    found = _eigenvalues(matrix, trace, lib)
+    if family and found:
+        found = _family(matrix, found, trace, lib)
+    found += [Multiplier(zero, zero)] * (dimension - rank)
+    found += [Multiplier(zero + 1, zero, trivial=True)] * shifts
+    found.sort(key=lambda m: -round(float(_modulus(m, lib)), 12))
+    largest = max((_modulus(m, lib) for m in found if not m.trivial), default=zero)
+    margin = 1 - largest if precise else float(1 - largest)
+    pair = _reciprocal(matrix, rank, lib) if family else False
+    area = not (family or shifts) and dimension == 2 and _keeps_area(cycle, numbers)
+    entries, multiplied = _errors(parts, matrix, _slowness(cycle, numbers, now), error)
+    if pair or area:
+        distance, margin_error = 2 - abs(trace - int(pair)), entries
+    elif family:
+        distance, margin_error = margin, math.sqrt(LEAST)  # a neutral one may be defective
+    else:
+        distance, margin_error = margin, multiplied
+    if abs(distance) <= margin_error:
+        verdict = "neutral" if family and not pair else "undecided"
+    elif distance < 0:
+        verdict = "unstable"
+    else:
+        verdict = "neutral" if family or area else "stable"
+    if _grazes(cycle, numbers, now, error):
+        verdict = "undecided"
+    margin = zero if verdict == "neutral" else margin
+    return ComposedStability(tuple(found), trace + shifts, rank + shifts, margin, verdict)
+
+
+def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tuple[Any, Any]:
+    """Errors of the entries of a product of maps, and of its eigenvalues.
+
+    An error of the orbit is that of a phase times the norm of (I - J)^-1, and each map has it
+    as its own, times what a slow crossing makes of it. Eigenvalues: F. Bauer and C. Fike,
+    Numer. Math. 2, 1960, and, near defective ones, L. Elsner, Linear Algebra Appl. 71, 1985.
+    """
+    count = len(matrix)
+    if not count:
+        return error, error
+    before, behind = [np.eye(count)], [np.eye(count)]
+    floats = [local.astype(float) for local in maps]
+    for local in floats[:-1]:
+        before.append(local @ before[-1])
+    for local in reversed(floats[1:]):
+        behind.append(behind[-1] @ local)
+    norms = (
+        np.linalg.norm(a, 2) * np.linalg.norm(m, 2) * np.linalg.norm(b, 2)
+        for a, m, b in zip(reversed(behind), floats, before, strict=True)
+    )
+    whole = matrix.astype(float)
+    least = np.linalg.svd(np.eye(count) - whole, compute_uv=False)[-1]
+    entries = error * float(sum(norms) * slowness * (1 + 1 / max(least, LEAST)))
+    condition = float(np.linalg.cond(np.linalg.eig(whole)[1]))
+    size = 2 * float(np.linalg.norm(whole, 2)) + float(entries)
+    defective = size * (entries / size) ** (1 / count) if entries else entries
+    return entries, min(condition * entries, defective)
+
+
+def _slowness(cycle: Cycle, numbers: Numbers, now: Passage) -> float:
+    """Largest ratio of the terms of a boundary's speed to their sum, where it is reached."""
+    size = now.starts.shape[-1]
+    terms = [
+        (float(sum(abs(numbers.rows[row, :size] * field))), abs(float(speed)))
+        for row, field, speed in zip(cycle.rows, now.fields, now.speeds, strict=True)
+    ]
+    return max((total / speed if speed else math.inf for total, speed in terms), default=1.0)
+
+
+def _keeps_area(cycle: Cycle, numbers: Numbers) -> bool:
+    """Whether phases and transitions keep the volume of the states, by their numbers.
+
+    A field without divergence does. The determinant of the saltation matrix of a reset R that
+    is its own inverse is that of R times n R f_after / (n f_before): 1 but for the sign where
+    both are the same function of the state.
+    """
+    size, count = numbers.fields.shape[-1] - 1, len(cycle)
+    for place, transition in enumerate(cycle.transitions):
+        field = numbers.fields[cycle.configurations[place]]
+        after = numbers.fields[cycle.configurations[(place + 1) % count]]
+        reset = numbers.resets[transition.reset]
+        turned, normal = reset[:, :size], numbers.rows[cycle.rows[place], :size]
+        if sum(field[k, k] for k in range(size)) or (turned @ turned != np.eye(size)).any():
+            return False
+        rate, behind = normal @ field, normal @ turned @ after
+        behind = np.append(behind[:size] @ turned, behind[:size] @ reset[:, size] + behind[size])
+        if (behind != rate).any() and (behind != -rate).any():
+            return False
+    return True
+
+
+def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:
+    size = len(matrix)
+    if size == 0:
+        return []
+    if size == 1:
+        return [Multiplier(trace, 0 * trace)]
+    if matrix.dtype == object:
+        values = lib.eig(lib.matrix(matrix.tolist()), left=False, right=False)
+        return [Multiplier(lib.re(v), lib.im(v)) for v in values]
+    return [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
+
+
+def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
+    """Whether the map, one of whose multipliers is 1, keeps the area of the two others."""
+    if rank != 3:
+        return False
+    values = matrix.tolist()
+    determinant = lib.det(lib.matrix(values)) if matrix.dtype == object else np.linalg.det(matrix)
+    return bool(abs(determinant - 1) < math.sqrt(LEAST))
+
+
+def _family(matrix: Any, found: list[Multiplier], trace: Any, lib: Any) -> list[Multiplier]:
+    """Mark the multiplier that is 1; a reciprocal pair beside it keeps the trace's digits."""
+    one, zero = 0 * trace + 1, 0 * trace
+    nearest = min(found, key=lambda m: abs(m.real - 1) + abs(m.imaginary))
+    rest = [m for m in found if m is not nearest]
+    if _reciprocal(matrix, len(found), lib):
+        half = (trace - 1) / 2
+        root = lib.sqrt(abs((half - 1) * (half + 1)))
+        if abs(half) <= 1:
+            rest = [Multiplier(half, root), Multiplier(half, -root)]
+        else:
+            larger = half + (root if half > 0 else -root)
+            rest = [Multiplier(larger, zero), Multiplier(1 / larger, zero)]
+        if matrix.dtype != object:
+            rest = [Multiplier(float(m.real), float(m.imaginary)) for m in rest]
+    return [*rest, Multiplier(one, zero, trivial=True)]
+
+
+def _modulus(multiplier: Multiplier, lib: Any) -> Any:
+    return lib.sqrt(multiplier.real**2 + multiplier.imaginary**2)
+
+
+def _grazes(cycle: Cycle, numbers: Numbers, now: Passage, error: Any) -> bool:
+    """Whether a boundary may be reached tangentially: there no map has a slope."""
+    size = now.starts.shape[-1]
+    for place, row in enumerate(cycle.rows):
+        terms = sum(abs(numbers.rows[row, :size] * now.fields[place]))
+        if abs(now.speeds[place]) <= error * terms:
+            return True
+    return False

@@ -1,0 +1,318 @@
+"""One passage of a cycle of phases and its linearisation, in any arithmetic.
+
+An itinerary is a cyclic sequence of phases. Given the start and the dwell times, a passage
+gives each phase's end, what closure and the switching conditions miss, and the derivatives of
+all that, in which the change of each dwell time is eliminated: its switching condition,
+linearised, makes it an affine function of the change of the start. Arrays may have leading
+axes, one point each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.exponential import exponential
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
+
+__all__ = [
+    "Cycle",
+    "Numbers",
+    "Passage",
+    "cycle_of",
+    "flow_at",
+    "forcing_row_of",
+    "guesses",
+    "numbers_in",
+    "pass_through",
+]
+
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle:
+    """An itinerary of a system: phase by phase, with the transition that ends it.
+
+    Attributes
+    ----------
+    structure : Structure
+    itinerary : tuple of (configuration, boundary)
+        By name; boundaries that are reached together are joined, ``"a+b"``.
+    configurations : tuple of int
+    boundaries : tuple of int or None
+        The same as indices, a boundary's among those of its configuration. Of several the
+        first, whose switching condition is solved; None for the forcing's phase, at which a
+        configuration is not left.
+    transitions : tuple of TransitionShape
+    """
+
+    structure: Structure
+    itinerary: tuple[tuple[str, str], ...]
+    configurations: tuple[int, ...]
+    boundaries: tuple[int | None, ...]
+    transitions: tuple[TransitionShape, ...]
+
+    @cached_property
+    def rows(self) -> tuple[int, ...]:
+        """Row of the boundary, or of the forcing's phase, that ends each phase."""
+        ends = zip(self.configurations, self.boundaries, strict=True)
+        return tuple(
+            forcing_row_of(self.structure) if b is None else self.structure.boundaries[c][b].row
+            for c, b in ends
+        )
+
+    @property
+    def uninterrupted(self) -> bool:
+        """Whether no boundary is reached: the motion stays in one configuration."""
+        return self.boundaries == (None,)
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether boundaries are reached together: motions next to it do other things."""
+        return any(len(transition.boundaries) > 1 for transition in self.transitions)
+
+    @cached_property
+    def packed(self) -> np.ndarray:
+        """What the compiled engine reads: configurations, rows, resets; pairs of forcing states."""
+        resets = [t.reset for t in self.transitions]
+        pairs = [state for pair in self.structure.forcing for state in pair]
+        return np.array([*self.configurations, *self.rows, *resets, *pairs], dtype=np.int32)
+
+    def at(self, structure: Structure) -> Cycle:
+        """The same cycle with the modes of a parameter point."""
+        return replace(self, structure=structure)
+
+    def rotated(self, first: int) -> Cycle:
+        """The same cycle from another of its phases."""
+
+        def turned(part: tuple[_T, ...]) -> tuple[_T, ...]:
+            return part[first:] + part[:first]
+
+        return replace(
+            self,
+            itinerary=turned(self.itinerary),
+            configurations=turned(self.configurations),
+            boundaries=turned(self.boundaries),
+            transitions=turned(self.transitions),
+        )
+
+    def __len__(self) -> int:
+        return len(self.itinerary)
+
+
+def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycle:
+    """Look an itinerary up in a system.
+
+    Between two phases the first transition that is declared for the boundary and leads to the
+    next configuration is taken. Boundaries that are reached together are one name ``"a+b"``
+    or a sequence of names; the first one's switching condition is solved. A motion that
+    reaches no boundary is one phase that ends with ``forcing-phase``: that of the first forcing
+    begins anew.
+
+    Raises
+    ------
+    InputError
+        For an empty or malformed itinerary, unknown names, or phases between which the system
+        declares no transition.
+    """
+    try:
+        pairs = tuple((str(c), b if isinstance(b, str) else "+".join(b)) for c, b in itinerary)
+    except (TypeError, ValueError):
+        raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
+    if not pairs:
+        raise InputError("the itinerary has no phase")
+    configurations = tuple(structure.configuration(c) for c, _ in pairs)
+    if [boundary for _, boundary in pairs] == [FORCING_PHASE]:
+        forcing_row_of(structure)
+        staying = TransitionShape(frozenset(), (), 0, configurations[0])  # reset 0: the identity
+        return Cycle(structure, pairs, configurations, (None,), (staying,))
+    sets = [
+        [structure.boundary(c, name) for name in joined.split("+")]
+        for c, (_, joined) in zip(configurations, pairs, strict=True)
+    ]
+    transitions = []
+    for i, (source, reached) in enumerate(zip(configurations, sets, strict=True)):
+        target = configurations[(i + 1) % len(pairs)]
+        found = [
+            t
+            for t in structure.transitions[source]
+            if t.boundaries == set(reached) and t.target == target
+        ]
+        if not found:
+            after = structure.configurations[target]
+            raise InputError(
+                f"{structure.name} has no transition from {pairs[i][0]} to {after} at {pairs[i][1]}"
+            )
+        transitions.append(found[0])
+    boundaries = tuple(reached[0] for reached in sets)
+    return Cycle(structure, pairs, configurations, boundaries, tuple(transitions))
+
+
+def forcing_row_of(structure: Structure) -> int:
+    """Row that is zero where the forcing's phase begins anew; InputError without a forcing."""
+    if structure.forcing_row is None:
+        raise InputError(f"{structure.name} has no forcing whose phase could begin anew")
+    return structure.forcing_row
+
+
+def guesses(name: str, given: Any, count: int, *, positive: bool = False) -> np.ndarray:
+    """Guesses (..., count) as floats; InputError if they are not finite or not as many."""
+    try:
+        array = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: not real numbers") from None
+    if array.ndim == 0 or array.shape[-1] != count:
+        found = 1 if array.ndim == 0 else array.shape[-1]
+        raise InputError(f"{name}: {found} given, {count} needed")
+    if not np.isfinite(array).all() or (positive and not (array > 0).all()):
+        raise InputError(f"{name}: not all are finite{' and positive' if positive else ''}")
+    return array
+
+
+class Numbers(NamedTuple):
+    """A system's numbers, with leading axes where there are many points.
+
+    Attributes
+    ----------
+    fields : array (..., configurations, N, N + 1)
+    rows : array (..., R, N + 1)
+    resets : array (..., S, N, N + 1)
+    exponents : for each configuration an array (..., modes, 2)
+    flows : for each configuration an array (..., functions, N, N + 1)
+    """
+
+    fields: np.ndarray
+    rows: np.ndarray
+    resets: np.ndarray
+    exponents: tuple[np.ndarray, ...]
+    flows: tuple[np.ndarray, ...]
+
+
+def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = None) -> Numbers:
+    """Numbers of one point, or those that `numbers_at` gives flat, for their structure."""
+    if isinstance(system, PiecewiseLinear):
+        return Numbers(system.fields, system.rows, system.resets, system.exponents, system.flows)
+    if flat is None:
+        raise InputError("a structure alone has no numbers")
+    size, lead = len(system.states), flat.shape[:-1]
+    counts = [len(modes) for modes in system.shapes]
+    shapes = [
+        (len(counts), size, size + 1),
+        (system.rows, size + 1),
+        (system.resets, size, size + 1),
+        *((count, 2) for count in counts),
+        *((count, size, size + 1) for count in system.functions),
+    ]
+    ends = np.cumsum([0, *(int(np.prod(shape)) for shape in shapes)]).tolist()
+    parts = [
+        flat[..., a:b].reshape(*lead, *shape)
+        for (a, b), shape in zip(pairwise(ends), shapes, strict=True)
+    ]
+    cut = 3 + len(counts)
+    fields, rows, resets = parts[:3]
+    return Numbers(fields, rows, resets, tuple(parts[3:cut]), tuple(parts[cut:]))
+
+
+def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: Any, lib: Any) -> Any:
+    """Flow of a configuration (..., N, N + 1) at times (...): matrix, then constant.
+
+    Where a structure has no modes it is the exponential of the field, at one mpmath time.
+    """
+    if structure.modes is None:
+        return exponential(numbers.fields[configuration], np.asarray(time).item(), lib)
+    functions: list[Any] = []
+    exponents = numbers.exponents[configuration]
+    for place, mode in enumerate(structure.modes[configuration]):
+        rate, frequency = exponents[..., place, 0], exponents[..., place, 1]
+        power = lib.exp(rate * time)
+        for _ in range(mode.length):
+            if mode.oscillates:
+                functions += [power * f(frequency * time) for f in (lib.cos, lib.sin)]
+            else:
+                functions.append(power)
+            power = power * time
+    parts = numbers.flows[configuration]
+    return sum(
+        np.asarray(function)[..., None, None] * parts[..., place, :, :]
+        for place, function in enumerate(functions)
+    )
+
+
+class Passage(NamedTuple):
+    """One passage of a cycle of p phases, and its linearisation.
+
+    Attributes
+    ----------
+    flows : array (p, ..., N, N + 1)
+    starts : array (p + 1, ..., N)
+        State at each phase's start; last what the first would be after the cycle.
+    ends, fields : array (p, ..., N)
+        State at each phase's end, and its velocity there.
+    gaps, speeds : array (p, ...)
+        Boundary function at each phase's end, and its rate.
+    rates : array (p, ..., N + 1)
+        Change of each dwell time that keeps its switching condition: by the start, and where
+        the start stays.
+    matrix : array (..., N, N + 1)
+        The same of the state after the cycle: derivative by the start, and constant.
+    """
+
+    flows: Any
+    starts: Any
+    ends: Any
+    fields: Any
+    gaps: Any
+    speeds: Any
+    rates: Any
+    matrix: Any
+
+
+def pass_through(cycle: Cycle, numbers: Numbers, dwell: Any, start: Any, lib: Any) -> Passage:
+    """Pass through a cycle once.
+
+    Parameters
+    ----------
+    dwell : array (..., p)
+    start : array (..., N)
+    lib : arithmetic with `sin`, `cos` and `exp` of arrays
+    """
+    size = start.shape[-1]
+    unit = np.eye(size, size + 1, dtype=object if start.dtype == object else float)
+    linear = np.broadcast_to(unit, (*start.shape[:-1], size, size + 1))
+    state, starts = start, [start]
+    found: list[tuple[Any, ...]] = []
+    for place, configuration in enumerate(cycle.configurations):
+        flow = flow_at(cycle.structure, numbers, configuration, dwell[..., place], lib)
+        end = _affine(flow, state)
+        linear = flow[..., :size] @ linear
+        velocity = _affine(numbers.fields[..., configuration, :, :], end)
+        row = numbers.rows[..., cycle.rows[place], :]
+        gap = _dot(row[..., :size], end) + row[..., size]
+        speed = _dot(row[..., :size], velocity)
+        rate = -(row[..., None, :size] @ linear)[..., 0, :]
+        rate[..., size] = rate[..., size] - gap
+        rate = rate / np.asarray(speed)[..., None]
+        linear = linear + velocity[..., :, None] * rate[..., None, :]
+        reset = numbers.resets[..., cycle.transitions[place].reset, :, :]
+        linear = reset[..., :size] @ linear
+        state = _affine(reset, end)
+        starts.append(state)
+        found.append((flow, end, velocity, gap, speed, rate))
+    flows, ends, fields, gaps, speeds, rates = (np.array(part) for part in zip(*found, strict=True))
+    return Passage(flows, np.array(starts), ends, fields, gaps, speeds, rates, linear)
+
+
+def _affine(matrix: Any, state: Any) -> Any:
+    return (matrix[..., :-1] @ state[..., None])[..., 0] + matrix[..., -1]
+
+
+def _dot(left: Any, right: Any) -> Any:
+    return (left[..., None, :] @ right[..., :, None])[..., 0, 0]

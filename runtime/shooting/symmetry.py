@@ -1,0 +1,466 @@
+"""Symmetries of a system: signed permutations of the states that map motions to motions.
+
+An orbit that a symmetry maps to itself, shifted by a part of its period, is known by that part:
+its phases lead from a start to the start's image, and the symmetry leads back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import Structure, TransitionShape
+from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.shooting.translations import (
+    directions_of,
+    gauges_of,
+    projection_along,
+    translations_of,
+)
+
+__all__ = [
+    "Symmetry",
+    "closed_cycle",
+    "closing",
+    "closing_matrix",
+    "images_of",
+    "matrix_of",
+    "part_of",
+    "symmetry_of",
+    "whole_cycle",
+    "whole_orbit",
+]
+
+_SAME = 1e-12  # of the largest entry: numbers that are equal but for rounding
+_LARGEST_ORDER = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Symmetry:
+    """A symmetry of a system, whose numbers it has been compared with.
+
+    Attributes
+    ----------
+    matrix : array (N, N) of int
+        A signed permutation: the image of the state y is ``matrix @ y``.
+    order : int
+        The least power that is the identity.
+    configurations : tuple of int
+        Image of each configuration.
+    boundaries : for each configuration a tuple of int
+        Image of each boundary, among those of the image.
+    """
+
+    matrix: np.ndarray
+    order: int
+    configurations: tuple[int, ...]
+    boundaries: tuple[tuple[int, ...], ...]
+
+
+def matrix_of(structure: Structure, given: Mapping[str, str] | Any) -> np.ndarray:
+    """Matrix (N, N) of a signed permutation, from images by name or from a matrix.
+
+    Parameters
+    ----------
+    given : mapping of state to text, or array (N, N)
+        ``{"x": "-x", "v": "-v"}``; states that are not named stay. A matrix P maps y to P y.
+
+    Raises
+    ------
+    InputError
+        For unknown names, or what is no signed permutation.
+    """
+    names = structure.states
+    if isinstance(given, Mapping):
+        found = np.eye(len(names), dtype=int)
+        for name, image in given.items():
+            if name not in names:
+                raise unknown_name("state", str(name), names)
+            text = str(image).replace(" ", "")
+            source = text.lstrip("+-")
+            if source not in names or len(text) - len(source) > 1:
+                raise InputError(f"symmetry: {name} -> {image!r} is no state, or minus one")
+            row = np.zeros(len(names), dtype=int)
+            row[names.index(source)] = -1 if text.startswith("-") else 1
+            found[names.index(name)] = row
+    else:
+        try:
+            array = np.asarray(given, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError("symmetry: neither images by name nor a matrix of numbers") from None
+        if array.shape != (len(names), len(names)) or not np.isin(array, (-1, 0, 1)).all():
+            raise InputError(
+                f"symmetry: no {len(names)} x {len(names)} matrix of -1, 0 and 1, a signed"
+                f" permutation of {', '.join(names)}"
+            )
+        found = array.astype(int)
+    if not (abs(found).sum(axis=0) == 1).all() or not (abs(found).sum(axis=1) == 1).all():
+        raise InputError("symmetry: no permutation: two states have the same image")
+    return found
+
+
+def images_of(matrix: np.ndarray, states: Sequence[str]) -> dict[str, str]:
+    """Images by name of a signed permutation, as `matrix_of` takes them."""
+    found = {}
+    for name, row in zip(states, matrix, strict=True):
+        (place,) = np.flatnonzero(row).tolist()
+        found[name] = f"{'-' if row[place] < 0 else ''}{states[place]}"
+    return found
+
+
+def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Symmetry:
+    """A symmetry of a system at its parameters, with the images of what the system declares.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    given : mapping or array
+        As for `matrix_of`.
+    error : number
+        Relative difference of numbers that count as equal.
+
+    Raises
+    ------
+    InputError
+        For what is no signed permutation, the identity, or a map that fields, boundaries,
+        constraints or transitions do not follow: the message names what has no image.
+    """
+    structure = system.structure
+    matrix = matrix_of(structure, given)
+    order, power = 1, matrix
+    while (power != np.eye(len(matrix), dtype=int)).any():
+        order, power = order + 1, power @ matrix
+        if order > _LARGEST_ORDER:
+            raise InputError(f"symmetry: more than {_LARGEST_ORDER} images of one state")
+    if order == 1:
+        raise InputError("symmetry: it is the identity: leave it out")
+    pairs = {frozenset(pair) for pair in structure.forcing}
+    for pair in structure.forcing:
+        image = frozenset(int(np.flatnonzero(matrix[:, state])[0]) for state in pair)
+        if image not in pairs:
+            told = " and ".join(structure.states[state] for state in pair)
+            raise InputError(f"symmetry: it takes the forcing {told} apart")
+    images = _Images(system, matrix, error)
+    found = next(images.bijections({}), None)
+    if found is None:
+        raise InputError(f"symmetry: no symmetry of {structure.name} here: {images.reason()}")
+    every = range(len(structure.configurations))
+    boundaries = tuple(images.boundaries[c, found[c]] for c in every)
+    return Symmetry(matrix, order, tuple(found[c] for c in every), boundaries)
+
+
+def _expanded(
+    structure: Structure, symmetry: Symmetry, part: Sequence[tuple[str, str]]
+) -> tuple[tuple[str, str], ...]:
+    """Itinerary of the whole orbit whose first part is given.
+
+    The symmetry maps the end of a part to its start: each part is the preimage of the one
+    before it.
+    """
+    backward = {image: c for c, image in enumerate(symmetry.configurations)}
+    whole = []
+    phases = [_phase(structure, *pair) for pair in part]
+    for _ in range(symmetry.order):
+        for configuration, places in phases:
+            names = [structure.boundaries[configuration][b].name for b in places]
+            whole.append((structure.configurations[configuration], "+".join(names)))
+        phases = [
+            (backward[c], [symmetry.boundaries[backward[c]].index(b) for b in places])
+            for c, places in phases
+        ]
+    return tuple(whole)
+
+
+def closing(
+    system: PiecewiseLinear, cycle: Cycle, symmetry: Symmetry | None
+) -> tuple[PiecewiseLinear, Cycle]:
+    """The part of a cycle that the symmetry closes, in a system with one reset more.
+
+    The last reset of the part is followed by the symmetry, and by the projection along the
+    translations of the system, where it has any.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    cycle : Cycle
+        The whole one, of that system.
+    symmetry : Symmetry or None
+        Where it is None, and there is no translation, both stay as they are.
+    """
+    matrix = closing_matrix(system.structure, *system.numbers, symmetry)
+    if matrix is None:
+        return system, cycle
+    count = len(cycle) if symmetry is None else len(cycle) // symmetry.order
+    part = closed_cycle(cycle, count)
+    reset = matrix @ system.resets[cycle.transitions[count - 1].reset]
+    resets = np.concatenate([system.resets, reset[None]])
+    return replace(system, structure=part.structure, resets=resets), part
+
+
+def closing_matrix(
+    structure: Structure, fields: Any, rows: Any, resets: Any, symmetry: Symmetry | None
+) -> np.ndarray | None:
+    """What follows the last reset where an orbit closes; None for nothing."""
+    directions = directions_of(structure, fields, rows, resets)
+    matrix = None if symmetry is None else symmetry.matrix
+    if not len(directions):
+        return matrix
+    projection = projection_along(directions)
+    return projection if matrix is None else projection @ matrix
+
+
+def closed_cycle(cycle: Cycle, count: int) -> Cycle:
+    """The first phases of a cycle, the last of them followed by a reset that is added."""
+    structure = _with_one_reset_more(cycle.structure)
+    last = cycle.transitions[count - 1]
+    turned = replace(last, reset=structure.resets - 1, target=cycle.configurations[0])
+    return replace(
+        cycle,
+        structure=structure,
+        itinerary=cycle.itinerary[:count],
+        configurations=cycle.configurations[:count],
+        boundaries=cycle.boundaries[:count],
+        transitions=(*cycle.transitions[: count - 1], turned),
+    )
+
+
+@lru_cache(maxsize=1024)  # what is kept for a structure serves again
+def _with_one_reset_more(structure: Structure) -> Structure:
+    return replace(structure, resets=structure.resets + 1)
+
+
+def whole_cycle(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Cycle:
+    """The whole cycle of a part that the symmetry closes.
+
+    InputError as `cycle_of`, and where boundaries reset the state as their images do not.
+    """
+    structure = system.structure
+    try:
+        pairs = tuple((c, b) for c, b in part)
+    except (TypeError, ValueError):
+        raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
+    cycle = cycle_of(structure, _expanded(structure, symmetry, pairs))
+    for place, transition in enumerate(cycle.transitions):
+        image = place - len(pairs)
+        resets = system.resets[[transition.reset, cycle.transitions[image].reset]]
+        if not _close(_turned(symmetry.matrix, resets[0]), resets[1], _SAME):
+            names = " and ".join(cycle.itinerary[k][1] for k in (place, image))
+            raise InputError(f"symmetry: {names}, its image, reset the state in different ways")
+    return cycle
+
+
+def whole_orbit(
+    system: PiecewiseLinear,
+    cycle: Cycle,
+    symmetry: Symmetry | None,
+    dwell: np.ndarray,
+    states: np.ndarray,
+    lib: Any,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Dwell times and states of the whole orbit from those (p,), (p, N) of its first part.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    cycle : Cycle
+        The whole one, of that system.
+    lib : arithmetic with `sin`, `cos` and `exp` of arrays
+    """
+    if symmetry is None:
+        return dwell, states
+    directions = translations_of(system)
+    shift = np.zeros_like(states[0])
+    if len(directions):  # by how much the image of the part's end is moved from its start
+        first = len(states) - 1
+        last = replace(
+            cycle,
+            itinerary=cycle.itinerary[first : first + 1],
+            configurations=cycle.configurations[first : first + 1],
+            boundaries=cycle.boundaries[first : first + 1],
+            transitions=cycle.transitions[first : first + 1],
+        )
+        end = pass_through(last, numbers_in(system), dwell[-1:], states[-1], lib).starts[-1]
+        image = symmetry.matrix @ end
+        shift = image[gauges_of(directions)] @ directions
+    parts = [states]
+    for _ in range(symmetry.order - 1):
+        parts.append((parts[-1] + shift) @ symmetry.matrix)  # its inverse from the left
+    return np.tile(dwell, symmetry.order), np.concatenate(parts)
+
+
+def part_of(period: Value, order: int) -> Value:
+    """One of so many equal parts of a given period, exactly."""
+    if period.exact is not None:
+        return as_value(period.exact / order)
+    return parse(f"({period.text})/{order}")
+
+
+def _phase(structure: Structure, name: str, boundary: Any) -> tuple[int, list[int]]:
+    configuration = structure.configuration(str(name))
+    names = boundary.split("+") if isinstance(boundary, str) else boundary
+    return configuration, [structure.boundary(configuration, str(b)) for b in names]
+
+
+def _turned(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
+    """An affine map (N, N + 1) of states, seen in their images."""
+    found = matrix @ map_
+    return np.concatenate([found[:, :-1] @ matrix.T, found[:, -1:]], axis=1)
+
+
+def _close(first: np.ndarray, second: np.ndarray, error: float) -> bool:
+    largest = max(abs(x) for x in first.ravel())
+    return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))
+
+
+class _Images:
+    """Which configuration can be the image of which, and how their boundaries correspond."""
+
+    def __init__(self, system: PiecewiseLinear, matrix: np.ndarray, error: float) -> None:
+        self.system, self.structure = system, system.structure
+        self.matrix, self.error = matrix, error
+        self.boundaries: dict[tuple[int, int], tuple[int, ...]] = {}
+        every = range(len(self.structure.configurations))
+        for c in every:
+            for image in every:
+                found = self._correspondence(c, image)
+                if found is not None:
+                    self.boundaries[c, image] = found
+
+    def bijections(self, chosen: dict[int, int]) -> Iterator[dict[int, int]]:
+        """Maps of all configurations that the transitions follow too."""
+        c = len(chosen)
+        if c == len(self.structure.configurations):
+            if all(self._transitions_follow(source, chosen) for source in chosen):
+                yield chosen
+            return
+        for image in range(len(self.structure.configurations)):
+            if (c, image) in self.boundaries and image not in chosen.values():
+                yield from self.bijections({**chosen, c: image})
+
+    def reason(self) -> str:
+        """What has no image."""
+        for c, name in enumerate(self.structure.configurations):
+            if not any(source == c for source, _ in self.boundaries):
+                return f"no configuration is the image of {name}, with its field and boundaries"
+        return "the transitions do not follow"
+
+    def _correspondence(self, c: int, image: int) -> tuple[int, ...] | None:
+        """Images of the boundaries of a configuration if another may be its image."""
+        structure, system, matrix = self.structure, self.system, self.matrix
+        own, other = structure.boundaries[c], structure.boundaries[image]
+        field = _turned(matrix, system.fields[c])
+        if len(own) != len(other) or not self._equal(field, system.fields[image]):
+            return None
+        constraints = list(structure.constraints[image])
+        if len(constraints) != len(structure.constraints[c]):
+            return None
+        for row in structure.constraints[c]:
+            fitting = [r for r in constraints if self._row_maps(row, r, signed=False)]
+            if not fitting:
+                return None
+            constraints.remove(fitting[0])
+        found: list[int] = []
+        for boundary in own:
+            fitting = [
+                place
+                for place, candidate in enumerate(other)
+                if place not in found
+                and candidate.reached == boundary.reached
+                and self._row_maps(boundary.row, candidate.row)
+            ]
+            if not fitting:
+                return None
+            found.append(fitting[0])
+        return tuple(found)
+
+    def _row_maps(self, row: int, other: int, *, signed: bool = True) -> bool:
+        """Whether one affine function is a multiple of another one's image, a positive one."""
+        mapped, wanted = self._image_of_row(row), self.system.rows[other]
+        sizes = [max(abs(x) for x in function) for function in (mapped, wanted)]
+        if sizes[0] == 0 or sizes[1] == 0:
+            return bool(sizes[0] == sizes[1])
+        mapped, wanted = mapped / sizes[0], wanted / sizes[1]
+        same = self._equal(mapped, wanted)
+        return same or (not signed and self._equal(-mapped, wanted))
+
+    def _image_of_row(self, row: int) -> np.ndarray:
+        function = self.system.rows[row]
+        return np.concatenate([self.matrix @ function[:-1], function[-1:]])
+
+    def _equal(self, first: np.ndarray, second: np.ndarray) -> bool:
+        return _close(first, second, self.error)
+
+    def _transitions_follow(self, source: int, chosen: Mapping[int, int]) -> bool:
+        """Whether each transition has its image among those of the image, in the same order.
+
+        Those that never apply together may have any order. Boundaries that are reached together
+        are left out: contacts are decided one after another there, in the order of declaration.
+        """
+        image = chosen[source]
+        places = self.boundaries[source, image]
+        own, others = (
+            [
+                t
+                for t in self.structure.transitions[c]
+                if len(t.boundaries) == 1 and t.path is None  # fields and boundaries tell a law
+            ]
+            for c in (source, image)
+        )
+        if len(others) != len(own):
+            return False
+        for transition in own:
+            boundaries = frozenset(places[b] for b in transition.boundaries)
+            passed: list[TransitionShape] = []
+            for other in others:
+                if other.boundaries != boundaries:
+                    continue
+                exclusive = all(self._exclude_each_other(other, before) for before in passed)
+                if exclusive and self._transition_maps(transition, other, chosen):
+                    others.remove(other)
+                    break
+                passed.append(other)
+            else:
+                return False
+        return True
+
+    def _exclude_each_other(self, first: TransitionShape, second: TransitionShape) -> bool:
+        """Whether two transitions have conditions that never hold together."""
+        return any(
+            along == along_ and holds and holds_ and self._opposed(row, row_)
+            for row, along, holds in first.conditions
+            for row_, along_, holds_ in second.conditions
+        )
+
+    def _opposed(self, row: int, other: int) -> bool:
+        """Whether two functions are never positive together: their sum is constant, not above 0."""
+        rows = self.system.rows[[row, other]]
+        sizes = abs(rows[:, :-1]).max(axis=1)
+        if not sizes.all():
+            return False
+        first, second = rows / sizes[:, None]
+        return self._equal(first[:-1], -second[:-1]) and bool(first[-1] + second[-1] <= 0)
+
+    def _transition_maps(
+        self, transition: TransitionShape, other: TransitionShape, chosen: Mapping[int, int]
+    ) -> bool:
+        if chosen[transition.target] != other.target:
+            return False
+        resets = self.system.resets[[transition.reset, other.reset]]
+        if not self._equal(_turned(self.matrix, resets[0]), resets[1]):
+            return False
+        if len(transition.conditions) != len(other.conditions):
+            return False
+        return all(
+            any(
+                along_ == chosen[along] and holds_ == holds and self._row_maps(row, row_)
+                for row_, along_, holds_ in other.conditions
+            )
+            for row, along, holds in transition.conditions
+        )

@@ -1,0 +1,215 @@
+"""Guaranteed extremes of affine functions of the state along a motion.
+
+On a panel a function g lies below its cubic Hermite interpolant by its values and slopes at
+both ends, plus M h^4/144 of the middle Bernstein polynomial where |g''''| <= M; the largest
+coefficient in Bernstein form bounds that. Panels whose bound exceeds the largest value that
+is known are split at the zero of the slope until none is left, so no peak hides.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.model.flows import functions_of
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.phase_functions import Panels, Phases, panels
+
+__all__ = ["Extreme", "extremes"]
+
+_ANGLE = 0.6  # radians of the fastest oscillation in a panel
+_ROUNDS = 200  # of splitting; a few are enough
+_ROUNDING = 2.0**-50
+
+
+class Extreme(NamedTuple):
+    """An extreme value and a time at which it is attained."""
+
+    value: float
+    time: float
+
+
+class _Search(NamedTuple):
+    """Functions in waiting panels: factors of the functions of time, of g, g' and g''."""
+
+    configuration: int
+    weights: tuple[np.ndarray, np.ndarray, np.ndarray]
+    constants: np.ndarray
+    begins: np.ndarray
+    bounds: np.ndarray
+    slack: np.ndarray
+
+
+def extremes(
+    system: PiecewiseLinear, phases: Phases, rows: np.ndarray
+) -> tuple[list[Extreme], list[Extreme]]:
+    """Minima and maxima of affine functions over all phases.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    phases : Phases
+    rows : array (configurations, K, N + 1)
+        Affine functions ``n y + c``: n, then c.
+
+    Returns
+    -------
+    minima, maxima : list of Extreme, (K,)
+        Values that are attained; no other exceeds them by more than rounding.
+    """
+    count = rows.shape[1]
+    signed = np.concatenate([-rows, rows], axis=1)
+    best = np.full(2 * count, -np.inf)
+    times = np.full(2 * count, np.nan)
+    for found in panels(system, phases, signed, _ANGLE):
+        _search(system, phases, signed, found, best, times)
+    every = [
+        Extreme(value, time) for value, time in zip(best.tolist(), times.tolist(), strict=True)
+    ]
+    return [Extreme(0.0 - value, time) for value, time in every[:count]], every[count:]
+
+
+def _search(
+    system: PiecewiseLinear,
+    phases: Phases,
+    signed: np.ndarray,
+    found: Panels,
+    best: np.ndarray,
+    times: np.ndarray,
+) -> None:
+    """Raise the best values, and their times, by what is found in some panels."""
+    turned = _derivative(system, found.configuration).T
+    tower = [found.weights]
+    for _ in range(4):
+        tower.append(turned @ tower[-1])
+    ends = [functions_of(system, found.configuration, t) for t in (found.left, found.right)]
+    left, right = ([np.einsum("nf,nfk->nk", phi, weights) for weights in tower[:2]] for phi in ends)
+    sizes = _sizes(system, found)
+    slack = _ROUNDING * (np.einsum("nf,nfk->nk", sizes, abs(tower[0])) + abs(found.constants))
+    fourth = np.einsum("nf,nfk->nk", sizes, abs(tower[4])) / 144
+    begins = phases.begins[found.phases]
+    left[0] += found.constants
+    right[0] += found.constants
+    # times are sums: the state in front of a transition is known better than its time
+    row = signed[found.configuration]
+    right[0][found.last] = phases.ends[found.phases[found.last]] @ row[:, :-1].T + row[:, -1]
+    for side, at in ((left, found.left), (right, found.right)):
+        top = np.argmax(side[0], axis=0)
+        _raise(
+            best, times, np.arange(len(best)), side[0][top, range(len(best))], (begins + at)[top]
+        )
+    width = found.right - found.left
+    upper = _upper(left, right, width[:, None], fourth)
+    for k in range(len(best)):
+        kept = np.flatnonzero(upper[:, k] > best[k] + slack[:, k])
+        if kept.size:
+            waiting = _Search(
+                found.configuration,
+                (tower[0][kept, :, k], tower[1][kept, :, k], tower[2][kept, :, k]),
+                np.full(kept.size, found.constants[k]),
+                begins[kept],
+                fourth[kept, k],
+                slack[kept, k],
+            )
+            sides = [np.array([t[kept], g[kept, k], s[kept, k]]) for t, (g, s) in (
+                (found.left, left), (found.right, right))]  # fmt: skip
+            _split(system, waiting, sides[0], sides[1], k, best, times)
+
+
+def _split(
+    system: PiecewiseLinear,
+    search: _Search,
+    left: np.ndarray,
+    right: np.ndarray,
+    k: int,
+    best: np.ndarray,
+    times: np.ndarray,
+) -> None:
+    """Split panels until none can hold more than the best value of one function.
+
+    Left and right (3, n): time, value and slope at the ends.
+    """
+    for turn in range(_ROUNDS):
+        middle = (left[0] + right[0]) / 2
+        if turn % 2 == 0:
+            peaks = (left[2] > 0) & (right[2] < 0)
+            for _ in range(8):
+                slope, curvature = (_sum(system, search, order, middle) for order in (1, 2))
+                with np.errstate(divide="ignore", invalid="ignore"):
+                    newton = np.nan_to_num(middle - slope / curvature, nan=0.0)
+                middle = np.where(peaks, np.clip(newton, left[0], right[0]), middle)
+        value = _sum(system, search, 0, middle) + search.constants
+        split = np.array([middle, value, _sum(system, search, 1, middle)])
+        top = int(np.argmax(value))
+        _raise(best, times, np.array([k]), value[[top]], (search.begins + middle)[[top]])
+        left, right = np.hstack([left, split]), np.hstack([split, right])
+        width = right[0] - left[0]
+        upper = _upper(left[1:], right[1:], width, np.tile(search.bounds, 2))
+        places = np.flatnonzero(upper > best[k] + np.tile(search.slack, 2))
+        if not places.size:
+            return
+        left, right = left[:, places], right[:, places]
+        half = places % len(search.begins)
+        search = _Search(
+            search.configuration,
+            (search.weights[0][half], search.weights[1][half], search.weights[2][half]),
+            search.constants[half],
+            search.begins[half],
+            search.bounds[half],
+            search.slack[half],
+        )
+
+
+def _raise(
+    best: np.ndarray, times: np.ndarray, which: np.ndarray, values: np.ndarray, at: np.ndarray
+) -> None:
+    better = values > best[which]
+    best[which[better]], times[which[better]] = values[better], at[better]
+
+
+def _sum(system: PiecewiseLinear, search: _Search, order: int, times: np.ndarray) -> np.ndarray:
+    functions = functions_of(system, search.configuration, times)
+    return np.asarray((functions * search.weights[order]).sum(axis=1))
+
+
+def _upper(
+    left: list[np.ndarray] | np.ndarray,
+    right: list[np.ndarray] | np.ndarray,
+    width: np.ndarray,
+    fourth: np.ndarray,
+) -> np.ndarray:
+    """Bound on panels from values and slopes at their ends."""
+    (g, slope), (h, slope_end) = left, right
+    middle = (g + h) / 2 + width * (slope - slope_end) / 6 + fourth * width**4
+    controls = [g, g + width * slope / 4, middle, h - width * slope_end / 4, h]
+    return np.asarray(np.maximum.reduce(controls))
+
+
+def _derivative(system: PiecewiseLinear, configuration: int) -> np.ndarray:
+    """Matrix (functions, functions) that gives the derivatives of the functions of time."""
+    modes = system.structure.shapes[configuration]
+    size = system.structure.functions[configuration]
+    matrix = np.zeros((size, size))
+    for mode, (rate, frequency) in zip(modes, system.exponents[configuration], strict=True):
+        step = 2 if mode.oscillates else 1
+        for index, place in enumerate(mode.places):
+            matrix[place, place] = rate
+            if index >= step:
+                matrix[place, mode.places[index - step]] = index // step
+            if mode.oscillates:
+                other = mode.places[index + 1 if index % 2 == 0 else index - 1]
+                matrix[place, other] = -frequency if index % 2 == 0 else frequency
+    return matrix
+
+
+def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
+    """Bounds (n, functions) of the functions' absolute values on panels."""
+    columns = []
+    modes = system.structure.shapes[found.configuration]
+    exponents = system.exponents[found.configuration]
+    for mode, (rate, _) in zip(modes, exponents, strict=True):
+        growth = np.exp(np.maximum(rate * found.left, rate * found.right))
+        for power in range(mode.length):
+            columns += [found.right**power * growth] * (2 if mode.oscillates else 1)
+    return np.stack(columns, axis=-1)

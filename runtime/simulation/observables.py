@@ -1,0 +1,235 @@
+"""Observables of a simulated motion: peaks, averages, times in configurations, contact forces.
+
+Peaks are guaranteed (`extremes`). Averages and works are integrals by Gauss and Legendre's
+rule with twelve nodes on pieces of at most two radians of the fastest oscillation, whose
+error is far below rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import ContactShape, Structure
+from nonsmooth.runtime.simulation.extremes import Extreme, extremes
+from nonsmooth.runtime.simulation.phase_functions import Phases, panels, phases_of, values_at
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["ContactObservables", "Observables", "observe"]
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+_ANGLE = 2.0
+
+
+@dataclass(frozen=True)
+class ContactObservables:
+    """What passes through one contact: a stop, a belt.
+
+    An impact is no force: it takes no time, and neither its impulse nor the energy that it
+    takes is part of these numbers.
+
+    Attributes
+    ----------
+    minimum, maximum : Extreme
+        Of the force on the oscillator, with times.
+    mean : float
+        Force averaged over time.
+    work : float
+        Integral of force times the oscillator's velocity: what the oscillator gains.
+    dissipated : float
+        Integral of force times (surface's velocity - oscillator's velocity): what is lost.
+    """
+
+    minimum: Extreme
+    maximum: Extreme
+    mean: float
+    work: float
+    dissipated: float
+
+    @property
+    def peak(self) -> float:
+        """Largest absolute value of the force."""
+        return max(abs(self.minimum.value), abs(self.maximum.value))
+
+
+@dataclass(frozen=True, eq=False)
+class Observables:
+    """Observables of a motion from a time on.
+
+    Attributes
+    ----------
+    trajectory : Trajectory
+    since, duration : float
+    minima, maxima : dict of state to Extreme
+        Values and times at which they are attained.
+    means, rms : dict of state to float
+        Averages over time, and square roots of those of the squares.
+    fractions : dict of configuration to float
+        Part of the time that is spent in each.
+    sticking : dict of position to float
+        Part of the time in configurations that hold it; only positions that some do.
+    contacts : dict of str to ContactObservables
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.simulation.simulate import simulate
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
+    >>> motion = simulate("elastic-stop", data, [0, 0, 2, 0], until=50)
+    >>> found = observe(motion, since=10)
+    >>> sorted(found.fractions) == ["contact", "free"]
+    True
+    >>> round(found.contacts["stop"].peak + 1 - found.maxima["x1"].value, 12)
+    0.0
+    """
+
+    trajectory: Trajectory
+    since: float
+    duration: float
+    minima: dict[str, Extreme]
+    maxima: dict[str, Extreme]
+    means: dict[str, float]
+    rms: dict[str, float]
+    fractions: dict[str, float]
+    sticking: dict[str, float]
+    contacts: dict[str, ContactObservables]
+
+    def force(self, name: str, times: Any) -> np.ndarray:
+        """Force of a contact on the oscillator at times (...) of the motion.
+
+        Raises
+        ------
+        InputError
+            For an unknown contact, or a time that is not one of the motion.
+        """
+        return self._contact(name, times)[0]
+
+    def power(self, name: str, times: Any) -> np.ndarray:
+        """Force times (oscillator's velocity - surface's velocity); what is lost is negative.
+
+        Raises
+        ------
+        InputError
+            As for `force`.
+        """
+        force, velocity, surface = self._contact(name, times)
+        return np.asarray(force * (velocity - surface))
+
+    def _contact(self, name: str, times: Any) -> tuple[np.ndarray, ...]:
+        system = self.trajectory.system
+        shapes = {contact.name: contact for contact in system.structure.contacts}
+        if name not in shapes:
+            raise unknown_name("contact", name, shapes)
+        states = self.trajectory(times)
+        phases = np.searchsorted(self.trajectory.times, np.asarray(times, float), side="right") - 1
+        rows = _contact_rows(system, shapes[name])[self.trajectory.run.configurations[phases]]
+        found = (rows[..., :-1] @ states[..., None])[..., 0] + rows[..., -1]
+        return found[..., 0], found[..., 1], found[..., 2]
+
+
+def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
+    """Observables of a motion, from a time to its end.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    since : float
+        Where to begin: behind a transient.
+
+    Raises
+    ------
+    InputError
+        If `since` is not between the start and the end of the motion, or the motion is not
+        finite.
+    """
+    system, structure = trajectory.system, trajectory.structure
+    phases = phases_of(trajectory, since)
+    duration = trajectory.end - float(since)
+    size = len(structure.states)
+    identity = np.hstack([np.eye(size), np.zeros((size, 1))])
+    parts = [np.tile(identity, (len(structure.configurations), 1, 1))]
+    parts += [_contact_rows(system, contact) for contact in structure.contacts]
+    rows = np.concatenate(parts, axis=1)
+    forces = [size + 3 * i for i in range(len(structure.contacts))]
+    minima, maxima = extremes(system, phases, rows[:, [*range(size), *forces]])
+    moments = _moments(system, phases, rows)
+    means = moments[:, -1] / duration
+    contacts = {
+        contact.name: ContactObservables(
+            minima[size + i],
+            maxima[size + i],
+            float(means[f]),
+            float(moments[f, f + 1]),
+            float(moments[f, f + 2] - moments[f, f + 1]),
+        )
+        for i, (contact, f) in enumerate(zip(structure.contacts, forces, strict=True))
+    }
+    spent = np.bincount(
+        phases.configurations, phases.durations, minlength=len(structure.configurations)
+    )
+    return Observables(
+        trajectory,
+        float(since),
+        duration,
+        _named(structure.states, minima[:size]),
+        _named(structure.states, maxima[:size]),
+        _named(structure.states, means[:size].tolist()),
+        _named(structure.states, np.sqrt(np.diag(moments)[:size] / duration).tolist()),
+        _named(structure.configurations, (spent / spent.sum()).tolist()),
+        _sticking(structure, spent / spent.sum()),
+        contacts,
+    )
+
+
+def _named(names: tuple[str, ...], values: list[Any]) -> dict[str, Any]:
+    return dict(zip(names, values, strict=True))
+
+
+def _contact_rows(system: PiecewiseLinear, contact: ContactShape) -> np.ndarray:
+    """Force, velocity and surface of a contact: (configurations, 3, N + 1)."""
+    return np.array(
+        [
+            [
+                _force(system, contact.forces, configuration),
+                system.rows[contact.velocity],
+                system.rows[contact.surface],
+            ]
+            for configuration in range(len(system.structure.configurations))
+        ]
+    )
+
+
+def _force(system: PiecewiseLinear, forces: Mapping[int, int], configuration: int) -> np.ndarray:
+    """Row of the force; zero where the contact has none."""
+    if configuration not in forces:
+        return np.zeros(system.rows.shape[1])
+    return np.asarray(system.rows[forces[configuration]])
+
+
+def _moments(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> np.ndarray:
+    """Integrals of all products of affine functions, and last of the functions: (K, K + 1)."""
+    total = np.zeros((rows.shape[1], rows.shape[1] + 1))
+    for found in panels(system, phases, rows, _ANGLE):
+        half = (found.right - found.left) / 2
+        times = found.left[:, None] + half[:, None] * (1 + _NODES)
+        values = values_at(system, found, times).reshape(times.size, -1)
+        weighted = values * (half[:, None] * _WEIGHTS).reshape(-1, 1)
+        total[:, :-1] += weighted.T @ values
+        total[:, -1] += weighted.sum(axis=0)
+    return total
+
+
+def _sticking(structure: Structure, fractions: np.ndarray) -> dict[str, float]:
+    held = sorted({position for positions in structure.held for position in positions})
+    return {
+        structure.states[position]: float(
+            sum(
+                part for part, own in zip(fractions, structure.held, strict=True) if position in own
+            )
+        )
+        for position in held
+    }

@@ -1,0 +1,205 @@
+"""Recurrent motions: the phases after which an entry of a motion comes back.
+
+An entry is what `simulate_many` keeps: the configuration behind a transition, the set of
+boundaries that led there, the state and the time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.simulation.simulate import Trajectories
+
+__all__ = [
+    "Candidate",
+    "Itinerary",
+    "candidate_at",
+    "canonical",
+    "near_returns",
+    "phase_name",
+    "recurrent_lengths",
+    "scales_of",
+    "variation",
+]
+
+_EXAMPLES = 20  # of near returns by one cycle
+
+_LEAST = 1e-5  # scale of a state in units of the largest of its kind: well above rounding
+
+Itinerary = tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """A cycle of phases that a motion went through, as a guess of a periodic orbit.
+
+    Attributes
+    ----------
+    itinerary : tuple of (configuration, boundary)
+        Rotated so that equal cycles are equal tuples.
+    dwell_times : array (p,)
+    state : array (N,)
+        At the start of its first phase.
+    miss : float
+        How far the motion was from coming back, relative to its size.
+    """
+
+    itinerary: Itinerary
+    dwell_times: np.ndarray
+    state: np.ndarray
+    miss: float
+
+
+class _Entries(NamedTuple):
+    times: np.ndarray
+    configurations: np.ndarray
+    sets: np.ndarray
+    states: np.ndarray
+
+
+def canonical(itinerary: Itinerary) -> int:
+    """Rotation of a cycle that comes first in the alphabet."""
+    return min(range(len(itinerary)), key=lambda i: itinerary[i:] + itinerary[:i])
+
+
+def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: float) -> np.ndarray:
+    """After how many transitions the last entry of each motion came back; 0 where it did not.
+
+    The whole last cycle repeats the configurations and boundaries of the one before, and each
+    state comes back within `tolerance` times its scale (n, N).
+    """
+    count, kept = motions.last_times.shape
+    configurations, sets, states = (
+        motions.last_configurations,
+        motions.last_sets,
+        motions.last_states,
+    )
+    found = np.zeros(count, dtype=int)
+    for length in range(1, (kept - 1) // 2 + 1):
+        back = slice(kept - 2 * length, kept - length)
+        same = (configurations[:, -length:] == configurations[:, back]).all(axis=1)
+        same &= (sets[:, -length:] == sets[:, back]).all(axis=1)
+        same &= configurations[:, kept - 2 * length - 1] >= 0
+        with np.errstate(invalid="ignore"):
+            miss = (np.abs(states[:, -1] - states[:, -1 - length]) / scales).max(axis=1)
+        found[(found == 0) & same & (miss <= tolerance)] = length
+    return np.asarray(found)
+
+
+def candidate_at(
+    motions: Trajectories, motion: int, end: int, length: int, scale: np.ndarray
+) -> Candidate | None:
+    """The cycle of `length` phases that ends with entry `end` of a motion of scale (N,).
+
+    None where the motion has no such entries.
+    """
+    entries = _Entries(
+        motions.last_times[motion],
+        motions.last_configurations[motion],
+        motions.last_sets[motion],
+        motions.last_states[motion],
+    )
+    first = end - length
+    phases = []
+    for i in range(first, end):
+        name = phase_name(
+            motions.structure, int(entries.configurations[i]), int(entries.sets[i + 1])
+        )
+        if name is None:
+            return None
+        phases.append(name)
+    itinerary = tuple(phases)
+    turn = canonical(itinerary)
+    dwell = np.diff(entries.times[first : end + 1])
+    miss = float((np.abs(entries.states[end] - entries.states[first]) / scale).max())
+    return Candidate(
+        itinerary[turn:] + itinerary[:turn],
+        np.roll(dwell, -turn),
+        entries.states[first + turn],
+        miss,
+    )
+
+
+def near_returns(
+    motions: Trajectories, scales: np.ndarray, longest: int, tolerance: float
+) -> list[Candidate]:
+    """Cycles of at most `longest` phases after which a motion of scale (n, N) nearly came back."""
+    kept = motions.last_times.shape[1]
+    # a phase as a number: its configuration, and the boundaries by which it is left
+    phases = motions.last_configurations[:, :-1].astype(np.int64) << 32 | motions.last_sets[:, 1:]
+    integers = np.iinfo(np.int64)
+    factors = np.random.default_rng(0).integers(integers.min, integers.max, (kept,))
+    found = []
+    for length in range(1, min(longest, kept - 1) + 1):
+        ahead, back = slice(length, None), slice(None, kept - length)
+        same = motions.last_configurations[:, ahead] == motions.last_configurations[:, back]
+        same &= motions.last_sets[:, ahead] == motions.last_sets[:, back]
+        same &= motions.last_configurations[:, back] >= 0
+        with np.errstate(invalid="ignore"):
+            moved = np.abs(motions.last_states[:, ahead] - motions.last_states[:, back])
+            moved = moved / scales[:, None]
+        miss = moved.max(axis=2)
+        same &= miss <= tolerance
+        places = np.argwhere(same)
+        cycles = sliding_window_view(phases, length, axis=1)[*places.T]
+        # equal cycles by a sum of products modulo 2^64: sorting whole rows takes most of the time
+        _, groups = np.unique((cycles * factors[:length]).sum(axis=1), return_inverse=True)
+        order = np.lexsort((miss[*places.T], groups))
+        ranks = np.arange(order.size) - np.searchsorted(groups[order], groups[order])
+        for motion, place in places[order[ranks < _EXAMPLES]].tolist():
+            candidate = candidate_at(motions, motion, place + length, length, scales[motion])
+            if candidate is not None and (candidate.dwell_times > 0).all():
+                found.append(candidate)
+    return found
+
+
+def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[str, str] | None:
+    """Names of a phase and of the boundaries that ended it, joined; None where nothing did."""
+    if configuration < 0 or reached <= 0:
+        return None
+    shapes = structure.boundaries[configuration]
+    names = [shape.name for place, shape in enumerate(shapes) if reached >> place & 1]
+    return structure.configurations[configuration], "+".join(names)
+
+
+def scales_of(system: PiecewiseLinear, motions: Trajectories) -> np.ndarray:
+    """Scale (n, N) of each state of each motion over the entries that were kept."""
+    states, configurations = motions.last_states, motions.last_configurations
+    waits = np.diff(motions.last_times, axis=1)[..., None]
+    extended = np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
+    # by the velocities behind each entry and, in the phase before it, in front of it
+    fields = system.fields[configurations[:, :-1]]
+    moved = [
+        np.einsum("nkij,nkj->nki", fields, extended[:, side]) * waits
+        for side in (slice(None, -1), slice(1, None))
+    ]
+    return variation(motions.structure, states, np.concatenate(moved, axis=1))
+
+
+def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np.ndarray:
+    """Scale (..., N) of states (..., k, N), from their range and from how far they move at once.
+
+    A state that is the same at all entries, as the velocity of a mass that only stops and goes,
+    has the scale of its changes between them. None is so small that rounding matters, in units
+    of its kind: positions, or velocities.
+    """
+    known = np.isfinite(states)
+    highest = np.where(known, states, -np.inf).max(axis=-2, initial=-np.inf)
+    lowest = np.where(known, states, np.inf).min(axis=-2, initial=np.inf)
+    changes = np.where(np.isfinite(moved), np.abs(moved), 0.0).max(axis=-2, initial=0.0)
+    found = np.maximum(np.maximum(highest - lowest, 0.0), changes)
+    sizes = np.maximum(found, np.where(known, np.abs(states), 0.0).max(axis=-2, initial=0.0))
+    kinds = [[x for x, _ in structure.coordinates], [v for _, v in structure.coordinates]]
+    kinds += [list(pair) for pair in structure.forcing]
+    known_kinds = {state for kind in kinds for state in kind}
+    kinds.append([state for state in range(found.shape[-1]) if state not in known_kinds])
+    for kind in filter(None, kinds):
+        least = _LEAST * sizes[..., kind].max(axis=-1, keepdims=True)
+        found[..., kind] = np.maximum(found[..., kind], np.where(least > 0, least, 1.0))
+    return np.asarray(found)

@@ -1,0 +1,183 @@
+"""Derivatives of a motion by its start.
+
+Along a phase a perturbation is carried by the flow's matrix Phi; through a transition by
+
+    S = R + (f+ - R f-) n / (n f-),
+
+with the reset's matrix R, the gradient n of the boundary, and the vector fields f- in front
+and f+ behind. Both map the motion's own direction f to itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.flows import functions_of
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.phase_functions import phases_of
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = [
+    "TangentPhase",
+    "earliest_entry",
+    "field_at",
+    "flow_matrix",
+    "tangent_map",
+    "tangent_phases",
+]
+
+_ERROR = 64 * np.finfo(float).eps
+
+
+class TangentPhase(NamedTuple):
+    """One phase of a motion, and the derivative (N, N) of the transition at its end, if any."""
+
+    begin: float
+    duration: float
+    configuration: int
+    start: np.ndarray
+    saltation: np.ndarray | None
+
+
+def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
+    """Derivative (N, N) of the state at the end by the state at `since`.
+
+    Only perturbations that the configuration at `since` allows are perturbations of the
+    motion.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    since : float
+
+    Raises
+    ------
+    InputError
+        If `since` is not between the start and the end of the motion, or the motion has no
+        derivative there: two boundaries are reached at once, or one tangentially.
+    """
+    phases_of(trajectory, since)
+    found = np.eye(len(trajectory.names))
+    for phase in tangent_phases(trajectory, _latest_entry(trajectory, since), since):
+        duration = phase.duration - max(since - phase.begin, 0.0)
+        found = flow_matrix(trajectory.system, phase.configuration, duration) @ found
+        if phase.saltation is not None:
+            found = phase.saltation @ found
+    return found
+
+
+def tangent_phases(trajectory: Trajectory, first: int, since: float) -> Iterator[TangentPhase]:
+    """The phases of a motion from an entry on.
+
+    Raises
+    ------
+    InputError
+        If the motion has no derivative: behind the entry two boundaries are reached at once, or
+        behind `since` one is touched.
+    """
+    run = trajectory.run
+    for grazing in run.grazings:
+        if grazing.time > since:
+            raise InputError(f"a boundary is reached tangentially at t = {grazing.time!r}")
+    saltations = _saltation_matrices(trajectory, first)
+    durations = np.diff(run.times[first:], append=trajectory.end)
+    for place, duration in enumerate(durations.tolist()):
+        entry = first + place
+        yield TangentPhase(
+            float(run.times[entry]),
+            duration,
+            int(run.configurations[entry]),
+            run.states[entry],
+            saltations[place] if place < len(saltations) else None,
+        )
+
+
+def earliest_entry(trajectory: Trajectory, since: float) -> int:
+    """The earliest entry from which on the motion has a derivative up to `since`."""
+    sets = trajectory.run.sets
+    times = [
+        0.0,
+        *(g.time for g in trajectory.grazings),
+        *trajectory.times[(sets & (sets - 1)) != 0].tolist(),
+    ]
+    before = max(time for time in times if time <= since)
+    return min(int(np.searchsorted(trajectory.times, before)), _latest_entry(trajectory, since))
+
+
+def _latest_entry(trajectory: Trajectory, since: float) -> int:
+    return int(np.searchsorted(trajectory.times, since, side="right")) - 1
+
+
+def flow_matrix(system: PiecewiseLinear, configuration: int, duration: float) -> np.ndarray:
+    """Derivative (N, N) of the state after a duration by that at its beginning."""
+    functions = functions_of(system, configuration, np.array([duration]))
+    return np.asarray(np.tensordot(functions[0], system.flows[configuration][:, :, :-1], axes=1))
+
+
+def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) -> np.ndarray:
+    """Vector field (..., N) at states (..., N)."""
+    return np.asarray(_extended(states) @ system.fields[configuration].T)
+
+
+def _saltation_matrices(trajectory: Trajectory, first: int) -> np.ndarray:
+    """Saltation matrices (n, N, N) of the transitions behind an entry."""
+    system, run = trajectory.system, trajectory.run
+    size = len(trajectory.names)
+    found = np.empty((len(run.times) - first - 1, size, size))
+    keys = np.stack(
+        [run.configurations[first:-1], run.configurations[first + 1 :], run.sets[first + 1 :]]
+    )
+    for source, target, reached in np.unique(keys, axis=1).T.tolist():
+        here = np.flatnonzero(np.equal(keys.T, (source, target, reached)).all(axis=1))
+        entries = here + first + 1
+        if reached & (reached - 1):
+            raise InputError(
+                f"boundaries are reached together at t = {float(run.times[entries[0]])!r}:"
+                " the motion has no derivative there"
+            )
+        row = system.rows[system.structure.boundaries[source][reached.bit_length() - 1].row]
+        before, behind = run.before[entries], run.states[entries]
+        resets = _resets(system, source, target, reached, before, behind)
+        fields = field_at(system, source, before), field_at(system, target, behind)
+        jumps = fields[1] - np.einsum("nij,nj->ni", resets, fields[0])
+        error = _ERROR * (
+            np.abs(system.fields[source]).sum(axis=0) @ _extended(np.abs(before)).T
+            + np.abs(system.fields[target]).sum(axis=0) @ _extended(np.abs(behind)).T
+        )
+        smooth = np.abs(jumps).max(axis=1) <= error
+        rates = fields[0] @ row[:-1]
+        tangential = ~smooth & (np.abs(rates) <= error * np.abs(row[:-1]).max())
+        if tangential.any():
+            time = float(run.times[entries[np.argmax(tangential)]])
+            raise InputError(
+                f"a boundary is reached tangentially at t = {time!r}:"
+                " the motion has no derivative there"
+            )
+        factors = np.where(smooth[:, None], 0.0, jumps) / np.where(smooth, 1.0, rates)[:, None]
+        found[here] = resets + factors[:, :, None] * row[:-1]
+    return found
+
+
+def _resets(
+    system: PiecewiseLinear,
+    source: int,
+    target: int,
+    reached: int,
+    before: np.ndarray,
+    behind: np.ndarray,
+) -> np.ndarray:
+    """Linear parts (n, N, N) of the resets that the transitions took: those that fit best."""
+    boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
+    known = sorted({t.reset for t in system.structure.leading(source, boundaries, target)})
+    matrices = system.resets[known]
+    images = np.einsum("rij,nj->rni", matrices, _extended(before))
+    best = np.argmin(np.abs(images - behind).max(axis=2), axis=0)
+    return np.asarray(matrices[best, :, :-1])
+
+
+def _extended(states: np.ndarray) -> np.ndarray:
+    return np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)

@@ -1,0 +1,519 @@
+"""The checker: what is true passes, and no change that makes a claim false does."""
+
+from __future__ import annotations
+
+import ast
+import copy
+import json
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from flint import arb, arb_mat, ctx
+
+import nonsmooth as ns
+from nonsmooth.derive.systems import declaration
+from nonsmooth.runtime.checker import Failure, check
+from nonsmooth.runtime.checker.stability import _inside, _neutral, characteristic
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.proof.certificate import Certificate
+from tests.certified import forced, loop
+
+STICK = "dry-friction/global-stick"
+SUBJECTS: dict[str, Callable[[], Any]] = {
+    "global-stick": lambda: ns.solve(STICK),
+    "symmetric": lambda: ns.solve("dry-friction/symmetric"),
+    "rigid": lambda: ns.solve("rigid-stop/one-impact"),
+    "elastic": lambda: ns.solve("elastic-stop/one-contact"),
+    "unstable": lambda: ns.solve("rigid-stop/one-impact", {"k2": "1.456", "T": "6.1"}),
+    "kicked": loop,
+    "crossed": lambda: loop(a="1"),
+    "tangent": lambda: loop(a="2"),
+    "perturbed": lambda: replace(loop(), states=loop().states + 0.01),
+    "faint": lambda: loop(r="1e-30"),
+    "forgetful": lambda: loop(r="0"),
+    "irrational": lambda: loop(k="sqrt(2)"),
+    "soft": lambda: forced("soft"),
+    "twice": lambda: forced("twice"),
+    "slider": lambda: forced("slider"),
+}
+
+
+@cache
+def certificate(name: str) -> Certificate:
+    return ns.certify(SUBJECTS[name]())
+
+
+@pytest.fixture
+def content(request: pytest.FixtureRequest, tmp_path: Path) -> dict[str, Any]:
+    """The file of the certificate that a test is about."""
+    path = tmp_path / "certificate.json"
+    certificate(request.param).save(path)
+    found: dict[str, Any] = json.loads(path.read_text())
+    return found
+
+
+def of(*names: str) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize("content", names, indirect=True)
+
+
+def refused(content: dict[str, Any], match: str | None = None) -> None:
+    """Make the checksum right again, and see the mathematics refuse it."""
+    content["sha256"] = checksum_of(content)
+    with pytest.raises((Failure, ArithmeticError, KeyError, ValueError), match=match):
+        check(content)
+
+
+def moved(entry: dict[str, str], by: int = 3) -> None:
+    """Move a middle outside its ball."""
+    entry["mid"] = str(_decimal(Fraction(entry["mid"]) + by * Fraction(entry["rad"])))
+
+
+def _decimal(number: Fraction) -> str:
+    exponent = 400
+    return f"{round(number * 10**exponent)}e-{exponent}"
+
+
+@of(*SUBJECTS)
+def test_true_certificates_pass(content: dict[str, Any]) -> None:
+    check(content)
+
+
+@pytest.mark.parametrize("name", SUBJECTS)
+def test_files_come_back(name: str, tmp_path: Path) -> None:
+    path = tmp_path / "certificate.json"
+    certificate(name).save(path)
+    loaded = ns.load_certificate(path)
+    assert loaded.to_json() == certificate(name).to_json()
+    assert ns.check_certificate(path).difference is None
+    loaded.save(tmp_path / "again.json")
+    assert path.read_text() == (tmp_path / "again.json").read_text()
+
+
+@of("global-stick")
+def test_a_changed_digit_is_refused_by_the_checksum(content: dict[str, Any]) -> None:
+    text = content["enclosures"]["trace"]["mid"]
+    content["enclosures"]["trace"]["mid"] = text.replace("9", "8", 1)
+    with pytest.raises(Failure, match="checksum"):
+        check(content)
+
+
+@of("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
+def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
+    for name in content["enclosures"]:
+        for by in (3, -3):
+            changed = copy.deepcopy(content)
+            moved(changed["enclosures"][name], by)
+            refused(changed, "not in its enclosure")
+    for place in range(len(content["multipliers"])):
+        changed = copy.deepcopy(content)
+        moved(changed["multipliers"][place]["re"])
+        refused(changed, "multiplier")
+
+
+@of("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
+def test_boxes_without_the_orbit_are_refused(content: dict[str, Any]) -> None:
+    for place in range(len(content["box"])):
+        changed = copy.deepcopy(content)
+        moved(changed["box"][place])
+        refused(changed)
+    for radius in ("0", "-1e-20", "1e3"):
+        changed = copy.deepcopy(content)
+        changed["box"][-1]["rad"] = radius
+        refused(changed)
+
+
+def numbers(entry: Any) -> Iterator[tuple[list[Any], int]]:
+    """Places of all numbers in a nest of lists."""
+    for place, inner in enumerate(entry):
+        if isinstance(inner, list):
+            yield from numbers(inner)
+        else:
+            yield entry, place
+
+
+def larger(entry: Any) -> Any:
+    """A number, or a function, that is larger by a thousandth."""
+    if isinstance(entry, str):
+        return str(Fraction(entry) * Fraction(1001, 1000))
+    return {**entry, "above": [[larger(c), powers] for c, powers in entry["above"]]}
+
+
+@of("global-stick", "kicked", "rigid", "elastic", "soft")
+def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
+    # fields and rows of what ends a phase, each nonzero number by a thousandth
+    declared = content["declaration"]
+    tried = 0
+    for phase in declared["phases"]:
+        entry = declared["configurations"][phase["configuration"]]
+        for rows in (entry["field"], [entry["boundaries"][phase["boundaries"][0]]]):
+            for row, place in numbers(rows):
+                if row[place] == "0":
+                    continue
+                kept = row[place]
+                row[place] = larger(kept)
+                # a row that is multiplied as a whole is the same boundary
+                if len([x for x in row if x != "0"]) > 1 or rows is entry["field"]:
+                    refused(content)
+                    tried += 1
+                row[place] = kept
+    assert tried >= 4
+
+
+@of("global-stick")
+def test_swapped_boundaries_and_phases_are_refused(content: dict[str, Any]) -> None:
+    declared = content["declaration"]
+    changed = copy.deepcopy(content)
+    rows = changed["declaration"]["configurations"]["slip-slip"]["boundaries"]
+    rows["first-reaches-belt"], rows["second-reaches-belt"] = (
+        rows["second-reaches-belt"], rows["first-reaches-belt"],
+    )  # fmt: skip
+    refused(changed)
+    changed = copy.deepcopy(content)
+    changed["itinerary"] = changed["itinerary"][1:] + changed["itinerary"][:1]
+    refused(changed, "itinerary")
+    phases = declared["phases"]
+    changed["declaration"]["phases"] = phases[1:] + phases[:1]
+    refused(changed)
+    changed = copy.deepcopy(content)
+    phase = changed["declaration"]["phases"][2]
+    phase["boundaries"] = ["second-reaches-belt"]
+    changed["itinerary"][2][1] = "second-reaches-belt"
+    refused(changed, "transition")
+
+
+@of("kicked", "global-stick")
+def test_boundaries_in_the_way_are_seen(content: dict[str, Any]) -> None:
+    phases, configurations = (content["declaration"][k] for k in ("phases", "configurations"))
+    row = configurations[phases[0]["configuration"]]["boundaries"]
+    size = len(content["declaration"]["states"])
+    row["new"] = [*["0"] * size, "1"]  # positive everywhere
+    refused(content, "admissibility is refuted")
+    row["new"] = [*["0"] * size, "-1"]
+    content["sha256"] = checksum_of(content)
+    check(content)
+
+
+@of("kicked")
+def test_a_boundary_just_reached_inside_is_seen(content: dict[str, Any]) -> None:
+    wall = content["declaration"]["configurations"]["right"]["boundaries"]["wall"]
+    wall[-1] = "-1999999999999/1000000000000"  # the orbit goes to 2
+    content["margins"] = []
+    refused(content, "admissibility is refuted")
+    wall[-1] = "-2"
+    refused(content, "admissibility is undecided")
+    wall[-1] = "-2000000000001/1000000000000"
+    content["sha256"] = checksum_of(content)
+    check(content)
+
+
+@of("global-stick", "rigid", "elastic", "kicked", "soft")
+def test_margins_that_are_too_large_are_refused(content: dict[str, Any]) -> None:
+    for place in range(len(content["margins"])):
+        changed = copy.deepcopy(content)
+        margin = changed["margins"][place]
+        margin["least"] = str(Fraction(margin["least"]) * 3)
+        refused(changed, "admissibility is undecided")
+    content["margins"].append({**content["margins"][0], "boundary": "none"})
+    refused(content, "a margin is stated of nothing")
+
+
+@of("global-stick", "symmetric", "crossed", "tangent", "kicked")
+def test_claims_of_another_verdict_are_refused(content: dict[str, Any]) -> None:
+    for name in ("existence", "admissibility", "stability"):
+        for verdict in {"proved", "refuted"} - {content["claims"][name]}:
+            changed = copy.deepcopy(content)
+            claims = changed["claims"]
+            claims[name] = verdict
+            if name == "existence":
+                claims |= {"admissibility": "undecided", "stability": "undecided"}
+                changed |= {"enclosures": {}, "multipliers": []}
+            if claims["admissibility"] != "proved":
+                changed["margins"] = []
+            changed["reasons"] = {n: "so" for n, told in claims.items() if told != "proved"}
+            refused(changed, name)
+
+
+@of("rigid", "elastic")
+def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
+    for closing in ({**content["closing"], "kind": "state"}, {"kind": "state"}):
+        for period in (content["given_period"], ""):
+            refused({**content, "closing": closing, "given_period": period})
+    changed = copy.deepcopy(content)
+    changed["closing"]["form"][0][1] = "1"
+    refused(changed, "no symplectic form")
+    changed = copy.deepcopy(content)
+    changed["closing"]["form"] = [["0"] * 4] * 4
+    refused(changed, "no symplectic form|neither energy nor form")
+    changed = copy.deepcopy(content)
+    form = changed["closing"]["form"]
+    form[0][1], form[1][0] = "1", "-1"
+    refused(changed)
+    period = f"{content['given_period']}+1/1000000"
+    refused({**content, "given_period": period})
+    closing = {**content["closing"], "period": "m1"}
+    parameters = {**content["parameters"], "m1": content["given_period"]}
+    refused({**content, "closing": closing, "parameters": parameters, "given_period": "1"})
+
+
+@of("rigid")
+def test_an_impact_that_loses_energy_is_no_conservative_one(content: dict[str, Any]) -> None:
+    reset = content["declaration"]["transitions"][0]["reset"]
+    assert isinstance(reset[2][2], dict)  # the coefficient of restitution, with a sign
+    reset[2][2] = "-9/10"
+    refused(content)
+
+
+@of("soft", "twice")
+def test_forcings_have_to_return(content: dict[str, Any]) -> None:
+    changed = copy.deepcopy(content)
+    changed["closing"]["turns"] += 1
+    refused(changed)
+    changed = copy.deepcopy(content)
+    changed["declaration"]["forcing"] = []
+    refused(changed)
+    changed = copy.deepcopy(content)
+    changed["closing"]["kind"] = "state"
+    refused(changed)
+
+
+@of("perturbed", "soft")
+def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
+    changed = copy.deepcopy(content)
+    changed["claims"] = {
+        "existence": "refuted", "admissibility": "undecided", "stability": "undecided",
+    }  # fmt: skip
+    changed |= {"enclosures": {}, "multipliers": [], "margins": []}
+    changed["reasons"] = dict.fromkeys(changed["claims"], "so")
+    if content["claims"]["existence"] == "proved":
+        refused(changed, "existence is not refuted")
+        changed["box"][-1]["mid"] = "1"  # it is empty, but the forcing might turn otherwise
+        refused(changed, "existence is not refuted")
+        return
+    check(content)
+    for side in changed["box"]:
+        side["rad"] = "1"
+    refused(changed, "existence is not refuted")
+
+
+@of("irrational")
+def test_constants_are_checked_and_balls_may_not_be_wider(content: dict[str, Any]) -> None:
+    assert content["claims"]["admissibility"] == "proved"
+    other = {**content, "parameters": {**content["parameters"], "k": "sqrt(3)"}}
+    refused(other)
+    field = content["declaration"]["configurations"]["right"]["field"]
+    assert "above" in field[1][0]
+    # a ball around the same number proves no exact zeros, and a wide one nothing
+    field[1][0] = {"mid": "-1.41421356", "rad": "1e-3"}
+    refused(content)
+
+
+def test_the_declaration_is_the_declared_one() -> None:
+    """Matrices of the file, functions of the parameters, against those of the paper's section."""
+    found = certificate("global-stick")
+    system = declaration("dry-friction").system
+    names = found.declaration["parameters"]
+    own = {p.name: p.symbol for p in system.parameters}
+
+    def polynomial(terms: Any) -> Any:
+        powers = ((c, zip(names, exponents, strict=True)) for c, exponents in terms)
+        return sum(sp.Rational(c) * sp.prod(own[n] ** k for n, k in pairs) for c, pairs in powers)
+
+    def formula(entry: Any) -> Any:
+        if isinstance(entry, str):
+            return sp.Rational(entry)
+        return polynomial(entry["above"]) / polynomial(entry["below"])
+
+    def same(rows: Any, wanted: Any) -> bool:
+        found = sp.Matrix([[formula(x) for x in row] for row in rows])
+        return bool((found - wanted).applyfunc(sp.simplify).is_zero_matrix)
+
+    for name, entry in found.declaration["configurations"].items():
+        configuration = system.configuration(name)
+        matrix, offset = configuration.dynamics.field(system.states)
+        assert same(entry["field"], matrix.row_join(offset))
+        for boundary in configuration.boundaries:
+            gradient = [sp.diff(boundary.function, x) for x in system.states]
+            rest = boundary.function.subs(dict.fromkeys(system.states, 0))
+            row = sp.Matrix([[*gradient, rest]])
+            assert same([entry["boundaries"][boundary.name]], row)
+
+
+def test_another_parameter_is_not_that_of_the_declaration(tmp_path: Path) -> None:
+    path = tmp_path / "certificate.json"
+    certificate("global-stick").save(path)
+    content = json.loads(path.read_text())
+    content["parameters"]["eta"] = "1.01"
+    content["sha256"] = checksum_of(content)
+    refused(content, "existence")  # the declaration is over it
+    path.write_text(json.dumps(content))
+    assert "existence" in str(ns.check_certificate(path).difference)
+    content["parameters"]["eta"] = "1"
+    content["system"] = "nowhere.py"
+    content["sha256"] = checksum_of(content)
+    path.write_text(json.dumps(content))
+    found = ns.check_certificate(path)
+    assert found.difference is None
+    assert "not here" in str(found.note)
+
+
+def similar(eigenvalues: Any, rng: np.random.Generator) -> Any:
+    """Balls of a real matrix with these eigenvalues: real ones, and one of each complex pair."""
+    size = sum(1 + bool(np.iscomplex(m)) for m in eigenvalues)
+    block, place = np.zeros((size, size)), 0
+    for m in eigenvalues:
+        if np.iscomplex(m):
+            block[place : place + 2, place : place + 2] = [[m.real, m.imag], [-m.imag, m.real]]
+        else:
+            block[place, place] = m.real
+        place += 1 + bool(np.iscomplex(m))
+    change = rng.normal(size=(size, size)) + 3 * np.eye(size)
+    with ctx.workprec(200):
+        basis = arb_mat(change.tolist())
+        return basis * arb_mat(block.tolist()) * basis.inv()
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 5])
+def test_roots_inside_the_unit_circle_are_told_from_others(size: int) -> None:
+    rng = np.random.default_rng(size)
+    seen = set()
+    with ctx.workprec(200):
+        for _ in range(40):
+            matrix = rng.normal(size=(size, size)) / np.sqrt(size)
+            largest = max(abs(np.linalg.eigvals(matrix)))
+            found = _inside(characteristic(arb_mat(matrix.tolist())))
+            assert found == ("proved" if largest < 1 else "refuted")
+            seen.add(found)
+        assert _inside(characteristic(arb_mat([[1]]))) == "undecided"
+    assert seen == {"proved", "refuted"}
+
+
+@pytest.mark.parametrize(
+    ("pairs", "verdict"),
+    [
+        ((), "proved"),
+        ((np.exp(1j),), "proved"),
+        ((np.exp(1j), np.exp(2.5j)), "proved"),
+        ((np.exp(1j), np.exp(1.0001j), np.exp(3j)), "proved"),
+        ((np.exp(1j), np.exp(1j)), "undecided"),
+        ((2.0, 0.5), "refuted"),
+        ((-2.0, -0.5, np.exp(1j)), "refuted"),
+        ((-2.0, -0.5, 3.0, 1 / 3), "refuted"),
+        ((1.1 * np.exp(1j), np.exp(1j) / 1.1), "refuted"),
+    ],
+)
+@pytest.mark.parametrize("rest", [(1.0, 0.0), (1.0,)])
+def test_pairs_on_the_unit_circle_are_told_from_others(
+    pairs: tuple[complex, ...], verdict: str, rest: tuple[float, ...]
+) -> None:
+    square = similar((*rest, *pairs), np.random.default_rng(3))
+    size = 2 + sum(1 + bool(np.iscomplex(m)) for m in pairs)
+    with ctx.workprec(200):
+        # the numbers are doubles: the balls have to contain the exact ones
+        wide = arb_mat([[x + arb(0, 1e-12) for x in row] for row in square.tolist()])
+        assert _neutral(wide, size) == verdict
+
+
+CERTIFICATION = files("nonsmooth.runtime.proof")
+ARITHMETIC = {"models", "quotients"}  # with tests of their own
+
+
+def sources() -> dict[str, str]:
+    """The checker's files."""
+    folder = CERTIFICATION.joinpath("checker").iterdir()
+    return {file.name: file.read_text() for file in folder if file.name.endswith(".py")}
+
+
+def test_the_checker_imports_nothing_of_the_prover() -> None:
+    modules = set()
+    for source in sources().values():
+        for node in ast.walk(ast.parse(source)):
+            if isinstance(node, ast.Import):
+                modules |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                modules.add(str(node.module))
+    own = {name for name in modules if name.startswith("nonsmooth.")}
+    home = "nonsmooth.runtime.proof."
+    allowed = {home + name for name in ARITHMETIC}
+    assert {name for name in own if not name.startswith(home + "checker.")} <= allowed | {
+        home + "checker"
+    }
+    assert {name.partition(".")[0] for name in modules - own} - sys.stdlib_module_names == {"flint"}
+
+
+@pytest.fixture(scope="module")
+def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The checker and its arithmetic, with nothing else of the package."""
+    root = tmp_path_factory.mktemp("alone")
+    home = root / "nonsmooth" / "runtime" / "certification"
+    (home / "checker").mkdir(parents=True)
+    for folder in (home, *home.parents[:2]):
+        (folder / "__init__.py").touch()
+    for name in ARITHMETIC:
+        file = f"{name}.py"
+        (home / file).write_text(CERTIFICATION.joinpath(file).read_text())
+    for file, source in sources().items():
+        (home / "checker" / file).write_text(source)
+    return root
+
+
+@pytest.mark.parametrize("name", ["elastic", "map", "events"])
+def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
+    path = tmp_path / "certificate.json"
+    if name == "map":
+        ns.certify_box(loop(), {"r": ("2/5", "3/5")}).save(path)
+    elif name == "events":
+        branch = ns.continue_orbit(loop(), "a", (1.5, 3.5))
+        ns.certify_event(branch, branch.events[-1]).save(path)
+    else:
+        certificate(name).save(path)
+    run = "import sys, runpy; sys.path.insert(0, sys.argv.pop(1));"
+    run += "runpy.run_module('nonsmooth.runtime.checker', run_name='__main__')"
+    done = subprocess.run(
+        [sys.executable, "-I", "-c", run, str(alone), str(path)],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (0, "every claim is proved\n"), done.stderr
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda text: text[:-20], "cut, or not JSON"),
+        (lambda text: "[]", "not a certificate"),
+        (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"margins"', '"margin"', 1), "missing|unknown"),
+        (
+            lambda text: text.replace('"bits": 128', '"bits": "128"', 1),
+            "'bits' is of the wrong type",
+        ),
+    ],
+)
+def test_files_that_are_no_certificates(
+    change: Callable[[str], str], told: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "certificate.json"
+    certificate("kicked").save(path)
+    path.write_text(change(path.read_text()))
+    for work in (ns.load_certificate, ns.check_certificate):
+        with pytest.raises(InputError, match=told):
+            work(path)
+
+
+def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
+    path = tmp_path / "certificate.json"
+    certificate("kicked").save(path)
+    path.write_text(path.read_text().replace('"proved"', '"refuted"', 1))
+    with pytest.raises(InputError, match="checksum"):
+        ns.load_certificate(path)
+    assert "checksum" in str(ns.check_certificate(path).difference)

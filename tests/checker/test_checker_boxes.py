@@ -1,0 +1,425 @@
+"""The check of maps: true ones pass, and no change that makes a claim false does."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
+from nonsmooth.runtime.checker import Failure, check_tiles
+from nonsmooth.runtime.checker.parameters import independent
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.rational_functions import symbols
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
+from tests.certified import loop
+
+WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
+
+
+def softly() -> ComposedOrbit:
+    """A forced mass at a soft stop, with amplitude and frequency as parameters."""
+    amplitude, frequency = Parameter("F", "amplitude"), Parameter("W", "frequency")
+    system = oscillator(
+        "softly", ["x"], [[1]], [[1]], [["1/10"]],
+        forcing=[Harmonic(frequency.symbol, (amplitude.symbol,))],
+        elements=[SoftStop("x", "1/2", stiffness=20, damping="4/5")],
+        parameters=[amplitude, frequency],
+    )  # fmt: skip
+    kernels, data = load_system(system), {"F": "7/10", "W": "13/10"}
+    cosine = kernels.table["states"].index(kernels.table["forcing"][0][0])
+    start = [float(k == cosine) for k in range(len(kernels.table["states"]))]
+    found = ns.itinerary_of(ns.simulate(kernels, data, start, until=300.0))
+    return ns.compose(kernels, data, found.itinerary, found.dwell_times, found.start)
+
+
+Box = dict[str, tuple[object, object]]
+RIGID = "rigid-stop/one-impact"
+MAPS: dict[str, tuple[Callable[[], Any], Box, int]] = {
+    "stick": (
+        lambda: ns.solve("dry-friction/global-stick"),
+        {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")},
+        9,
+    ),
+    "flip": (lambda: loop(r="-9/10"), {"r": ("-11/10", "-4/5")}, 17),
+    "wall": (lambda: loop(a="11/5"), {"a": ("17/10", "23/10"), "r": ("9/20", "11/20")}, 25),
+    "rigid": (
+        lambda: ns.solve(RIGID, {"T": "6.3"}),
+        {"T": ("6.2", "6.4"), "m1": ("0.99", "1.01")},
+        9,
+    ),
+    "unstable": (lambda: ns.solve(RIGID, {"T": "6.1", "k2": "1.456"}), {"T": ("6", "6.2")}, 9),
+    "forced": (softly, {"F": ("0.69", "0.71"), "W": ("1.29", "1.31")}, 9),
+    "irrational": (lambda: loop(k="sqrt(2)"), {"r": ("2/5", "3/5")}, 3),
+    "coarse": (lambda: loop(a="11/5"), {"a": ("17/10", "23/10")}, 1),
+}
+
+
+@cache
+def written(name: str) -> str:
+    """The file of a map."""
+    orbit, box, tiles = MAPS[name]
+    found = ns.certify_box(orbit(), box, tiles=tiles)
+    return json.dumps(BOX.content(box_entries(found)))
+
+
+@pytest.fixture
+def content(request: pytest.FixtureRequest) -> dict[str, Any]:
+    """The entries of the map that a test is about."""
+    found: dict[str, Any] = json.loads(written(request.param))
+    return found
+
+
+def of(*names: str) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize("content", names, indirect=True)
+
+
+def totalled(content: dict[str, Any]) -> dict[str, Any]:
+    """With totals that follow from the tiles, and the checksum made right again."""
+    told = box_of(content).to_json()
+    content |= {name: told[name] for name in ("claims", "shares", "enclosures")}
+    content["sha256"] = checksum_of(content)
+    return content
+
+
+def refused(content: dict[str, Any], match: str | None = None) -> None:
+    content["sha256"] = checksum_of(content)
+    with pytest.raises(WRONG, match=match):
+        check_tiles(content)
+
+
+def moved(entry: dict[str, str], by: Fraction) -> None:
+    """Move a middle by so many radii."""
+    middle = Fraction(entry["mid"]) + by * Fraction(entry["rad"])
+    entry["mid"] = f"{round(middle * 10**40)}e-40"
+
+
+def proved(content: dict[str, Any]) -> list[dict[str, Any]]:
+    return [tile for tile in content["tiles"] if tile["claims"]["existence"] == "proved"]
+
+
+@of(*MAPS)
+def test_true_maps_pass(content: dict[str, Any]) -> None:
+    check_tiles(content)
+
+
+def test_the_maps_are_of_all_kinds() -> None:
+    verdicts = {name: box_of(json.loads(written(name))).shares for name in MAPS}
+    assert verdicts["stick"]["proved"] == verdicts["rigid"]["proved"] == 1
+    assert verdicts["forced"]["proved"] == verdicts["irrational"]["proved"] == 1
+    assert min(verdicts["flip"][name] for name in ("proved", "unstable")) > 0
+    assert min(verdicts["wall"][name] for name in ("proved", "not admissible", "undecided")) > 0
+    assert verdicts["unstable"]["unstable"] > verdicts["coarse"]["proved"] == 0
+
+
+@of("stick")
+def test_a_changed_digit_is_refused_by_the_checksum(content: dict[str, Any]) -> None:
+    text = content["tiles"][0]["enclosures"]["trace"]["mid"]
+    content["tiles"][0]["enclosures"]["trace"]["mid"] = text.replace("9", "8", 1)
+    with pytest.raises(Failure, match="checksum"):
+        check_tiles(content)
+
+
+@of("stick", "rigid", "forced", "flip")
+def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
+    for name in content["tiles"][0]["enclosures"]:
+        changed = copy.deepcopy(content)
+        moved(proved(changed)[-1]["enclosures"][name], Fraction(21, 10))
+        refused(totalled(changed), f"{name} is not in its enclosure")
+
+
+@of("stick", "flip", "rigid", "unstable", "wall", "coarse")
+def test_claims_of_another_verdict_are_refused(
+    content: dict[str, Any], request: pytest.FixtureRequest
+) -> None:
+    seen = set()
+    if "wall" in request.node.name:  # what was not tried may be true
+        seen = {("proved", "undecided", "proved")}
+    for place, tile in enumerate(content["tiles"]):
+        kind = tuple(tile["claims"].values())
+        if kind in seen:
+            continue
+        seen.add(kind)
+        for name in tile["claims"]:
+            for verdict in {"proved", "refuted"} - {tile["claims"][name]}:
+                changed = copy.deepcopy(content)
+                other = changed["tiles"][place]
+                claims = other["claims"]
+                claims[name] = verdict
+                if name == "existence":
+                    claims |= dict.fromkeys(("admissibility", "stability"), "undecided")
+                other["reasons"] = {n: "so" for n, told in claims.items() if told != "proved"}
+                refused(changed)
+                refused(totalled(changed), name)
+
+
+@of("flip", "wall")
+def test_tiles_of_other_places_are_refused(content: dict[str, Any]) -> None:
+    for change in (
+        lambda tiles: tiles.pop(),
+        lambda tiles: tiles.append(tiles[0]),
+        lambda tiles: tiles.__setitem__(0, tiles[1]),
+        lambda tiles: tiles[0]["place"][0].__setitem__(0, tiles[0]["place"][0][0] + 1),
+        lambda tiles: tiles[0]["place"][0].__setitem__(1, tiles[0]["place"][0][1] + 1),
+    ):
+        changed = copy.deepcopy(content)
+        change(changed["tiles"])
+        refused(changed, "fill|no place")
+    verdicts = [tuple(tile["claims"].values()) for tile in content["tiles"]]
+    first, second = next(
+        (i, j)
+        for i, a in enumerate(verdicts)
+        for j, b in enumerate(verdicts)
+        if a != b and "undecided" not in (*a, *b)
+    )
+    tiles = content["tiles"]
+    tiles[first]["place"], tiles[second]["place"] = tiles[second]["place"], tiles[first]["place"]
+    refused(totalled(content), "in the tile")
+
+
+@of("stick", "rigid", "forced")
+def test_guesses_in_other_places_are_refused(content: dict[str, Any]) -> None:
+    size = len(content["tiles"][0]["guess"])
+    for guess in ([0.0] * size, [3.0] * size, [0.5] * (size - 1)):
+        content["tiles"][0]["guess"] = guess
+        refused(content, "in the tile")
+
+
+@of("stick", "rigid", "forced", "flip", "wall", "irrational")
+def test_wider_boxes_are_refused(content: dict[str, Any]) -> None:
+    for name in content["box"]:
+        changed = copy.deepcopy(content)
+        low, high = map(Fraction, changed["box"][name])
+        changed["box"][name][1] = str(high + (high - low) / 2)
+        if name != "a":  # more of the wall's places are as harmless
+            refused(changed, "in the tile")
+        changed["box"][name] = [str(high), str(low)]
+        refused(changed, "the box is empty")
+
+
+@of("stick", "rigid", "forced", "irrational")
+def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
+    configurations = content["declaration"]["configurations"]
+    visited = {phase["configuration"] for phase in content["declaration"]["phases"]}
+    rows = [row for name in sorted(visited) for row in configurations[name]["field"]]
+    places = [(row, k) for row in rows for k, entry in enumerate(row) if entry != "0"]
+    tried = 0
+    for row, place in random.Random(7).sample(places, len(places)):
+        entry = row[place]
+        row[place] = changed = copy.deepcopy(entry)
+        if isinstance(entry, str):
+            row[place] = str(Fraction(entry) * Fraction(11, 10))
+        else:
+            for term in changed["above"]:
+                term[0] = str(Fraction(term[0]) * Fraction(11, 10))
+        if row[place] != entry and tried < 6:  # a zero has no terms
+            refused(content)
+            tried += 1
+        row[place] = entry
+    assert tried >= 3
+
+
+@of("irrational")
+def test_other_constants_are_refused(content: dict[str, Any]) -> None:
+    assert content["parameters"]["k"] == "sqrt(2)"
+    for text in ("sqrt(3)", "-sqrt(2)", "sqrt(2)/0", "pi", "open('x')", "__import__('os')"):
+        content["parameters"]["k"] = text
+        refused(content)
+    del content["parameters"]["k"]
+    refused(content)
+
+
+def test_constants_may_not_depend_on_each_other() -> None:
+    from flint import arb, fmpq
+
+    parameter, constant = symbols(["p", "c"])
+    box = [(fmpq(0), fmpq(1))]
+    for divisor, alright in (
+        (constant, True), (parameter * constant - 1, True), (constant * constant - 2, False),
+    ):  # fmt: skip
+        declared: Any = SimpleNamespace(exactly=SimpleNamespace(divisors=[fmpq(3), divisor]))
+        if alright:
+            independent(declared, [arb(2).sqrt()], box)
+            continue
+        independent(declared, [], box)  # there it may stand for a parameter
+        with pytest.raises(Failure, match="depend"):
+            independent(declared, [arb(2).sqrt()], box)
+
+
+@of("rigid", "unstable")
+def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
+    for change in (
+        {"kind": "state", "dropped": -1},
+        {"kind": "state"},
+        {"dropped": 7},
+        {"form": [["0"] * 4] * 4},
+        {"period": "6"},
+        {"form": [["0", "1", "0", "0"], *content["closing"]["form"][1:]]},
+    ):
+        refused({**content, "closing": {**content["closing"], **change}})
+    reset = content["declaration"]["transitions"][0]["reset"]
+    assert reset[2][2] == "-1"
+    reset[2][2] = "-9/10"
+    refused(content)
+
+
+@of("forced")
+def test_forcings_have_to_return(content: dict[str, Any]) -> None:
+    for change in ({"turns": content["closing"]["turns"] + 1}, {"kind": "state"}, {"turns": 0}):
+        refused({**content, "closing": {**content["closing"], **change}})
+    refused({**content, "declaration": {**content["declaration"], "forcing": []}})
+
+
+@of("flip")
+def test_totals_follow_from_the_tiles(content: dict[str, Any]) -> None:
+    changed = copy.deepcopy(content)
+    changed["claims"]["stability"] = "proved"
+    refused(changed, "stability of the box")
+    changed = copy.deepcopy(content)
+    changed["shares"]["proved"] += 1e-9
+    refused(changed, "shares")
+    for name in content["enclosures"]:
+        changed = copy.deepcopy(content)
+        rad = Fraction(changed["enclosures"][name]["rad"])
+        changed["enclosures"][name]["rad"] = f"{round(rad * 10**30 * Fraction(1, 2))}e-30"
+        refused(changed, f"{name} of the box")
+    changed = copy.deepcopy(content)
+    del changed["tiles"][0]["enclosures"]["trace"]
+    refused(changed, "enclosures of the box")
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_false_enclosure_passes(seed: int) -> None:
+    """Of the kicked mass all is known: it begins with v0 = 1/(1 - r), and r is its trace."""
+    drawn = random.Random(seed)
+    content = json.loads(written("flip"))
+    tile = drawn.choice(proved(content))
+    (step, level), (low, high) = tile["place"][0], map(Fraction, content["box"]["r"])
+    width = (high - low) / 2**level
+    ends = low + step * width, low + (step + 1) * width
+    name, true = drawn.choice([("trace", ends), ("v0", (1 / (1 - ends[0]), 1 / (1 - ends[1])))])
+    middle, radius = sum(true) / 2, (true[1] - true[0]) / 2
+    middle += radius * Fraction(drawn.uniform(-0.3, 0.3))
+    size = radius * Fraction(drawn.uniform(0.5, 1.6))
+    stated = {
+        "mid": f"{round(middle * 10**30)}e-30", "rad": f"{round(size * 10**30)}e-30",
+    }  # fmt: skip
+    tile["enclosures"][name] = stated
+    totalled(content)
+    if middle - size > true[0] or middle + size < true[1]:
+        refused(content, f"{name} is not in its enclosure")
+    elif middle - size < true[0] - radius / 50 and middle + size > true[1] + radius / 50:
+        check_tiles(content)  # smaller tiles tell
+
+
+def saved(content: dict[str, Any], path: Path) -> Path:
+    """With the checksum made right again."""
+    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    return path
+
+
+@of("stick", "rigid")
+def test_a_map_is_compared_with_its_system(content: dict[str, Any], tmp_path: Path) -> None:
+    path = saved(content, tmp_path / "map.json")
+    found = ns.check_certificate(path)
+    assert (found.difference, found.note) == (None, None)
+    assert found.certificate is not None
+    assert found.certificate.to_json() == ns.load_box_certificate(path).to_json()
+    fixed = next(name for name in content["parameters"] if name not in content["box"])
+    changed = copy.deepcopy(content)
+    changed["parameters"][fixed] = f"{content['parameters'][fixed]}+1/1000"
+    assert ns.check_certificate(saved(changed, tmp_path / "other.json")).difference is not None
+    # a boundary that is never near may stand elsewhere: only the system tells
+    name, entry = next(iter(changed["declaration"]["configurations"].items()))
+    entry["boundaries"]["new"] = [*["0"] * len(changed["declaration"]["states"]), "-1"]
+    changed["parameters"] = content["parameters"]
+    told = ns.check_certificate(saved(changed, tmp_path / "other.json")).difference
+    assert "declaration is not that of" in str(told), name
+
+
+def test_a_map_of_a_system_that_is_not_here(tmp_path: Path) -> None:
+    content = {**json.loads(written("irrational")), "system": "nowhere.py"}
+    path = saved(content, tmp_path / "map.json")
+    found = ns.check_certificate(path)
+    assert found.difference is None
+    assert "not here" in str(found.note)
+
+
+OWN = """
+import sympy as sp
+from nonsmooth.derive import Itinerary, Parameter, Reference, RigidStop, oscillator, Harmonic
+
+r = Parameter("r", "restitution", lower=0, upper=1)
+F = Parameter("F", "amplitude")
+k = Parameter("k", "stiffness", lower=0)
+system = oscillator(
+    "own", ["x"], [[1]], [[k.symbol]], [["1/10"]], forcing=[Harmonic("13/5", (F.symbol,))],
+    elements=[RigidStop("x", 0, r.symbol, name="stop")], parameters=[r, F, k],
+)
+data = Reference({"r": "4/5", "F": "7/10", "k": "sqrt(1.01)"}, {"T": "2.4"})
+orbits = [Itinerary("loop", system, [("free", "stop-reaches-stop", "T")], reference=data)]
+"""
+
+
+def test_a_map_of_a_users_file(tmp_path: Path) -> None:
+    source, path = tmp_path / "own.py", tmp_path / "map.json"
+    source.write_text(OWN)
+    orbit = ns.solve(f"{source}:loop")
+    ns.certify_box(orbit, {"r": ("0.78", "0.82")}, tiles=5).save(path)
+    found = ns.check_certificate(path)
+    assert (found.difference, found.note) == (None, None)
+    source.write_text(OWN.replace('"1/10"', '"1/11"'))
+    assert "declaration is not that of" in str(ns.check_certificate(path).difference)
+
+
+def test_a_state_of_another_system_is_not_resumed(tmp_path: Path) -> None:
+    source = tmp_path / "own.py"
+    source.write_text(OWN)
+    box: Box = {"r": ("0.78", "0.82")}
+    state = ns.certify_box(ns.solve(f"{source}:loop"), box, tiles=1)
+    source.write_text(OWN.replace('"1/10"', '"3/10"'))
+    with pytest.raises(InputError, match="another declaration"):
+        ns.certify_box(ns.solve(f"{source}:loop"), box, resume=state)
+
+
+def test_the_command_checks_maps(tmp_path: Path) -> None:
+    content = json.loads(written("rigid"))
+    path = saved(content, tmp_path / "map.json")
+    told = CliRunner().invoke(app, ["certify", "--check", str(path)])
+    assert told.exit_code == 0, told.output
+    assert "every claim holds" in told.output
+    moved(content["tiles"][0]["enclosures"]["period"], Fraction(3))
+    totalled(content)
+    told = CliRunner().invoke(app, ["certify", "--check", str(saved(content, path)), "--json"])
+    assert told.exit_code == 1
+    assert "period is not in its enclosure" in told.output
+
+
+@pytest.mark.parametrize(
+    ("change", "match"),
+    [
+        (lambda text: text[:-9], "cut, or not JSON"),
+        (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"tiles"', '"tile"', 1), "missing|unknown"),
+        (lambda text: text.replace("nonsmooth box certificate", "map"), "not a certificate"),
+    ],
+)
+def test_files_that_are_no_maps(change: Callable[[str], str], match: str, tmp_path: Path) -> None:
+    path = tmp_path / "map.json"
+    path.write_text(change(written("irrational")))
+    with pytest.raises(InputError, match=match):
+        ns.check_certificate(path)

@@ -1,0 +1,101 @@
+"""The check of a census: each orbit's certificate, and that they are of different orbits."""
+
+from __future__ import annotations
+
+import copy
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.result_files import checksum_of
+from tests.certified import LOOP, kicked
+
+
+@cache
+def _census() -> ns.Census:
+    values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
+    return ns.certify_all(kicked(), values, box, itinerary=LOOP)
+
+
+@pytest.fixture
+def content(tmp_path: Path) -> dict[str, Any]:
+    """Of a file with two orbits: half a turn, and a whole one, on the right."""
+    _census().save(tmp_path / "census.json")
+    found: dict[str, Any] = json.loads((tmp_path / "census.json").read_text())
+    assert found["count"] == 2
+    return found
+
+
+def checked(content: dict[str, Any], folder: Path) -> ns.Check:
+    """What the check says of changed content whose checksums are right."""
+    for orbit in content["orbits"]:
+        if orbit["certificate"] is not None:
+            orbit["certificate"]["sha256"] = checksum_of(orbit["certificate"])
+    path = folder / "changed.json"
+    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    return ns.check_certificate(path)
+
+
+def test_the_certificates_are_proved_again_and_the_search_is_not(
+    content: dict[str, Any], tmp_path: Path
+) -> None:
+    found = checked(content, tmp_path)
+    assert found.difference is None
+    assert found.note is not None
+    assert "no other orbits was NOT proved again" in found.note
+    assert found.claims == {"listed": "proved", "no others": "undecided"}
+    assert isinstance(found.certificate, ns.Census)
+    assert found.certificate.to_json() == _census().to_json()
+
+
+def test_an_edited_file_is_refused(content: dict[str, Any], tmp_path: Path) -> None:
+    content["beyond"] += 1
+    path = tmp_path / "edited.json"
+    path.write_text(json.dumps(content))
+    difference = ns.check_certificate(path).difference
+    assert difference is not None
+    assert "checksum" in difference
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda c: c["orbits"][1]["certificate"]["enclosures"]["trace"].update(mid="0.5"),
+         "orbit 2: trace is not in its enclosure"),
+        (lambda c: c["orbits"][0].update(unique={"tau1": ["0", "1"]}), "not where it was counted"),
+        (lambda c: c["orbits"][0]["certificate"].update(system="other"), "something else"),
+        (lambda c: c.update(orbits=[c["orbits"][0], copy.deepcopy(c["orbits"][0])], admissible=2),
+         "may be one"),
+        (lambda c: c["orbits"].pop(), "the count is not"),
+        (lambda c: c.update(statement="exactly 7 orbits"), "not what the orbits give"),
+        (lambda c: c["orbits"][0]["certificate"]["parameters"].update(k="8"), "k is not that"),
+    ],
+)  # fmt: skip
+def test_what_is_false_is_refused(
+    content: dict[str, Any], tmp_path: Path, change: Any, told: str
+) -> None:
+    change(content)
+    difference = checked(content, tmp_path).difference
+    assert difference is not None
+    assert told in difference
+
+
+def test_the_command_says_what_was_proved_again(content: dict[str, Any], tmp_path: Path) -> None:
+    assert checked(content, tmp_path).difference is None
+    result = CliRunner().invoke(app, ["certify", "--check", str(tmp_path / "changed.json")])
+    assert result.exit_code == 0
+    told = " ".join(result.stdout.split())
+    assert "2 orbits are listed, of which 2 proved again" in told
+    assert "exactly" not in told
+    assert "no other orbits was NOT proved again" in told
+    content["orbits"][0]["certificate"]["enclosures"]["trace"]["mid"] = "0.5"
+    checked(content, tmp_path)
+    result = CliRunner().invoke(app, ["certify", "--check", str(tmp_path / "changed.json")])
+    assert result.exit_code == 1
+    assert "orbit 1: trace" in result.stderr

@@ -1,0 +1,451 @@
+"""The check of events: true ones pass, and no change that makes one false does."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from flint import arb, arb_mat
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    Parameter,
+    SecondOrder,
+    System,
+    Transition,
+)
+from nonsmooth.runtime.checker import Failure, check_events
+from nonsmooth.runtime.checker.stability import (
+    characteristic,
+    paired,
+    products_less_one,
+)
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.present.files.event_certificates import save_events
+from tests.certified import LOOP, loop
+from tests.explore import test_continuation_forced as impacts
+
+WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
+
+
+@cache
+def gated() -> Any:
+    """The kicked mass, v -> r v + 1, with limits of its velocity that are reached at 2.
+
+    It begins with v0 = 1/(1 - r) and comes back to x = 0 with -v0.
+    """
+    x, v = sp.symbols("x v", real=True)
+    rest = Parameter("r", "what is left of the velocity")
+    limits = [Parameter(name, name, lower=-sp.oo) for name in ("fast", "slow", "gate")]
+    fast, slow, gate = (limit.symbol for limit in limits)
+    kick = {v: rest.symbol * v + 1}
+    system = System(
+        "gated", "a kicked mass with limits", (x, v), (rest, *limits),
+        (
+            Configuration("right", SecondOrder([[1]], [[1]]), (
+                Boundary("falls", -x), Boundary("fast", v - fast), Boundary("slow", -v - slow))),
+            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
+        ),
+        (
+            Transition("right", {"falls"}, "left"),
+            Transition("right", {"fast"}, "right", (), {v: fast - 1}),
+            Transition("right", {"slow"}, "right", (), {v: 1 - slow}),
+            Transition("left", {"rises"}, "right", (Condition(v - gate, "left"),), kick),
+            Transition("left", {"rises"}, "right", (), {v: v + 1}),
+        ),
+    )  # fmt: skip
+    return load_system(system)
+
+
+def limited(parameter: str, lower: float, upper: float) -> ns.Branch:
+    given = {"r": "1/2", "fast": "3", "slow": "3", "gate": "1", parameter: str((lower + upper) / 2)}
+    orbit = ns.compose(gated(), given, LOOP, [np.pi, np.pi / 2], [0.0, 2.0])
+    return ns.continue_orbit(orbit, parameter, (lower, upper))
+
+
+def followed(name: str, parameter: str, lower: float, upper: float) -> ns.Branch:
+    return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
+
+
+SYMMETRIC, STICK = "dry-friction/symmetric", "dry-friction/global-stick"
+BRANCHES: dict[str, Callable[[], ns.Branch]] = {
+    "symmetric": lambda: followed(SYMMETRIC, "V", 0.6, 1.3),
+    "stick": lambda: followed(STICK, "V", 0.5, 1.6),
+    "impacts": impacts.branch,
+    "torus": lambda: ns.continue_orbit(impacts.orbit(-0.5), "c", (-0.4, 0.4), step=0.02),
+    "rigid": lambda: followed("rigid-stop/one-impact", "T", 5.5, 7.5),
+    "wall": lambda: ns.continue_orbit(loop(k="sqrt(2)", a="2"), "a", (1.2, 2.2)),
+    "entry": lambda: limited("fast", 1.4, 3.1),
+    "meeting": lambda: limited("slow", 1.4, 3.1),
+    "condition": lambda: limited("gate", 0.9, 3.2),
+}
+KINDS = {
+    "symmetric": ["grazing", "flip"],
+    "stick": ["vanishing-phase"],
+    "impacts": ["flip", "tangent", "grazing", "fold", "flip"],
+    "torus": ["neimark-sacker"],
+    "rigid": ["branch-point", "tangent"],
+    "wall": ["grazing"],
+    "entry": ["entry"],
+    "meeting": ["simultaneous"],
+    "condition": ["condition"],
+}
+
+
+@cache
+def proved(name: str) -> tuple[ns.EventCertificate, ...]:
+    branch = BRANCHES[name]()
+    return tuple(ns.certify_event(branch, event) for event in branch.events)
+
+
+@cache
+def written(name: str, folder: Path) -> str:
+    path = folder / f"{name}.json"
+    save_events(proved(name), path)
+    return path.read_text()
+
+
+@pytest.fixture
+def content(request: pytest.FixtureRequest, tmp_path_factory: Any) -> dict[str, Any]:
+    """The file of a branch's events."""
+    folder = Path(tmp_path_factory.getbasetemp())
+    found: dict[str, Any] = json.loads(written(request.param, folder))
+    return found
+
+
+def of(*names: str) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize("content", names, indirect=True)
+
+
+def refused(content: dict[str, Any], match: str | None = None) -> None:
+    """Make the checksum right again, and see the mathematics refuse it."""
+    content["sha256"] = checksum_of(content)
+    with pytest.raises(WRONG, match=match):
+        check_events(content)
+
+
+def event_of(content: dict[str, Any], kind: str) -> dict[str, Any]:
+    """The last of a kind, alone in its file."""
+    content["events"] = [event for event in content["events"] if event["kind"] == kind][-1:]
+    found: dict[str, Any] = content["events"][0]
+    return found
+
+
+def moved(entry: dict[str, str], by: Fraction) -> None:
+    """Move a middle by so many radii."""
+    middle = Fraction(entry["mid"]) + by * Fraction(entry["rad"])
+    entry["mid"] = f"{round(middle * 10**200)}e-200"
+
+
+@of(*BRANCHES)
+def test_true_events_pass(content: dict[str, Any]) -> None:
+    check_events(content)
+    assert [event["kind"] for event in content["events"]] == KINDS[content_name(content)]
+    undecided = {event["kind"] for event in content["events"] if event["claim"] != "proved"}
+    assert undecided <= {"branch-point"}
+
+
+def content_name(content: dict[str, Any]) -> str:
+    return next(name for name in BRANCHES if proved(name)[0].text == content["events"][0]["text"])
+
+
+@pytest.mark.parametrize("name", ["entry", "meeting", "condition"])
+def test_limits_of_the_gated_mass_are_where_they_are_reached(name: str) -> None:
+    (event,) = proved(name)
+    assert event.value.contains(2)
+    assert event.value.ball.rad() < 1e-30
+
+
+@pytest.mark.parametrize("name", ["impacts", "rigid", "wall"])
+def test_files_come_back(name: str, tmp_path: Path) -> None:
+    path = tmp_path / "events.json"
+    save_events(proved(name), path)
+    loaded = ns.load_event_certificates(path)
+    assert [c.to_json() for c in loaded] == [c.to_json() for c in proved(name)]
+    save_events(loaded, tmp_path / "again.json")
+    assert path.read_text() == (tmp_path / "again.json").read_text()
+    loaded[-1].save(path)
+    (alone,) = ns.load_event_certificates(path)
+    assert alone.value.contains(Fraction(proved(name)[-1].value.mid))
+
+
+@of("symmetric")
+def test_a_changed_digit_is_refused_by_the_checksum(content: dict[str, Any]) -> None:
+    stated = content["events"][0]["enclosures"]["V"]
+    stated["mid"] = stated["mid"].replace("9", "8", 1)
+    with pytest.raises(Failure, match="checksum"):
+        check_events(content)
+
+
+@of(*BRANCHES)
+def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
+    for place, event in enumerate(content["events"]):
+        for name in event["enclosures"]:
+            for by in (Fraction(-3, 2), Fraction(3, 2)):
+                changed = copy.deepcopy(content)
+                moved(changed["events"][place]["enclosures"][name], by)
+                refused(changed, f"{name} is not in its enclosure")
+
+
+@of(*BRANCHES)
+def test_boxes_without_the_event_are_refused(content: dict[str, Any]) -> None:
+    for place, event in enumerate(content["events"]):
+        for side in range(len(event["box"])):
+            changed = copy.deepcopy(content)
+            moved(changed["events"][place]["box"][side], Fraction(3))
+            refused(changed)
+    event = event_of(content, KINDS[content_name(content)][-1])
+    for change in (
+        lambda box: box.pop(),
+        lambda box: box.append(box[0]),
+        lambda box: box[0].__setitem__("rad", "0"),
+        lambda box: [side.__setitem__("rad", "1") for side in box],
+        lambda box: box.insert(0, box.pop(-2)),
+    ):
+        box = copy.deepcopy(event["box"])
+        change(box)
+        refused({**content, "events": [{**event, "box": box}]})
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_false_enclosure_passes(seed: int, tmp_path: Path) -> None:
+    """The limits of the gated mass are reached at 2, and it begins with 2."""
+    drawn = random.Random(seed)
+    content = json.loads(written(drawn.choice(["entry", "meeting", "condition"]), tmp_path))
+    (event,) = content["events"]
+    name = drawn.choice([event["parameter"], "v0"])
+    radius = Fraction(10) ** -drawn.randint(1, 30)
+    off = radius * Fraction(drawn.choice([-1, 1]) * drawn.choice([0.5, 0.99, 1.01, 3]))
+    event["enclosures"][name] = {
+        "mid": f"{round((2 + off) * 10**50)}e-50", "rad": f"{round(radius * 10**50)}e-50",
+    }  # fmt: skip
+    if abs(off) > radius:
+        refused(content, f"{name} is not in its enclosure")
+    else:
+        content["sha256"] = checksum_of(content)
+        check_events(content)
+
+
+def test_a_thousand_digits(tmp_path: Path) -> None:
+    branch = BRANCHES["wall"]()
+    path = tmp_path / "events.json"
+    found = ns.certify_event(branch, branch.events[-1], 3400)
+    found.save(path)
+    # the mass reaches v0/sqrt(k) = 2/2^(1/4)
+    with mpmath.workdps(1100):
+        assert found.value.contains(2 / mpmath.mpf(2) ** mpmath.mpf("0.25"))
+    assert len(found.value.mid) > 1000
+    assert ns.check_certificate(path).difference is None
+
+
+OTHERS = ("flip", "fold", "neimark-sacker", "vanishing-phase", "condition",
+          "entry", "tangent", "simultaneous", "grazing", "branch-point", "flop")  # fmt: skip
+
+
+@of(*BRANCHES)
+def test_events_of_another_kind_are_refused(content: dict[str, Any]) -> None:
+    for kind in {event["kind"] for event in content["events"]} - {"branch-point"}:
+        event = event_of(copy.deepcopy(content), kind)
+        for other in OTHERS:
+            for instant in ("start", "end"):
+                # with a phase to be in, or without
+                for phase in ({}, {"phase": None, "configuration": "", "boundary": ""}):
+                    told = {**event, "kind": other, "instant": instant, **phase}
+                    if other == kind and (other == "grazing" or told["phase"] == event["phase"]):
+                        continue
+                    if (kind, other, instant) == ("tangent", "condition", "end") and not phase:
+                        continue  # without speed the condition of an impact just holds
+                    refused({**content, "events": [told]})
+
+
+@of("symmetric", "stick", "impacts", "entry", "meeting", "condition")
+def test_other_places_are_refused(content: dict[str, Any]) -> None:
+    for event in content["events"]:
+        if event["phase"] is None:
+            continue
+        count = len(event["itinerary"])
+        for phase in (event["phase"] % count + 1, event["phase"] - count, count + 1, 0, True):
+            if phase != event["phase"] or phase is True:
+                refused({**content, "events": [{**event, "phase": phase}]})
+        configuration = event["declaration"]["configurations"][event["configuration"]]
+        for boundary in {*configuration["boundaries"], "nowhere"} - {event["boundary"]}:
+            refused({**content, "events": [{**event, "boundary": boundary}]})
+        refused({**content, "events": [{**event, "parameter": event["box"][0]["name"]}]})
+
+
+@of("symmetric", "torus", "impacts", "entry")
+def test_another_system_has_another_event(content: dict[str, Any]) -> None:
+    event = event_of(content, KINDS[content_name(content)][-1])
+    configuration = event["declaration"]["phases"][0]["configuration"]
+    field = event["declaration"]["configurations"][configuration]["field"]
+    tried = 0
+    for row in field:
+        for k, number in enumerate(row):
+            if number == "0" or not isinstance(number, str):
+                continue
+            row[k] = str(Fraction(number) * Fraction(11, 10))
+            refused(content)
+            row[k] = number
+            tried += 1
+    assert tried
+
+
+@of("rigid")
+def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
+    event = event_of(content, "tangent")
+    for change in ({"kind": "state", "dropped": -1}, {"dropped": 7}, {"form": [["0"] * 4] * 4}):
+        closing = {**event["closing"], **change}
+        refused({**content, "events": [{**event, "closing": closing}]})
+
+
+@of("wall")
+def test_other_constants_are_refused(content: dict[str, Any]) -> None:
+    event = event_of(content, "grazing")
+    assert event["parameters"]["k"] == "sqrt(2)"
+    for text in ("sqrt(3)", "-sqrt(2)", "1.4142", "open('x')", "", "sqrt(2)/0", "2**9**9**9"):
+        parameters = {**event["parameters"], "k": text}
+        refused({**content, "events": [{**event, "parameters": parameters}]})
+    refused({**content, "events": [{**event, "parameters": {}}]}, "parameters that are named")
+
+
+@of("rigid", "impacts")
+def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
+    event = content["events"][0]
+    event |= {"claim": "undecided", "reason": "none", "enclosures": {}, "kind": "flop"}
+    event |= {"box": [], "declaration": {}, "closing": {}}
+    content["sha256"] = checksum_of(content)
+    check_events(content)
+    entry = {"mid": "1", "rad": "1"}
+    refused({**content, "events": [{**event, "enclosures": {"T": entry}}]}, "no event")
+    refused({**content, "events": [{**event, "claim": "proved"}]})
+    refused({**content, "events": [{**event, "claim": "refuted"}]}, "claim")
+
+
+@pytest.mark.parametrize("size", [2, 3, 4, 5])
+def test_products_of_multipliers_by_their_polynomial(size: int) -> None:
+    square = np.random.default_rng(size).normal(size=(size, size))
+    pairs = combinations(np.linalg.eigvals(square), 2)
+    expected = np.prod([1 - x * y for x, y in pairs]).real
+    found = products_less_one(characteristic(arb_mat(square.tolist())))
+    assert float(found) == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("roots", "told"),
+    [
+        ([np.exp(1j), np.exp(-1j)], True),
+        ([np.exp(1j), np.exp(-1j), 0.5, 0.3], True),
+        ([2.0, 0.5, 0.1], False),
+        ([2 * np.exp(1j), 2 * np.exp(-1j), np.exp(1j) / 2, np.exp(-1j) / 2], False),
+        ([0.5, 0.5, 0.3], False),
+        ([0.5, 0.3], True),
+    ],
+)
+def test_pairs_on_the_circle_are_told_from_others(roots: list[complex], told: bool) -> None:
+    polynomial = [arb(float(c), 1e-12) for c in np.poly(roots).real]
+    assert paired(polynomial) is told
+
+
+def saved(content: dict[str, Any], path: Path) -> Path:
+    """With the checksum made right again."""
+    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    return path
+
+
+@of("symmetric", "stick", "rigid", "wall")
+def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path: Path) -> None:
+    path = saved(content, tmp_path / "events.json")
+    found = ns.check_certificate(path)
+    assert (found.difference, found.note) == (None, None)
+    assert isinstance(found.certificate, tuple)
+    assert [c.to_json() for c in found.certificate] == [
+        c.to_json() for c in ns.load_event_certificates(path)
+    ]
+    away = copy.deepcopy(content)
+    for event in away["events"]:
+        event["system"] = "nowhere.py"
+    assert "not here" in str(ns.check_certificate(saved(away, path)).note)
+    event = content["events"][-1]
+    name = next(n for n in event["parameters"] if n != event["parameter"])
+    event["parameters"][name] += "+1/1000"
+    told = ns.check_certificate(saved(content, path)).difference
+    assert told is not None  # it is the parameter of the declaration
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda text: text[:-20], "cut, or not JSON"),
+        (lambda text: "[]", "not "),
+        (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
+        (
+            lambda text: text.replace('"instant"', '"moment"', 1),
+            "'(instant|moment)' of (event|entry) 1",
+        ),
+        (lambda text: text.replace('"bits": 128', '"bits": true', 1), "'bits' of (event|entry) 1"),
+        (
+            lambda text: text.replace('"events": [', '"events": [[],', 1),
+            "(event 1 is none|entry 1 of)",
+        ),
+    ],
+)
+def test_files_that_are_no_events(change: Callable[[str], str], told: str, tmp_path: Path) -> None:
+    path = tmp_path / "events.json"
+    save_events(proved("stick"), path)
+    text = change(path.read_text())
+    if "entry" in told:
+        text = json.dumps({**json.loads(text), "sha256": checksum_of(json.loads(text))})
+    path.write_text(text)
+    for work in (ns.load_event_certificates, ns.check_certificate):
+        with pytest.raises(InputError, match=told):
+            work(path)
+
+
+def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
+    path = tmp_path / "events.json"
+    save_events(proved("stick"), path)
+    path.write_text(path.read_text().replace('"proved"', '"undecided"', 1))
+    with pytest.raises(InputError, match="checksum"):
+        ns.load_event_certificates(path)
+    assert "checksum" in str(ns.check_certificate(path).difference)
+    with pytest.raises(InputError, match="not a file of events"):
+        ns.load_event_certificates(saved({"format": "nonsmooth branch"}, path))
+
+
+def test_the_command_saves_and_checks_events(tmp_path: Path) -> None:
+    path = tmp_path / "events.json"
+    runner = CliRunner()
+    arguments = ["certify", SYMMETRIC, "V=0.6:1.3", "--events", "--save", str(path)]
+    told = runner.invoke(app, arguments)
+    assert told.exit_code == 0, told.output
+    assert "written" in told.output
+    told = runner.invoke(app, ["certify", "--check", str(path), "--require", "proved"])
+    assert told.exit_code == 0, told.output
+    assert "every claim holds" in told.output
+    content = json.loads(path.read_text())
+    moved(content["events"][1]["enclosures"]["V"], Fraction(3))
+    saved(content, path)
+    told = runner.invoke(app, ["certify", "--check", str(path), "--json"])
+    assert told.exit_code == 1
+    assert "event 2, flip: V is not in its enclosure" in told.output
+    nowhere = str(tmp_path / "nowhere" / "events.json")
+    told = runner.invoke(app, [*arguments[:-1], nowhere])
+    assert told.exit_code == 2

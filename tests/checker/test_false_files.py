@@ -1,0 +1,198 @@
+"""Files that say what is not so, in all places at once: none of them is proved again."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.present.files.event_certificates import save_events
+from tests.certified import LOOP, kicked, loop
+from tests.checker.test_mutations import renewed
+
+STICK = "dry-friction/global-stick"
+BOX = {"V": ("0.99", "1.01")}
+
+
+@cache
+def written(name: str, folder: Path) -> str:
+    """A file of a kind."""
+    path = folder / f"{name}.json"
+    match name:
+        case "point":
+            ns.certify(ns.solve(STICK)).save(path)
+        case "symmetric":
+            ns.certify(ns.solve("dry-friction/symmetric")).save(path)
+        case "own":
+            ns.certify(loop()).save(path)
+        case "map":
+            ns.certify_box(ns.solve(STICK), BOX).save(path)
+        case "events":
+            branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+            save_events([ns.certify_event(branch, event) for event in branch.events], path)
+        case "census":
+            ns.certify_all(STICK, box={"tau": 3, "tau1": 3}).save(path)
+        case "two":
+            values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
+            ns.certify_all(kicked(), values, box, itinerary=LOOP).save(path)
+    return path.read_text()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("files")
+
+
+def exchanged(content: Any, one: str, other: str) -> Any:
+    """All names and texts with two words exchanged."""
+    text = json.dumps(content)
+    for old, new in ((one, "\0"), (other, one), ("\0", other)):
+        text = text.replace(json.dumps(old), json.dumps(new))
+    return json.loads(text)
+
+
+def refusal(content: Any, path: Path) -> str | None:
+    """What the check says of content with the right checksums."""
+    path.write_text(json.dumps(renewed(content)))
+    try:
+        return ns.check_certificate(path).difference
+    except InputError as problem:
+        return str(problem)
+
+
+def census_at(content: Any) -> None:
+    content["parameters"]["chi"] = "0.6"
+    content["statement"] = content["statement"].replace("chi = 0.5", "chi = 0.6")
+
+
+def smaller_box(content: Any) -> None:
+    content["box"] = [side.replace("tau <= 3", "tau <= 1") for side in content["box"]]
+    content["statement"] = content["statement"].replace("tau <= 3", "tau <= 1")
+
+
+def one_more(content: Any) -> None:
+    orbit = {"unique": content["orbits"][0]["unique"], "certificate": None, "reason": ""}
+    content["orbits"].append(orbit)
+    content["count"] = 2
+    content["statement"] = content["statement"].replace("exactly 1 orbit", "exactly 2 orbits")
+
+
+def event(content: Any, name: str, value: Any) -> None:
+    content["events"][0][name] = value
+
+
+FALSE: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "census at another parameter": ("census", census_at),
+    "census in a smaller box": ("census", smaller_box),
+    "census with an orbit without certificate": ("census", one_more),
+    "names of the point": ("point", lambda c: exchanged(c, "x10", "x20")),
+    "names of the map": ("map", lambda c: exchanged(c, "x10", "x20")),
+    "names of the events": ("events", lambda c: exchanged(c, "x10", "x20")),
+    "velocities of the point": ("point", lambda c: exchanged(c, "v10", "v20")),
+    "dwell times of the point": ("point", lambda c: exchanged(c, "tau", "tau1")),
+    "dwell times of the map": ("map", lambda c: exchanged(c, "tau", "tau2")),
+    "dwell times of the events": ("events", lambda c: exchanged(c, "tau", "tau1")),
+    "parameters of the point": ("point", lambda c: exchanged(c, "chi", "eta")),
+    "parameters of the map": ("map", lambda c: exchanged(c, "V", "eta")),
+    "label of the point": ("point", lambda c: exchanged(c, STICK, "dry-friction/symmetric")),
+    "label of the map": ("map", lambda c: exchanged(c, STICK, "rigid-stop/one-impact")),
+    "label of the census": ("census", lambda c: exchanged(c, STICK, "dry-friction/symmetric")),
+    "chosen": ("point", lambda c: c.update(chosen=["chi"])),
+    "chosen in the map": ("map", lambda c: c.update(chosen=["e1"])),
+    "a period": ("point", lambda c: c.update(given_period="7.87")),
+    "a period that is true": ("own", lambda c: c.update(given_period="3*pi/2")),
+    "V of an event": ("events", lambda c: c["events"][0]["parameters"].update(V="9")),
+    "V of a map": ("map", lambda c: c["parameters"].update(V="9")),
+    "multipliers twice": ("point", lambda c: c["multipliers"].append(c["multipliers"][0])),
+    "another kind of event": ("events", lambda c: event(c, "kind", "fold")),
+    "reasons": ("symmetric", lambda c: c.update(reasons={})),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FALSE)
+def test_false_files_are_refused(name: str, folder: Path, tmp_path: Path) -> None:
+    kind, change = FALSE[name]
+    content = json.loads(written(kind, folder))
+    assert refusal(content, tmp_path / "same.json") is None
+    changed = copy.deepcopy(content)
+    changed = change(changed) or changed
+    assert changed != content
+    assert refusal(changed, tmp_path / "changed.json") is not None
+
+
+def test_a_removed_orbit_is_not_counted(folder: Path, tmp_path: Path) -> None:
+    content = json.loads(written("census", folder))
+    content |= {"orbits": [], "count": 0, "admissible": 0}
+    told = content["statement"].replace("exactly 1 orbit", "exactly 0 orbits")
+    content["statement"] = told.replace("1 admissible", "0 admissible")
+    path = tmp_path / "none.json"
+    assert refusal(content, path) is None  # of no orbit anything is said
+    found = ns.check_certificate(path)
+    assert found.claims == {"listed": "proved", "no others": "undecided"}
+    assert "no other orbits was NOT proved again" in str(found.note)
+
+
+def test_an_orbit_that_begins_later_is_not_counted_twice(tmp_path: Path) -> None:
+    path = tmp_path / "twice.json"
+    box = {"tau1": (1, "2.2"), "tau2": ("1.5", "1.6"), "tau3": (1, "2.2"), "tau4": ("1.5", "1.6")}
+    values, phases = {"k": 9, "r": "1/3", "a": 10}, LOOP * 2
+    ns.certify_all(kicked(), values, box, itinerary=phases).save(path)
+    content = json.loads(path.read_text())
+    assert refusal(content, path) is None
+    orbit = next(o for o in content["orbits"] if o["certificate"] is not None)
+    start = [1.0471975512, 1.5707963268, 2.0943951024, 1.5707963268]
+    begun = [*start[2:], *start[:2]]
+    times = [float(orbit["certificate"]["enclosures"][f"tau{k}"]["mid"]) for k in range(1, 5)]
+    guess = begun if abs(times[0] - start[0]) < 0.1 else start
+    other = ns.compose(kicked(), values, phases, guess)
+    assert other.converged
+    ns.certify(other).save(tmp_path / "other.json")
+    twin = json.loads((tmp_path / "other.json").read_text())
+    found = {f"tau{k}": twin["enclosures"][f"tau{k}"] for k in range(1, 5)}
+    unique = {name: [str(float(x["mid"]) - 1e-3), str(float(x["mid"]) + 1e-3)]
+              for name, x in found.items()}  # fmt: skip
+    content["orbits"].append({"unique": unique, "certificate": twin, "reason": ""})
+    content["count"] += 1
+    content["admissible"] += twin["claims"]["admissibility"] == "proved"
+    told = refusal(content, path)
+    assert told is not None
+    assert "may be one" in told
+
+
+def test_a_file_of_another_place_shows_no_name(folder: Path, tmp_path: Path) -> None:
+    content = exchanged(json.loads(written("point", folder)), "dry-friction", "nowhere.py")
+    assert refusal(content, tmp_path / "away.json") is None
+    found = ns.check_certificate(tmp_path / "away.json")
+    assert not found.compared
+    assert "nowhere.py is not here" in str(found.note)
+    content["parameters"]["chi"] = "0.6"  # the declaration is over it
+    assert refusal(content, tmp_path / "away.json") is not None
+
+
+def test_names_that_are_there_twice_are_refused(folder: Path, tmp_path: Path) -> None:
+    path = tmp_path / "twice.json"
+    text = written("point", folder)
+    path.write_text(text.replace('"chi": "0.5"', '"chi": "0.6", "chi": "0.5"', 1))
+    with pytest.raises(InputError, match="'chi' is there twice"):
+        ns.check_certificate(path)
+
+
+def test_what_is_undecided_has_no_numbers() -> None:
+    branch = ns.continue_orbit(ns.solve("rigid-stop/one-impact"), "T", (5.5, 7.5))
+    found = next(
+        certificate
+        for certificate in (ns.certify_event(branch, event) for event in branch.events)
+        if not certificate.proved
+    )
+    with pytest.raises(InputError, match="undecided and has no value"):
+        _ = found.value
+    certificate = ns.certify(ns.solve("dry-friction/solution-ii"))
+    with pytest.raises(InputError, match="existence is undecided"):
+        _ = certificate.trace

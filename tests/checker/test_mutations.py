@@ -1,0 +1,283 @@
+"""No change of a file is accepted that changes what the check shows.
+
+Every entry of every kind of file is changed, removed, doubled, exchanged with its siblings or
+joined by a new one, and the checksums are made right again. The check then refuses the file, or
+says the very same as before: what it says nothing of are notes and hints, listed here by name.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+import random
+import re
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import redirect_stdout
+from fractions import Fraction
+from functools import cache
+from io import StringIO
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.display_checks import show_check
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.result_files import checksum_of
+from tests.certified import LOOP, forced, kicked, loop, rooted
+
+SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for all of them
+STICK = "dry-friction/global-stick"
+
+
+def _census(**bounds: str) -> ns.Census:
+    return ns.certify_all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
+
+
+def _events(*branches: ns.Branch) -> Any:
+    found = [ns.certify_event(branch, event) for branch in branches for event in branch.events]
+
+    class Several:
+        def save(self, path: Path) -> None:
+            from nonsmooth.runtime.present.files.event_certificates import save_events
+
+            save_events(found, path)
+
+    return Several()
+
+
+FILES: dict[str, Callable[[], Any]] = {
+    "derived": lambda: ns.certify(ns.solve(STICK)),
+    "unstable": lambda: ns.certify(ns.solve("dry-friction/symmetric")),
+    "conservative": lambda: ns.certify(ns.solve("elastic-stop/one-contact")),
+    "irrational-period": lambda: ns.certify(
+        ns.solve("rigid-stop/one-impact", {"T": "2*pi", "k1": "sqrt(2)"})
+    ),
+    "composed": lambda: ns.certify(loop()),
+    "irrational": lambda: ns.certify(loop(k="sqrt(2)")),
+    "not-admissible": lambda: ns.certify(loop(a="1")),
+    "forced": lambda: ns.certify(forced("soft")),
+    "twice-forced": lambda: ns.certify(forced("twice")),
+    "rooted": lambda: ns.certify(
+        ns.compose(rooted(), {"a": "9", "r": "1/2"}, LOOP, [3.1, 1.5], [0.0, 2.0])
+    ),
+    "rooted-by-a-root": lambda: ns.certify(
+        ns.compose(rooted(), {"a": "8", "r": "1/2"}, LOOP, [3.1, 1.5], [0.0, 2.0])
+    ),
+    "uncertain": lambda: ns.certify(ns.solve("dry-friction/solution-ii")),
+    "map": lambda: ns.certify_box(ns.solve(STICK), {"V": ("0.99", "1.01"), "e1": ("3", "3.04")}),
+    "map-of-tiles": lambda: ns.certify_box(
+        loop(a="11/5"), {"a": ("17/10", "23/10"), "r": ("9/20", "11/20")}, tiles=9
+    ),
+    "map-irrational": lambda: ns.certify_box(loop(k="sqrt(2)"), {"r": ("2/5", "3/5")}),
+    "map-conservative": lambda: ns.certify_box(
+        ns.solve("rigid-stop/one-impact", {"T": "6.3"}),
+        {"T": ("6.2", "6.4"), "m1": ("0.99", "1.01")},
+    ),
+    "events": lambda: _events(
+        ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)),
+        ns.continue_orbit(loop(k="sqrt(2)"), "a", (1.2, 3.5)),
+    ),
+    "census": lambda: _census(tau1="2.5", tau2="2"),
+    "census-conservative": lambda: ns.certify_all(
+        "elastic-stop/one-contact", box={"tau": 10, "tau1": 10}
+    ),
+    "census-derived": lambda: ns.certify_all(STICK, box={"tau": 3, "tau1": 3}),
+}
+
+# what the check says nothing of: notes for people, and hints where it looks
+NOTES = (
+    r".*package",
+    r".*\breasons?\b.*",  # that there is one is checked
+    r".*\bchosen\b.*",  # that the orbit leaves them open is checked
+    r"events/\d+/text",
+    r"tiles/\d+/looked_at",
+    r"(conditions|undecided|beyond|looked)\b.*",  # of the search for all orbits
+    r"orbits/\d+/unique.*",
+)
+HINTS = (
+    r".*\bbits",
+    r".*box/\d+/(mid|rad)",  # of unknowns
+    r"tiles/\d+/guess.*",
+    r".*closing/(dropped|form|constants).*",  # any energy serves
+    r".*multipliers(/\d+)?",  # of several proved ones some may be told
+    r".*margins(/\d+|/\d+/least)?",
+)
+# what is changed into another truth, which is proved
+TRUE = (
+    r"(.*/)?enclosures/[^/]+/rad",  # sharper, of what is exactly so
+    r"box/[^/]+/[01]",  # a smaller box
+    r"parameters/a",  # where a wall stands that is only looked at
+    r".*multipliers/\d+/(re|im)/rad",
+)
+
+
+class Mutation(NamedTuple):
+    """A change of what is at a path."""
+
+    path: tuple[Any, ...]
+    what: str
+
+    def __str__(self) -> str:
+        return f"{self.what} {'/'.join(map(str, self.path))}"
+
+
+@cache
+def written(name: str) -> str:
+    """The file of a kind."""
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "file.json"
+        FILES[name]().save(path)
+        return path.read_text()
+
+
+def entries(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], Any]]:
+    """All entries of a file with their paths."""
+    if path:
+        yield path, content
+    if isinstance(content, dict):
+        for name, entry in content.items():
+            if name != "sha256":
+                yield from entries(entry, (*path, name))
+    elif isinstance(content, list):
+        for place, entry in enumerate(content):
+            yield from entries(entry, (*path, place))
+
+
+def mutations(content: Any) -> Iterator[Mutation]:
+    """All changes that are tried."""
+    for path, entry in entries(content):
+        yield Mutation(path, "remove")
+        yield Mutation(path, "duplicate")
+        if isinstance(entry, dict | list):
+            yield Mutation(path, "add")
+            yield Mutation(path, "empty")
+            if len(entry) > 1 and not (
+                isinstance(entry, dict) and {*entry} == {"mid", "rad"}
+            ):  # that is a wider ball
+                yield Mutation(path, "exchange")
+        else:
+            yield Mutation(path, "change")
+            yield Mutation(path, "retype")
+
+
+def mutated(content: Any, mutation: Mutation, drawn: random.Random) -> Any:
+    """A changed copy; None if nothing is changed."""
+    changed = copy.deepcopy(content)
+    *above, last = mutation.path
+    parent = changed
+    for step in above:
+        parent = parent[step]
+    entry = parent[last]
+    match mutation.what:
+        case "remove":
+            del parent[last]
+        case "duplicate" if isinstance(parent, list):
+            parent.insert(last, copy.deepcopy(entry))
+        case "duplicate":
+            parent[f"{last}0"] = copy.deepcopy(entry)
+        case "add" if isinstance(entry, dict):
+            entry["unheard"] = "0"
+        case "add":
+            entry.append(copy.deepcopy(drawn.choice(entry)) if entry else "0")
+        case "empty":
+            parent[last] = type(entry)()
+        case "exchange":
+            keys = list(entry) if isinstance(entry, dict) else list(range(len(entry)))
+            one, other = drawn.sample(keys, 2)
+            entry[one], entry[other] = entry[other], entry[one]
+        case "retype":
+            parent[last] = {"a": 1} if entry is None else [entry]
+        case "change":
+            parent[last] = other_than(entry, parent, last)
+    return None if changed == content else changed
+
+
+def other_than(entry: Any, parent: Any, last: Any) -> Any:
+    """Another value of the type of an entry, so far away that it cannot be meant."""
+    if isinstance(entry, bool):
+        return not entry
+    if entry is None:
+        return 0
+    if isinstance(entry, int | float):
+        return entry + 1
+    if entry in ("proved", "refuted", "undecided"):
+        return {"proved": "refuted", "refuted": "proved", "undecided": "proved"}[entry]
+    if not re.fullmatch(r"[-+]?\d+(\.\d*)?(e[-+]?\d+)?(/\d+)?", entry):
+        return entry + "x"
+    number = Fraction(entry)
+    if last == "rad":  # much too sharp
+        return f"{Fraction(number, 10**6).numerator}/{Fraction(number, 10**6).denominator}"
+    if last == "mid":
+        number += 10 * Fraction(parent["rad"])
+    elif last == "least":
+        number = 10 * number + 1
+    else:
+        number += Fraction(1, 64)
+    return str(number)
+
+
+def renewed(content: Any) -> Any:
+    """With the right checksums."""
+    if isinstance(content, dict):
+        content = {name: renewed(entry) for name, entry in content.items()}
+        return {**content, "sha256": checksum_of(content)} if "sha256" in content else content
+    return [renewed(entry) for entry in content] if isinstance(content, list) else content
+
+
+def said(content: Any, path: Path) -> tuple[str, Mapping[str, str], str | None] | None:
+    """What is shown, the claims and the note; None if the file is refused."""
+    path.write_text(json.dumps(renewed(content)))
+    try:
+        found = ns.check_certificate(path)
+    except InputError:
+        return None
+    if found.difference is not None:
+        assert found.certificate is None
+        return None
+    with redirect_stdout(StringIO()) as out:
+        show_check(found)
+    return out.getvalue(), found.claims, found.note
+
+
+def sampled(content: Any, drawn: random.Random) -> list[Mutation]:
+    """So many mutations, as many of each kind of path as there are of others."""
+    found = list(mutations(content))
+    if not SAMPLE or len(found) <= SAMPLE:
+        return found
+    groups: dict[Any, list[Mutation]] = {}
+    for mutation in found:
+        shape = (mutation.what, *(x for x in mutation.path if isinstance(x, str)))
+        groups.setdefault(shape, []).append(mutation)
+    return [drawn.choice(group) for group in drawn.sample(list(groups.values()), SAMPLE)]
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_no_change_of_a_file_is_shown_as_proved(name: str, tmp_path: Path) -> None:
+    drawn = random.Random(name)
+    content = json.loads(written(name))
+    path = tmp_path / "file.json"
+    answer = said(content, path)
+    assert answer is not None
+    allowed = re.compile("|".join((*NOTES, *HINTS, *TRUE)))
+    tried = 0
+    for mutation in sampled(content, drawn):
+        changed = mutated(content, mutation, drawn)
+        if changed is None:
+            continue
+        tried += 1
+        told = said(changed, path)
+        where = "/".join(map(str, mutation.path))
+        if told is None:
+            continue
+        if where.endswith("system"):  # it is not here, which is said
+            assert "not here" in str(told[2])
+            assert content.get("orbit", "none") not in told[0]
+            continue
+        assert told == answer or re.fullmatch("|".join(TRUE), where), f"{mutation} is shown"
+        assert allowed.fullmatch(where) or name == "uncertain", f"{mutation} is accepted"
+    assert tried > 30 or name == "uncertain"

@@ -1,0 +1,165 @@
+"""nonsmooth certify: claims, JSON, exit codes, files."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from tests.user_systems import declare
+
+STICK = "dry-friction/global-stick"
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    """Exit code, stdout and stderr."""
+    result = CliRunner().invoke(app, ["certify", *arguments])
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def test_json_holds_claims_and_enclosures() -> None:
+    code, out, err = run(STICK, "eta=0.98", "--digits", "40", "--json")
+    assert (code, err) == (0, "")
+    told = json.loads(out)
+    assert told["claims"] == dict.fromkeys(("existence", "admissibility", "stability"), "proved")
+    trace = told["enclosures"]["trace"]
+    sharp = ns.refine(ns.solve(STICK, {"eta": "0.98"}), 60).trace
+    assert abs(sharp - type(sharp)(trace["mid"])) < float(trace["rad"]) < 1e-40
+    assert told["parameters"]["eta"] == "0.98"
+    assert {"ta", "tau", "tau1", "tau2", "x10", "period"} < set(told["enclosures"])
+
+
+def test_people_see_claims_reasons_and_margins() -> None:
+    code, out, _ = run("dry-friction/symmetric")
+    assert code == 0
+    assert "a multiplier lies outside the unit circle" in out
+    assert "left open: chosen for this proof" in out
+    assert "first-reaches-belt" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [
+        (["dry-friction/symmetric", "--require", "proved"], 3, "stability refuted"),
+        (["dry-friction/solution-ii"], 1, ""),
+        (["dry-friction/solution-ii", "--require", "proved"], 3, "existence undecided"),
+        ([STICK, "--require", "proved"], 0, ""),
+        ([], 2, "an orbit is missing"),
+        ([STICK, "--digits", "0"], 2, "digits = 0"),
+        ([STICK, "--bits", "3"], 2, "bits = 3"),
+        ([STICK, "--bits", "128", "--digits", "30"], 2, "--digits and --bits"),
+        ([STICK, "eta=0"], 2, "eta"),
+        ([STICK, "etta=1"], 2, "did you mean"),
+        ([STICK, "--check", "x.json"], 2, "nothing else"),
+        (["--check", "nowhere.json"], 2, "nowhere.json"),
+        ([STICK, "--save", "no/such/folder/x.json"], 2, "no folder"),
+    ],
+)
+def test_exit_codes(arguments: list[str], code: int, told: str) -> None:
+    found, _, err = run(*arguments)
+    assert found == code
+    assert told in err
+    assert len(err.splitlines()) == bool(told)
+
+
+def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:
+    declare(tmp_path)
+    path = tmp_path / "certificate.json"
+    code, out, _ = run(f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
+    assert code == 0
+    assert f"{path} written" in out
+    code, out, err = run("--check", str(path))
+    assert (code, err) == (0, "")
+    assert "every claim holds" in out
+    code, out, _ = run("--check", str(path), "--json", "--require", "proved")
+    assert code == 0
+    assert json.loads(out)["same"] is True
+
+
+def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "certificate.json"
+    ns.certify(ns.solve(STICK)).save(path)
+    path.write_text(path.read_text().replace('"bits": 128', '"bits": 129', 1))
+    code, out, err = run("--check", str(path))
+    assert (code, out) == (1, "")
+    assert "the checksum differs" in err
+    code, out, _ = run("--check", str(path), "--json")
+    assert code == 1
+    assert json.loads(out)["same"] is False
+
+
+def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    path, picture = tmp_path / "map.json", tmp_path / "map.png"
+    box = ("dry-friction/symmetric", "V=0.6:1.3")
+    code, out, err = run(*box, "--tiles", "5", "--save", str(path), "--json")
+    assert (code, err) == (1, "")  # more than one percent is undecided
+    told = json.loads(out)
+    assert told["box"] == {"V": ["3/5", "13/10"]}
+    assert told["files"] == [str(path)]
+    assert told["shares"]["undecided"] > 0.01
+    widths = [Fraction(high) - Fraction(low) for (low, high) in (x["V"] for x in told["undecided"])]
+    assert float(sum(widths)) == pytest.approx(0.7 * told["shares"]["undecided"])
+    assert float(told["enclosures"]["trace"]["rad"]) > 0
+    code, out, err = run(*box, "--resume", str(path), "--plot", str(picture))
+    assert (code, err) == (0, "")
+    assert "unstable" in out
+    assert "not admissible" in out
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert ns.load_box_certificate(path).decided > told["shares"]["proved"]
+    again = tmp_path / "again.svg"
+    drawn = CliRunner().invoke(app, ["plot", str(path), "--out", str(again)])
+    assert drawn.exit_code == 0, drawn.stderr
+    assert "svg" in again.read_text()[:300]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [
+        ([STICK, "V=0.99:1.01", "--require", "proved"], 0, ""),
+        (["dry-friction/symmetric", "V=0.7:0.71", "--require", "proved"], 3, "stability refuted"),
+        ([STICK, "V=0.99:1.01", "--digits", "30"], 2, "--digits and --bits"),
+        ([STICK, "V=0.99:1.01:5"], 2, "NAME=A:B"),
+        ([STICK, "V=1.01:0.99"], 2, "below the upper"),
+        ([STICK, "V=0.99:sqrt(2)"], 2, "rational"),
+        ([STICK, "V=0.99:1.01", "V=1"], 2, "given twice"),
+        ([STICK, "V=0.99:1.01", "V=0.9:1.1"], 2, "given twice"),
+        ([STICK, "etta=0.99:1.01"], 2, "did you mean"),
+        ([STICK, "V=30:50"], 1, "no "),
+        ([STICK, "V=0.9:1.1", "--all", "--events"], 2, "two questions"),
+        ([STICK, "V=1", "--plot", "x.png"], 2, "box of parameters"),
+        ([STICK, "V=0.99:1.01", "--plot", "x.bmp"], 2, "x.bmp"),
+        ([STICK, "V=0.99:1.01", "--tiles", "0"], 2, "tiles = 0"),
+        ([STICK, "V=0.99:1.01", "--resume", "nowhere.json"], 2, "nowhere.json"),
+    ],
+)
+def test_exit_codes_of_boxes(arguments: list[str], code: int, told: str) -> None:
+    found, _, err = run(*arguments)
+    assert found == code, err
+    assert told in err
+
+
+def test_events_over_a_range_are_enclosed() -> None:
+    code, out, err = run(
+        "dry-friction/symmetric", "V=0.6:1.3", "--events", "--digits", "40", "--json"
+    )
+    assert (code, err) == (0, "")
+    told = json.loads(out)
+    assert [event["kind"] for event in told["events"]] == ["grazing", "flip"]
+    for event in told["events"]:
+        assert event["claim"] == "proved"
+        assert 0 < float(event["enclosures"]["V"]["rad"]) < 1e-38
+    code, out, _ = run("rigid-stop/one-impact", "T=5.5:7.5", "--events")
+    assert code == 1
+    assert "no regular root" in " ".join(out.split())
+    for arguments in (["V=1"], ["V=0.9:1.1", "eta=0.9:1.1"]):
+        code, _, err = run(STICK, *arguments, "--events")
+        assert code == 2
+        assert "one range" in err

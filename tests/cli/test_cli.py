@@ -1,0 +1,870 @@
+"""The command line: answers, JSON, exit codes, and one clear line for wrong input."""
+
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import replace
+from decimal import Decimal, localcontext
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.main import get_command
+from typer.testing import CliRunner
+
+import nonsmooth
+from nonsmooth.derive.codegen import regenerate as generation
+from nonsmooth.derive.document import describe, latex
+from nonsmooth.derive.systems import dry_friction
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
+from nonsmooth.runtime.orbits import solve, stability
+from tests.places import CHECKOUT
+from tests.user_systems import declare
+
+ORBIT = "dry-friction/global-stick"
+HEAVY = {"dask", "flint", "matplotlib", "mpmath", "numpy", "scipy", "sympy"}
+COMMANDS: dict[str, Any] = getattr(get_command(app), "commands")  # noqa: B009 - untyped
+EXAMPLES = [
+    line
+    for command in COMMANDS.values()
+    for line in command.epilog.splitlines()
+    if line.startswith("nonsmooth ")
+]
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    """Exit code, stdout and stderr of a command, run in this process."""
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def run_process(*command: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run a command as a process of its own, its output piped."""
+    unwanted = ("COLUMNS", "FORCE_COLOR", "GITHUB_ACTIONS", "NO_COLOR", "PY_COLORS")
+    inherited = {name: text for name, text in os.environ.items() if name not in unwanted}
+    return subprocess.run(
+        command,
+        env=inherited | environment,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+def nonsmooth_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    program = "from nonsmooth.runtime.cli.program import main; main()"
+    return run_process(sys.executable, "-c", program, *arguments, **environment)
+
+
+def told(*arguments: str, code: int = 0) -> dict[str, Any]:
+    """Give the one JSON document on stdout; nothing else may be there."""
+    found, out, err = run(*arguments, "--json")
+    assert found == code, err
+    document: dict[str, Any] = json.loads(out)
+    return document
+
+
+@pytest.fixture
+def described(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Describe the system once for all tests."""
+    monkeypatch.setattr(describe, "describe_system", lambda system: _described())
+
+
+_describe = describe.describe_system
+
+
+@cache
+def _described() -> describe.Document:
+    return _describe(dry_friction.system)
+
+
+# --- help
+
+
+def test_help_imports_nothing_heavy() -> None:
+    program = (
+        "import sys\n"
+        "from nonsmooth.runtime.cli.program import main\n"
+        "try:\n    main()\n"
+        "finally:\n    print('MODULES', *sys.modules)"
+    )
+    done = run_process(sys.executable, "-c", program, "--help")
+    text, _, modules = done.stdout.rpartition("MODULES")
+    assert done.returncode == 0
+    assert not done.stderr
+    assert all(name in text for name in COMMANDS)
+    assert not {name.partition(".")[0] for name in modules.split()} & HEAVY
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_has_help_with_examples_and_json(name: str) -> None:
+    code, out, err = run(name, "--help")
+    assert (code, err) == (0, "")
+    assert "Examples:" in out
+    assert "--json" in out
+    assert f"nonsmooth {name}" in out
+    for example in (line for line in EXAMPLES if line.split()[1] == name):
+        assert example in " ".join(out.split())
+
+
+@cache
+def _found_in_readme() -> dict[str, bytes]:
+    """README's own oscillator, and the orbits that are found in it."""
+    blocks = re.findall(r"```python\n(.*?)```", (CHECKOUT / "README.md").read_text(), re.DOTALL)
+    declared = next(block for block in blocks if "# my_oscillator.py" in block)
+    with tempfile.TemporaryDirectory() as folder:
+        file, kept = Path(folder) / "my_oscillator.py", Path(folder) / "found.json"
+        file.write_text(declared)
+        data = {"zeta": "0.05", "Omega": "2.6", "gap": 0, "r": "0.8"}
+        nonsmooth.find_orbits(str(file), data, 20).save(kept)
+        return {path.name: path.read_bytes() for path in (file, kept)}
+
+
+def engine_needed(example: str) -> bool:
+    """Thousands of motions or orbits, which take minutes in Python."""
+    slow = "nonsmooth chart", "nonsmooth find", "nonsmooth sweep"
+    return example.startswith(slow) or "found.json" in example
+
+
+@pytest.mark.parametrize(
+    "example",
+    [pytest.param(e, marks=pytest.mark.compiled) if engine_needed(e) else e for e in EXAMPLES],
+)
+@pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
+def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    if example.startswith("nonsmooth plot"):
+        pytest.importorskip("matplotlib")
+        nonsmooth.solve(ORBIT).save("orbit.json")
+        data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+        nonsmooth.simulate("rigid-stop", data, [0, 0, 1, 0], transitions=4).save("motion.npz")
+        if "F.zarr" in example:
+            nonsmooth.chart(ORBIT, V=[0.9, 1.0, 1.1], eta=[0.9, 1.0], store="F.zarr")
+    if "pdf" in example:
+        monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
+    if "found.json" in example and "--save found.json" not in example:
+        for name, content in _found_in_readme().items():
+            (tmp_path / name).write_bytes(content)
+    if "--check certificate.json" in example:
+        nonsmooth.certify(nonsmooth.solve(ORBIT)).save("certificate.json")
+    if "impact_oscillator.py" in example:
+        shutil.copy(CHECKOUT / "docs" / "gallery" / "impact_oscillator.py", tmp_path)
+        monkeypatch.setenv("NONSMOOTH_CACHE", "")
+    elif "my_oscillator.py" in example:
+        if "--compile" in example and shutil.which("cc") is None:
+            pytest.skip("no C compiler")
+        monkeypatch.setenv("NONSMOOTH_CACHE", "")
+        declare(tmp_path, name="my_oscillator.py")
+        if "--check" in example:
+            run("generate", "my_oscillator.py", "--out", "my_kernels")
+    elif "--check" in example:
+        generation.regenerate(tmp_path)
+        monkeypatch.setattr(generation, "find_generated", lambda writing=True: tmp_path)
+    code, out, err = run(*shlex.split(example)[1:])
+    assert (code, err) == (0, "")
+    assert out
+
+
+def test_version() -> None:
+    assert run("--version") == (0, f"nonsmooth {nonsmooth.__version__}\n", "")
+
+
+# --- list, solve, verify
+
+
+def test_list() -> None:
+    systems = {system["name"]: system for system in told("list")["systems"]}
+    assert list(systems) == ["rigid-stop", "elastic-stop", "dry-friction"]
+    orbits = {orbit["name"]: orbit for s in systems.values() for orbit in s["orbits"]}
+    assert tuple(orbits) == orbit_names()
+    assert len(systems["dry-friction"]["configurations"]) == 9
+    assert orbits["rigid-stop/one-impact"]["unknowns"] == ["y", "u"]
+    assert orbits["elastic-stop/one-contact"]["unknowns"] == ["y", "u", "w", "tau"]
+    assert orbits["dry-friction/symmetric"]["unknowns"] == ["z10", "z20", "v10", "tau", "tau1"]
+    assert orbits["dry-friction/solution-ii"]["unknowns"][-1] == "e1"
+    orbit = orbits[ORBIT]
+    assert orbit["unknowns"] == ["z10", "z20", "ta", "tau", "tau1", "tau2"]
+    assert [p["dwell_time"] for p in orbit["phases"]] == ["ta", "tau", "tau1", "tau2"]
+    defaults = {
+        name: {p["name"]: p["default"] for p in orbit["parameters"]}
+        for name, orbit in orbits.items()
+    }
+    assert defaults[ORBIT]["e1"] == "3.0195"
+    assert defaults[ORBIT]["ur2"] is None
+    assert defaults["rigid-stop/one-impact"] == {
+        **{"m1": "1", "m2": "2", "k1": "1", "k2": "5", "T": "2*pi", "r": "1"}
+    }
+    code, out, _ = run("list")
+    assert code == 0
+    for word in (*orbits, "0 < chi < 1", "0 <= e1", "3.0195", "stick-stick", "0 <= r <= 1", "k3"):
+        assert word in out
+
+
+def test_json_of_solve_and_verify() -> None:
+    found = told("solve", ORBIT)
+    assert found.keys() == told("verify", ORBIT).keys()
+    assert list(found) == [
+        *("orbit", "parameters", "unknowns", "period", "residual", "digits", "multipliers"),
+        *("trace", "margin", "stability", "admissible", "requires"),
+    ]
+    assert found["orbit"] == ORBIT
+    assert found["digits"] == 15
+    assert list(found["parameters"]) == ["chi", "eta", "V", "e1", "e2"]
+    assert found["stability"] == "stable"
+    assert found["admissible"] == "conditional"
+    bounds = {bound["parameter"]: bound["greater_than"] for bound in found["requires"]}
+    assert bounds["us2"].startswith("0.7228")
+    assert [m["trivial"] for m in found["multipliers"]] == [False, False]
+    assert Decimal(found["multipliers"][1]["re"]) == 0
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_is_solved_verified_and_shown(name: str) -> None:
+    found, verified = told("solve", name), told("verify", name, "--digits", "15")
+    assert found == verified
+    assert found["orbit"] == name
+    assert list(found["unknowns"]) == list(load_orbit(name).unknowns)
+    assert list(found["parameters"]) == [
+        *load_orbit(name).parameter_names,
+        *load_orbit(name).required,
+    ]
+    assert len(found["multipliers"]) == len(load_orbit(name).table["section"])
+    assert found["stability"] in ("stable", "neutral", "unstable")
+    for command in ("solve", "verify"):
+        code, out, err = run(command, name, "--digits", "15")
+        assert (code, err) == (0, "")
+        assert max(map(len, out.splitlines())) <= 80
+        for number in (found["trace"], found["period"], *found["unknowns"].values()):
+            assert number in out.split()
+
+
+def test_json_of_the_stop_orbits() -> None:
+    for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
+        found = told("solve", name, "--digits", "40")
+        assert found["stability"] == "neutral"
+        assert found["admissible"] is True
+        assert Decimal(found["margin"]) == 0
+        assert [m["trivial"] for m in found["multipliers"]] == [False, False, True]
+        first, second, one = found["multipliers"]
+        assert first["re"] == second["re"]
+        assert first["im"] == second["im"].removeprefix("-")
+        assert (Decimal(one["re"]), Decimal(one["im"])) == (1, 0)
+        with localcontext(prec=60):
+            assert abs(Decimal(first["re"]) * 2 + 1 - Decimal(found["trace"])) < Decimal("1e-39")
+    assert told("solve", "rigid-stop/one-impact")["parameters"]["r"] == "1"
+
+
+def test_json_of_a_border_collision() -> None:
+    found = told("solve", "dry-friction/solution-ii")
+    assert found["one_sided"] == "ta > 0"
+    (coincidence,) = found["coincidences"]
+    assert coincidence["phase"] == 1
+    assert coincidence["boundaries"] == ["second-reaches-belt", "first-breaks-forward"]
+    assert float(coincidence["time"]) == pytest.approx(float(found["period"]))
+    assert "one_sided" not in told("solve", ORBIT)
+    assert "coincidences" not in told("solve", ORBIT)
+    code, out, _ = run("solve", "dry-friction/solution-ii")
+    assert code == 0
+    assert "ta > 0" in out
+
+
+@pytest.mark.parametrize("digits", [1, 15, 16, 50])
+def test_digits_are_true(digits: int) -> None:
+    few, many = (
+        told("verify", ORBIT, "--digits", str(digits)),
+        told("verify", ORBIT, "--digits", "99"),
+    )
+    assert few["digits"] == digits
+    assert few["stability"] == many["stability"] == "stable"
+    with localcontext(prec=150):
+        for name in ("period", "trace", "margin", *few["unknowns"]):
+            texts = [answer["unknowns"].get(name) or answer[name] for answer in (few, many)]
+            found, true = map(Decimal, texts)
+            assert abs(found - true) <= Decimal(10) ** -digits * max(Decimal(1), abs(true)), name
+
+
+def test_paper_values() -> None:
+    found = told("solve", ORBIT, "--unknown", "e1,e2", "--given", "ta=1,tau=2")
+    assert list(found["unknowns"]) == ["z10", "z20", "tau1", "tau2", "e1", "e2"]
+    assert list(found["parameters"]) == ["chi", "eta", "V", "ta", "tau"]
+    # the printed digits are of an orbit with slightly different e1, e2
+    printed = {"e1": 3.0195, "e2": 0.4831, "tau1": 1.568, "tau2": 3.28}
+    for name, value in printed.items():
+        assert float(found["unknowns"][name]) == pytest.approx(value, abs=2e-2)
+
+
+def test_parameters_are_exact() -> None:
+    found = told("solve", ORBIT, "chi=1/3", "us2=0.8", "ur2=1.3", "--digits", "40")
+    with localcontext(prec=60):
+        assert abs(Decimal(found["parameters"]["chi"]) * 3 - 1) < Decimal("1e-40")
+    assert {n: Decimal(found["parameters"][n]) for n in ("us2", "ur2", "e2")} == {
+        "us2": Decimal("0.8"),
+        "ur2": Decimal("1.3"),
+        "e2": Decimal("0.5"),
+    }
+
+
+def test_a_guess_may_name_some_unknowns() -> None:
+    plain = told("solve", ORBIT)
+    assert told("solve", ORBIT, "--guess", "tau=2,tau1=1.5")["unknowns"] == plain["unknowns"]
+    assert told("solve", ORBIT, "--guess", "tau=2", "--guess", "tau1=1.5") == told(
+        "solve", ORBIT, "--guess", "tau = 2, tau1 = 3/2"
+    )
+
+
+def test_report_of_verify() -> None:
+    code, out, err = run("verify", ORBIT)
+    assert (code, err) == (0, "")
+    found = told("verify", ORBIT)
+    numbers = (found["trace"], f"-{found['margin']}", found["period"], *found["unknowns"].values())
+    for number in numbers:
+        assert number in out.split()
+    assert "conditionally stable (|trace| < 1)" in out
+    assert "0 exactly: the Poincare map has rank one" in out
+    assert "us2 > 0.7228" in out
+    assert out.index("Trace criterion") < out.index("Orbit")
+    assert max(map(len, out.splitlines())) <= 80
+
+
+def test_report_of_solve() -> None:
+    code, out, _ = run("solve", ORBIT, "V=1", "us2=0.8", "ur2=1.2831", "us1=1/3")
+    assert code == 0
+    assert out.index("Orbit") < out.index("Trace criterion")
+    assert "Admissible: yes" in out
+    rows = {line.split()[0]: line.split()[1:] for line in out.splitlines() if line.split()}
+    assert rows["V"] == ["1"]
+    assert rows["us1"] == ["1/3"]
+    assert rows["e1"] == ["3.0195", "default"]
+    assert rows["e2"] == [told("solve", ORBIT)["parameters"]["e2"], "follows"]
+
+
+def test_report_of_violations() -> None:
+    code, out, _ = run("solve", ORBIT, "us2=0.7")
+    assert code == 0
+    assert "Admissible: no" in out
+    (first, *_) = told("solve", ORBIT, "us2=0.7")["violations"]
+    assert (first["phase"], first["boundary"]) == (1, "second-breaks-backward")
+    assert re.search(r"1 +stick-stick +second-breaks-backward +0 +0\.0456", out)
+
+
+def test_long_numbers_are_grouped() -> None:
+    code, out, _ = run("verify", ORBIT, "--digits", "120")
+    assert code == 0
+    assert max(map(len, out.splitlines())) <= 80
+    trace: str = told("verify", ORBIT, "--digits", "120")["trace"]
+    assert trace in re.sub(r"\s", "", out)
+
+
+@pytest.mark.parametrize("environment", [{}, {"COLUMNS": "40"}, {"PYTHONIOENCODING": "ascii"}])
+def test_piped_output_has_no_colours_and_whole_numbers(environment: dict[str, str]) -> None:
+    done = nonsmooth_process("verify", ORBIT, "--digits", "50", **environment)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\x1b" not in done.stdout
+    assert told("verify", ORBIT)["trace"] in done.stdout.split()
+
+
+# --- save, plot
+
+
+@pytest.mark.parametrize("command", ["solve", "verify"])
+def test_save(command: str, tmp_path: Path) -> None:
+    target = tmp_path / "orbit.json"
+    arguments = (command, ORBIT, "eta=0.98", "us2=0.8", "--digits", "30")
+    plain, found = told(*arguments), told(*arguments, "--save", str(target))
+    assert found == plain | {"file": str(target)}
+    orbit = nonsmooth.load(target)
+    assert orbit.digits == 30
+    assert orbit.to_json()["unknowns"] == plain["unknowns"]
+    assert orbit.opened["us2"].text == "0.8"
+    code, out, err = run(*arguments, "--save", str(target))
+    assert (code, err) == (0, "")
+    assert out.endswith(f"\n{target} written\n")
+
+
+def test_an_orbit_that_misses_a_requirement_is_saved(tmp_path: Path) -> None:
+    target = tmp_path / "orbit.json"
+    code, _, _ = run("solve", ORBIT, "us2=0.7", "--require", "admissible", "--save", str(target))
+    assert code == 3
+    assert nonsmooth.load(target).admissibility.verdict is False
+
+
+def test_saving_into_no_folder_is_2(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solve, "solve", None)  # refused before the work is done
+    target = tmp_path / "missing" / "orbit.json"
+    code, out, err = run("solve", ORBIT, "--save", str(target))
+    assert (code, out) == (2, "")
+    assert err == (f"nonsmooth: error: cannot write {target}: there is no folder {target.parent}\n")
+
+
+@pytest.fixture
+def saved(tmp_path: Path) -> Path:
+    """A saved orbit, for pictures."""
+    pytest.importorskip("matplotlib")
+    path = tmp_path / "orbit.json"
+    nonsmooth.solve(ORBIT).save(path)
+    return path
+
+
+@pytest.mark.parametrize("kind", ["time", "velocity", "phase", "strip", "multipliers", "all"])
+@pytest.mark.parametrize(("ending", "start"), [("png", b"\x89PNG"), ("SVG", b"<?xml")])
+def test_plot(kind: str, ending: str, start: bytes, saved: Path) -> None:
+    target = saved.with_suffix(f".{ending}")
+    options = ("plot", str(saved), "--kind", kind, "--out", str(target))
+    assert run(*options) == (0, f"{target} written\n", "")
+    written = target.read_bytes()
+    assert written.startswith(start)
+    assert told(*options) == {"orbit": ORBIT, "kind": kind, "file": str(target)}
+    assert target.read_bytes() == written
+
+
+def test_plot_names_its_file(saved: Path) -> None:
+    target = saved.with_suffix(".png")
+    assert run("plot", str(saved)) == (0, f"{target} written\n", "")
+    assert target.read_bytes().startswith(b"\x89PNG")
+
+
+def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
+    cut = tmp_path / "cut.json"
+    cut.write_bytes(saved.read_bytes()[:300])
+    picture = tmp_path / "orbit.png"
+    picture.write_bytes(saved.read_bytes())
+    missing = tmp_path / "missing" / "orbit.png"
+    for arguments, part in (
+        ((cut,), f"{cut}: cut, or not JSON"),
+        ((tmp_path / "none.json",), "there is no file"),
+        ((tmp_path,), "cannot be read: "),
+        ((picture,), f"cannot write {picture}: it is the saved file"),
+        ((saved, "--out", saved), f"cannot write {saved}: it is the saved file"),
+        ((saved, "--out", tmp_path / "a.gif"), "a.gif does not end in .png, .svg, .pdf"),
+        ((saved, "--out", missing), f"cannot write {missing}: there is no folder"),
+        ((saved, "--periods", "0"), "periods = 0 is not a positive integer"),
+    ):
+        code, out, err = run("plot", *map(str, arguments))
+        assert (code, out) == (2, "")
+        assert err.startswith("nonsmooth: error: ")
+        assert part in err
+        assert err.count("\n") == 1
+    assert nonsmooth.load(saved) == nonsmooth.load(picture)
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        *("cut.json", "orbit.json", "orbit.png")
+    ]
+
+
+def test_plot_without_matplotlib_names_its_extra(
+    saved: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert run("plot", str(saved)) == (
+        2,
+        "",
+        'nonsmooth: error: matplotlib is not installed: pip install "nonsmooth[plot]"\n',
+    )
+
+
+# --- exit codes
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["--require", "stable"], 0),
+        (["--require", "stable", "--require", "admissible"], 3),
+        (["--require", "admissible"], 3),
+        (["us1=1", "us2=0.8", "--require", "admissible", "--require", "stable"], 0),
+        (["us2=0.7", "--require", "admissible"], 3),
+        (["us2=0.7"], 0),
+        (["chi=0.999999", "--require", "stable"], 3),
+        (["chi=0.999999"], 0),
+    ],
+)
+@pytest.mark.parametrize("command", ["solve", "verify"])
+def test_requirements(command: str, arguments: list[str], code: int) -> None:
+    found, _, err = run(command, ORBIT, *arguments)
+    assert found == code
+    assert err.startswith("nonsmooth: required: ") if code else not err
+    assert told(command, ORBIT, *arguments, code=code)["orbit"] == ORBIT
+
+
+def test_neutral_is_not_stable() -> None:
+    name = "rigid-stop/one-impact"
+    assert run("solve", name, "--require", "admissible")[0] == 0
+    code, _, err = run("solve", name, "--require", "stable")
+    assert (code, err) == (3, "nonsmooth: required: stable; found: neutral\n")
+
+
+def test_no_convergence_is_1() -> None:
+    code, out, err = run("solve", ORBIT, "eta=1e300")
+    assert (code, out) == (1, "")
+    assert err.startswith(f"nonsmooth: {ORBIT}: ")
+    assert "tried: " in err
+    assert err.count("\n") == 1
+    assert "tried: " in told("solve", ORBIT, "eta=1e300", code=1)["error"]
+
+
+@pytest.mark.parametrize("command", ["solve", "verify"])
+@pytest.mark.parametrize(
+    ("arguments", "part"),
+    [
+        ("rigid-stop/one-impact r=0.9", "exists only for r = 1: with r = 0.9 no orbit"),
+        ("rigid-stop/one-impact r=0", "exists only for r = 1: with r = 0 no orbit"),
+        ("rigid-stop/one-impact k1=2 k2=4 T=2*pi", "singular: at these parameters (a resonance)"),
+        ("rigid-stop/one-impact k1=2 k2=4 T=4*pi", "singular: at these parameters (a resonance)"),
+        ("elastic-stop/one-contact T=1e-6", "no orbit was found at these parameters"),
+    ],
+)
+def test_parameters_without_an_orbit_are_1(command: str, arguments: str, part: str) -> None:
+    code, out, err = run(command, *arguments.split())
+    assert (code, out) == (1, "")
+    assert part in err
+    assert err.count("\n") == 1
+    assert f"nonsmooth: {told(command, *arguments.split(), code=1)['error']}\n" == err
+
+
+def test_undecided_is_1(monkeypatch: pytest.MonkeyPatch) -> None:
+    assess = stability.assess_stability
+    monkeypatch.setattr(
+        stability, "assess_stability", lambda orbit: replace(assess(orbit), verdict="undecided")
+    )
+    assert told("verify", ORBIT, code=1)["stability"] == "undecided"
+    code, out, _ = run("verify", ORBIT, "--require", "stable")
+    assert code == 1
+    assert "undecided: the margin is zero to these digits" in out
+    assert run("verify", ORBIT, "--require", "admissible")[0] == 3
+
+
+def test_interrupt_is_130_and_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(*arguments: Any, **options: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(solve, "solve", interrupt)
+    code, out, err = run("solve", ORBIT)
+    assert (code, out) == (130, "")
+    assert err.startswith("nonsmooth: interrupted: nothing is kept; begin again with: nonsmooth")
+    assert err.count("\n") == 1
+
+
+# --- wrong input
+
+
+@pytest.mark.parametrize("command", ["solve", "verify"])
+@pytest.mark.parametrize(
+    ("arguments", "part"),
+    [
+        ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
+        ("dry-friction", "unknown orbit 'dry-friction'"),
+        (f"{ORBIT} etta=1", "unknown parameter 'etta'; did you mean 'eta'?"),
+        (f"{ORBIT} chi=1.2", "chi = 1.2"),
+        (f"{ORBIT} eta=0", "eta = 0"),
+        (f"{ORBIT} V=-1", "V = -1"),
+        (f"{ORBIT} V=nan", "V: 'nan'"),
+        (f"{ORBIT} eta=inf", "eta: 'inf'"),
+        (f"{ORBIT} eta=1e400", "eta: '1e400'"),
+        (f"{ORBIT} e1=-1", "e1 = -1"),
+        (f"{ORBIT} us1=4 ur1=3", "e1"),
+        (f"{ORBIT} e1=3 us1=1 ur1=3", "e1 = 3 contradicts ur1 - us1 = 2"),
+        (f"{ORBIT} us1=0", "us1 = 0"),
+        (f"{ORBIT} eta=1/0", "division by zero"),
+        (f"{ORBIT} eta=__import__('os')", "eta: "),
+        (f"{ORBIT} eta", "'eta' is not of the form name=value"),
+        (f"{ORBIT} eta=", "'eta=' is not of the form name=value"),
+        (f"{ORBIT} eta=1 eta=1", "parameter eta is given twice"),
+        (f"{ORBIT} --digits 0", "digits = 0"),
+        (f"{ORBIT} --digits -1", "digits = -1"),
+        (f"{ORBIT} --digits {10**9}", f"digits = {10**9}"),
+        (f"{ORBIT} --guess tua=2", "'tua'; did you mean 'ta'?"),
+        (f"{ORBIT} --guess tau", "'tau' is not of the form name=value"),
+        (f"{ORBIT} --guess tau=nan", "tau: 'nan'"),
+        (f"{ORBIT} --guess tau=2,tau=2", "unknown tau is given twice"),
+        (f"{ORBIT} --unknown e1", "as many of one as of the other"),
+        (f"{ORBIT} --given ta=1", "as many of one as of the other"),
+        (f"{ORBIT} --unknown e1,e2 --given ta=1,ta=2", "unknown ta is given twice"),
+        (f"{ORBIT} --unknown etta --given ta=1", "'etta'; did you mean 'eta'?"),
+        (f"{ORBIT} --unknown e1 --given tua=1", "'tua'; did you mean 'ta'?"),
+        (f"{ORBIT} e1=3 --unknown e1 --given ta=1", "parameter e1 is both given and to be solved"),
+        ("rigid-stop/one-impact r=1.2", "r = 1.2 is outside its domain [0, 1]"),
+        ("rigid-stop/one-impact r=-0.1", "r = -0.1 is outside its domain [0, 1]"),
+        ("rigid-stop/one-impact k3=1", "unknown parameter 'k3'; did you mean 'k2'?"),
+        ("rigid-stop/one-impact T=0", "T = 0 is outside its domain (0, oo)"),
+        ("rigid-stop/one-impact T=1e6", "more than 100000 radians of its fastest oscillation"),
+        ("elastic-stop/one-contact k3=0", "k3 = 0 is outside its domain (0, oo)"),
+        ("elastic-stop/one-contact k3=-1", "k3 = -1 is outside its domain (0, oo)"),
+        ("elastic-stop/one-contact r=1", "unknown parameter 'r'"),
+        ("elastic-stop/one-contact --unknown T --given tau1=4", "'tau1'; did you mean 'tau'?"),
+        *(
+            (f"{name} {parameter}={value}", f"{parameter} = {value} is outside its domain (0, oo)")
+            for name in ("rigid-stop/one-impact", "elastic-stop/one-contact")
+            for parameter in ("m1", "m2", "k1", "k2")
+            for value in ("0", "-1")
+        ),
+        ("dry-friction/symmetric us1=-1", "us1 = -1 is outside its domain"),
+        ("dry-friction/symmetric us1=2 ur1=1", "e1 = ur1 - us1 is -1.0"),
+        ("dry-friction/symmetric e1=-1", "e1 = -1 is outside its domain"),
+        (
+            "dry-friction/solution-ii e1=3",
+            "e1 is an unknown of dry-friction/solution-ii: to give it, solve for another"
+            " parameter in its place (--unknown NAME --given e1=3)",
+        ),
+        ("dry-friction/solution-ii us1=1 ur1=3", "e1 is to be solved for, but ur1, us1 fix it"),
+        ("dry-friction/solution-ii --unknown V --given ta=0", "'ta'; did you mean 'tau'?"),
+    ],
+)
+def test_wrong_input_is_2_with_one_line(command: str, arguments: str, part: str) -> None:
+    code, out, err = run(command, *arguments.split())
+    assert (code, out) == (2, "")
+    assert err.startswith("nonsmooth: error: ")
+    assert err.count("\n") == 1
+    assert part in err
+    assert f"nonsmooth: error: {told(command, *arguments.split(), code=2)['error']}\n" == err
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["solv"],
+        ["solve"],
+        ["solve", ORBIT, "--digits", "many"],
+        ["solve", ORBIT, "--require", "proved"],
+        ["plot"],
+        ["plot", "orbit.json", "--kind", "phases"],
+        ["solve", ORBIT, "--digts", "3"],
+        ["equations", "dry-friction", "--format", "word"],
+    ],
+)
+def test_wrong_usage_is_2(arguments: list[str]) -> None:
+    code, out, err = run(*arguments)
+    assert (code, out) == (2, "")
+    assert "Usage:" in err
+
+
+def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "fortran")
+    assert run("solve", ORBIT) == (
+        2,
+        "",
+        "nonsmooth: error: NONSMOOTH_BACKEND is 'fortran', neither 'c' nor 'numpy'\n",
+    )
+
+
+def test_no_traceback_reaches_the_process() -> None:
+    done = nonsmooth_process("solve", ORBIT, "chi=1.2", "--json")
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert json.loads(done.stdout)["error"] in done.stderr
+
+
+# --- equations
+
+
+@pytest.mark.usefixtures("described")
+@pytest.mark.parametrize(
+    ("form", "start"), [("latex", "\\documentclass"), ("markdown", "# "), ("html", "<!DOCTYPE")]
+)
+def test_equations_print_or_write(form: str, start: str, tmp_path: Path) -> None:
+    if form == "html":
+        pytest.importorskip("latex2mathml")
+    options = ("dry-friction", "--format", form)
+    printed = told("equations", *options)
+    assert list(printed) == ["name", "format", "text"]
+    assert (printed["name"], printed["format"]) == ("dry-friction", form)
+    assert printed["text"].startswith(start)
+    target = tmp_path / "equations"
+    assert run("equations", *options, "--out", str(target)) == (0, f"{target} written\n", "")
+    assert target.read_text(encoding="utf-8") == printed["text"]
+
+
+@pytest.mark.usefixtures("described")
+def test_equations_as_json_name_the_file(tmp_path: Path) -> None:
+    target = tmp_path / "equations.tex"
+    assert told("equations", "dry-friction", "--out", str(target)) == {
+        "name": "dry-friction",
+        "format": "latex",
+        "file": str(target),
+    }
+    assert target.read_text(encoding="utf-8") == run("equations", "dry-friction")[1]
+
+
+@pytest.mark.usefixtures("described")
+def test_pdf_names_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_text(text))
+    code, out, _ = run("equations", "dry-friction", "--format", "pdf")
+    assert (code, out) == (0, "dry-friction.pdf written\n")
+    assert (tmp_path / "dry-friction.pdf").read_text().startswith("\\documentclass")
+
+
+@pytest.mark.usefixtures("described")
+def test_pdf_without_latex_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    target = tmp_path / "equations.pdf"
+    code, out, err = run("equations", "dry-friction", "--format", "pdf", "--out", str(target))
+    assert (code, out) == (2, "")
+    assert "install texlive" in err
+    assert err.count("\n") == 1
+    assert not target.exists()
+
+
+@pytest.mark.usefixtures("described")
+def test_latex_that_fails_is_1(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(text: str, out: Path) -> None:
+        raise RuntimeError("pdflatex failed:\n! Undefined control sequence.")
+
+    monkeypatch.setattr(latex, "compile_pdf", fail)
+    target = str(tmp_path / "equations.pdf")
+    code, out, err = run("equations", "dry-friction", "--format", "pdf", "--out", target)
+    assert (code, out) == (1, "")
+    assert err.startswith("nonsmooth: pdflatex failed:")
+
+
+@pytest.mark.usefixtures("described")
+def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "latex2mathml", None)
+    monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
+    code, out, err = run("equations", "dry-friction", "--format", "html")
+    assert (code, out) == (2, "")
+    assert err == (
+        'nonsmooth: error: latex2mathml is not installed: pip install "nonsmooth[html]"\n'
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "part"),
+    [
+        ("dry-frictoin", "unknown system 'dry-frictoin'; did you mean 'dry-friction'?"),
+        ("dry-friction/", "unknown orbit 'dry-friction/'"),
+        ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
+    ],
+)
+def test_equations_of_unknown_names(name: str, part: str) -> None:
+    code, out, err = run("equations", name)
+    assert (code, out) == (2, "")
+    assert part in err
+    assert err.count("\n") == 1
+
+
+def test_out_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    missing = tmp_path / "missing" / "equations.tex"
+    for target in (missing, tmp_path):
+        code, out, err = run("equations", "dry-friction", "--out", str(target))
+        assert (code, out) == (2, "")
+        assert err.startswith(f"nonsmooth: error: cannot write {target}: ")
+        assert err.count("\n") == 1
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    target = tmp_path / "equations.tex"
+    assert run("equations", "dry-friction", "--out", str(target)) == (
+        2,
+        "",
+        f"nonsmooth: error: cannot write {target}: permission denied\n",
+    )
+
+
+# --- regenerate
+
+
+@pytest.mark.usefixtures("committed_derivation")
+def test_regenerate_and_check(tmp_path: Path) -> None:
+    folder = tmp_path / "new" / "kernels"
+    first = told("regenerate", "--out", str(folder))
+    assert first["folder"] == str(folder)
+    assert first["system"] is None
+    assert {Path(path).name for path in first["changed"]} == {p.name for p in folder.iterdir()}
+    assert told("regenerate", "--out", str(folder))["changed"] == []
+    assert run("regenerate", "--out", str(folder))[1] == f"{folder}: nothing changed\n"
+    assert told("regenerate", "--check", "--out", str(folder))["same"] is True
+    assert run("regenerate", "--check", "--out", str(folder)) == (0, f"{folder}: up to date\n", "")
+
+    (folder / "dry_friction.h").unlink()
+    with (folder / "dry_friction.md").open("a", encoding="utf-8") as file:
+        file.write("an edit [by hand]\n")
+    code, out, err = run("regenerate", "--check", "--out", str(folder))
+    assert code == 1
+    assert "dry_friction.h: missing" in out
+    assert "-an edit [by hand]" in out
+    assert "python scripts/regenerate.py" in err
+    found = told("regenerate", "dry-friction", "--check", "--out", str(folder), code=1)
+    assert found["same"] is False
+    assert len(found["differences"]) == 2
+
+
+def test_regenerate_derives_one_system(tmp_path: Path) -> None:
+    folder = tmp_path / "kernels"
+    found = told("regenerate", "rigid-stop", "--out", str(folder))
+    names = {Path(path).name for path in found["changed"]}
+    assert names == {path.name for path in folder.iterdir()}
+    assert {f"rigid_stop.{ending}" for ending in ("py", "c", "h", "md")} <= names
+    assert not any(name.startswith(("elastic", "dry")) for name in names)
+    assert told("regenerate", "rigid-stop", "--check", "--out", str(folder))["same"] is True
+
+
+def test_check_under_another_sympy_is_2(tmp_path: Path) -> None:
+    (tmp_path / "PROVENANCE.json").write_text('{"sympy": "1.0"}')
+    code, out, err = run("regenerate", "--check", "--out", str(tmp_path))
+    assert (code, out) == (2, "")
+    assert "SymPy 1.0" in err
+    assert err.count("\n") == 1
+
+
+def test_check_of_a_folder_without_provenance_is_2(tmp_path: Path) -> None:
+    code, _, err = run("regenerate", "--check", "--out", str(tmp_path))
+    assert code == 2
+    assert "PROVENANCE.json cannot be read" in err
+
+
+def test_regenerate_outside_a_checkout_is_2(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(generation, "__file__", str(tmp_path / "a" / "b" / "c.py"))
+    for options, reason in (([], "--out DIR"), (["--check"], "PROVENANCE.json cannot be read")):
+        code, out, err = run("regenerate", *options)
+        assert (code, out) == (2, "")
+        assert reason in err
+
+
+def test_regenerate_an_unknown_system_is_2() -> None:
+    code, _, err = run("regenerate", "dry-fricton")
+    assert code == 2
+    assert "did you mean 'dry-friction'?" in err
+
+
+@pytest.mark.usefixtures("committed_derivation")
+def test_regenerate_into_a_file_is_2(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.touch()
+    code, out, err = run("regenerate", "--out", str(file))
+    assert (code, out) == (2, "")
+    assert err.startswith(f"nonsmooth: error: cannot write {file}: ")
+
+
+# --- scripts
+
+
+@pytest.mark.parametrize(
+    ("script", "command"),
+    [("regenerate", "regenerate"), ("latex", "equations"), ("verify_trace", "verify")],
+)
+def test_scripts_are_the_commands(script: str, command: str) -> None:
+    path = str(CHECKOUT / "scripts" / f"{script}.py")
+    done = run_process(sys.executable, path, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"{script}.py [OPTIONS]" in done.stdout
+    assert done.stdout.partition("\n \n")[2] == run(command, "--help")[1].partition("\n \n")[2]
+
+
+def test_verify_trace_script() -> None:
+    path = str(CHECKOUT / "scripts" / "verify_trace.py")
+    done = run_process(sys.executable, path, ORBIT, "eta=0.98", "--json")
+    assert done.returncode == 0
+    assert json.loads(done.stdout) == told("verify", ORBIT, "eta=0.98")
+    assert run_process(sys.executable, path, "dry-friction/none").returncode == 2

@@ -1,0 +1,424 @@
+"""The commands that simulate: answers, JSON, files, and one clear line for wrong input."""
+
+import sys
+
+import numpy as np
+import pytest
+
+import nonsmooth
+from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth.runtime.present.files.found import load_found
+from nonsmooth.runtime.simulation.simulate import simulate
+from tests.cli.test_cli import run, told
+
+A = "chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+B = "chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+STOP = "m1=1 m2=2 k1=1 k2=5 r=0.8"
+ZERO = "--from x1=0,x2=0,v1=0,v2=0"
+SIMULATE = f"simulate rigid-stop {STOP} --from x1=0,x2=0.5,v1=1,v2=0 --transitions 6"
+FRICTION = f"simulate dry-friction {A} {ZERO} --transitions 12"
+FIND = f"find dry-friction {B} --starts 12 --transitions 400"
+SWEPT = "sweep dry-friction chi=0.5 eta=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+SWEEP = f"{SWEPT} V=0.95:1.05:3 --state x1 --at slip-stick {ZERO} --transient 50 --samples 12"
+PICTURES = [("png", b"\x89PNG"), ("svg", b"<?xml"), ("PDF", b"%PDF")]
+
+
+def values(text):
+    return dict(part.split("=") for part in text.split())
+
+
+def refused(command, part, code=2):
+    """It ends with one line on stderr, nothing on stdout, and the same in JSON."""
+    found, out, err = run(*command.split())
+    assert (found, out) == (code, ""), err
+    assert err.startswith("nonsmooth: error: ")
+    assert err.count("\n") == 1
+    assert part in err
+    assert f"nonsmooth: error: {told(*command.split(), code=code)['error']}\n" == err
+
+
+# --- simulate
+
+
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def test_json_of_simulate_is_the_motion(backend, monkeypatch):
+    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+    found = told(*FRICTION.split())
+    motion = simulate("dry-friction", values(A), [0, 0, 0, 0], transitions=12)
+    assert list(found) == [
+        *("system", "parameters", "names", "times", "configurations", "boundaries", "states"),
+        *("transitions", "end", "status", "message", "options", "grazings", "files"),
+    ]
+    # one entry for the start and one behind each transition, every digit in a decimal string
+    assert found["transitions"] == 12
+    for entries in ("times", "configurations", "boundaries", "states"):
+        assert len(found[entries]) == 13
+    assert all(isinstance(t, str) for t in found["times"])
+    assert [float(t) for t in found["times"]] == motion.times.tolist()
+    assert [[float(x) for x in row] for row in found["states"]] == motion.states.tolist()
+    assert tuple(found["configurations"]) == motion.configurations
+    assert tuple(map(tuple, found["boundaries"])) == motion.boundaries
+    assert found["names"] == ["x1", "x2", "v1", "v2"]
+    assert found["parameters"] == values(A)
+    assert (found["status"], found["files"]) == ("transitions", [])
+    assert float(found["end"]) == motion.end
+
+
+def test_passing_the_belt_is_an_entry():
+    found = told(*f"simulate dry-friction {A} --from x1=0,x2=0,v1=2,v2=0 --transitions 4".split())
+    assert found["configurations"][0] == "overshoot-slip"
+    assert found["boundaries"][1] != []
+    for names, state in zip(found["boundaries"][1:], found["states"][1:], strict=True):
+        for name in names:
+            if name.endswith("reaches-belt"):
+                assert float(state[2 + name.startswith("second")]) == pytest.approx(1, abs=1e-14)
+
+
+def test_what_people_are_shown():
+    code, out, err = run(*SIMULATE.split())
+    assert (code, err) == (0, "")
+    assert "rigid-stop, 6 transitions" in out
+    assert out.count("first-reaches-stop") == 6
+    assert "as many transitions as were asked for" in out
+    many = run(*SIMULATE.replace("--transitions 6", "--transitions 100").split())[1]
+    assert "61 more" in many
+    assert max(map(len, many.splitlines())) <= 118
+
+
+def test_a_time_may_be_an_expression():
+    found = told(*SIMULATE.replace("--transitions 6", "--until 2*pi").split())
+    assert float(found["end"]) == 2 * np.pi
+    assert found["status"] == "until"
+
+
+@pytest.mark.parametrize(
+    ("ending", "start", "kind"),
+    [(*picture, kind) for picture, kind in zip(PICTURES, ("npz", "csv", "npz"), strict=True)],
+)
+def test_save_and_plot(tmp_path, ending, start, kind):
+    pytest.importorskip("matplotlib")
+    motion, picture = tmp_path / f"motion.{kind}", tmp_path / f"motion.{ending}"
+    found = told(*FRICTION.split(), "--save", str(motion), "--plot", str(picture))
+    assert found["files"] == [str(motion), str(picture)]
+    assert picture.read_bytes().startswith(start)
+    loaded = nonsmooth.load_trajectory(motion)
+    assert [repr(t) for t in loaded.times.tolist()] == found["times"]
+    assert list(loaded.configurations) == found["configurations"]
+    again = tmp_path / f"again.{ending}"
+    options = ("plot", str(motion), "--kind", "time", "--out", str(again))
+    assert run(*options) == (0, f"{again} written\n", "")
+    assert again.read_bytes().startswith(start)
+    assert told("plot", str(motion), "--kind", "phase", "--out", str(again)) == {
+        **{"system": "dry-friction", "kind": "phase", "file": str(again)}
+    }
+
+
+def test_observe():
+    found = told(*FRICTION.split(), "--observe")["observables"]
+    assert {"minima", "maxima", "means", "rms", "fractions", "sticking", "contacts"} <= found.keys()
+    assert sum(float(share) for share in found["fractions"].values()) == pytest.approx(1)
+    assert float(found["maxima"]["v1"]["value"]) >= float(found["minima"]["v1"]["value"])
+    assert {"first-friction", "second-friction"} == found["contacts"].keys()
+    later = told(*FRICTION.split(), "--observe", "--since", "10/3")["observables"]
+    assert float(later["since"]) == 10 / 3
+    assert float(later["duration"]) == pytest.approx(float(found["duration"]) - 10 / 3)
+    code, out, err = run(*FRICTION.split(), "--observe")
+    assert (code, err) == (0, "")
+    assert "no Lyapunov exponent: from t = 0 to" in out
+    assert found["lyapunov"] is None
+    assert found["lyapunov_error"] is None
+
+
+def test_observe_tells_the_largest_exponent_with_its_error():
+    motion = "simulate docs/gallery/impact_oscillator.py sigma=0.2 w=3.7 r=0.8 --from x=0,v=1"
+    options = (*motion.split(), "--transitions", "500", "--observe", "--since", "100")
+    found = told(*options)["observables"]
+    assert float(found["lyapunov"]) == pytest.approx(-0.0657016, abs=1e-7)
+    assert 0 < float(found["lyapunov_error"]) < 1e-3
+    assert "largest Lyapunov exponent: -0.0657016, error " in run(*options)[1]
+
+
+def test_prove():
+    found = told(*FRICTION.split(), "--prove")
+    proof = found["proof"]
+    assert proof["decided"] is True
+    assert proof["transitions"] == 12
+    assert proof["configurations"] == found["configurations"]
+    assert proof["boundaries"] == found["boundaries"][1:]  # none at the start
+    for time, enclosure in zip(found["times"], proof["times"], strict=True):
+        assert abs(float(time) - float(enclosure["mid"])) <= float(enclosure["rad"]) + 1e-12
+    assert "proved: 12 transitions" in run(*FRICTION.split(), "--prove")[1]
+
+
+@pytest.mark.parametrize(
+    ("change", "part"),
+    [
+        (("ur2=1.4831", ""), "needs a value for: ur2"),
+        (("ur2=1.4831", "ur3=1"), "unknown parameter 'ur3'"),
+        (("eta=1", "eta=nan"), "eta: 'nan'"),
+        (("eta=1", "eta=-1"), "eta = -1 is outside its domain"),
+        (("eta=1", "eta=1 eta=1"), "parameter eta is given twice"),
+        (("us1=1", "us1=5"), "does not hold"),
+        (("dry-friction", "dry-fricton"), "did you mean 'dry-friction'"),
+        (("x1=0", "z1=0"), "unknown state 'z1'"),
+        (("x1=0", "x1=nan"), "x1: 'nan'"),
+        (("x1=0", "x1=inf"), "x1: 'inf'"),
+        (("x1=0", "x1"), "'x1' is not of the form name=value"),
+        (("x1=0,", ""), "the start needs a value for: x1"),
+        (("x1=0", "x1=0,x1=0"), "state x1 is given twice"),
+        ((ZERO, ""), "the start is missing"),
+        (("--transitions 12", "--transitions 0"), "transitions = 0"),
+        (("--transitions 12", "--transitions -3"), "transitions = -3"),
+        (("--transitions 12", ""), "nothing ends the motion"),
+        (("--transitions 12", "--until -1"), "until = -1.0 is not a positive time"),
+        (("--transitions 12", "--until 0"), "until = 0.0"),
+        (("--transitions 12", "--until nan"), "'nan'"),
+        (("--transitions 12", "--until soon"), "'soon'"),
+        (("--transitions 12", "--until 5 --in stick-stick"), "v1 - 1 is -1 there, not 0"),
+        (("--transitions 12", "--until 5 --in stick"), "unknown configuration 'stick'"),
+        (("--transitions 12", "--until 5 --save m.txt"), "m.txt does not end in .npz, .csv"),
+        (("--transitions 12", "--until 5 --plot m.gif"), "m.gif does not end in .png, .svg, .pdf"),
+        (("--transitions 12", "--until 5 --save none/m.npz"), "cannot write none/m.npz"),
+        (("--transitions 12", "--until 5 --plot none/m.png"), "cannot write none/m.png"),
+        (("--transitions 12", "--until 5 --observe --since 6"), "since = 6.0"),
+        (("--transitions 12", "--until 5 --observe --since nan"), "'nan'"),
+        (("v2=0", "v2=sqrt(2)/4"), None),
+        (("v2=0 --transitions 12", "v2=sqrt(2)/4 --prove --until 5"), "not rational: no proof"),
+    ],
+)
+def test_wrong_motions_are_2_with_one_line(change, part, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    command = FRICTION.replace(*change)
+    assert command != FRICTION
+    if part is None:
+        assert run(*command.split())[0] == 0
+    else:
+        refused(command, part)
+        assert not list(tmp_path.iterdir())
+
+
+def test_masses_and_stops():
+    refused(SIMULATE.replace("m1=1", "m1=-1"), "m1 = -1 is outside its domain")
+    refused(SIMULATE.replace("r=0.8", "r=1.1"), "r = 1.1 is outside its domain")
+    refused(SIMULATE.replace("x1=0,", "x1=2,"), "beyond first-reaches-stop, x1 - 1 is 1 > 0")
+    refused(f"{SIMULATE} --in contact", "does not belong to contact")
+
+
+def test_unwritable_files(tmp_path, monkeypatch):
+    refused(f"{SIMULATE} --save {tmp_path}", "it is a folder")
+    monkeypatch.setattr("os.access", lambda path, mode: False)
+    for command in (f"{SIMULATE} --save m.npz", f"{FIND} --save f.json", f"{SWEEP} --out s.png"):
+        refused(command, "permission denied")
+
+
+@pytest.mark.parametrize("command", [SIMULATE + " --plot", SWEEP + " --out"])
+def test_without_matplotlib_the_extra_is_named(command, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    refused(f"{command} {tmp_path}/picture.png", 'pip install "nonsmooth[plot]"')
+
+
+# --- find
+
+
+@pytest.fixture(scope="module")
+def found():
+    return find_orbits("dry-friction", values(B), 12, transitions=400)
+
+
+def test_json_of_find(found):
+    document = told(*FIND.split())
+    assert list(document) == [
+        *("system", "parameters", "starts", "transitions", "complete", "box", "orbits"),
+        *("equilibria", "outcomes", "resting", "unclassified", "files", "itineraries"),
+    ]
+    assert (document["starts"], document["transitions"]) == (12, 400)
+    assert document["parameters"] == values(B)
+    assert [float(o["period"]) for o in document["orbits"]] == pytest.approx(
+        [o.period for o in found.orbits]
+    )
+    shares = [float(o["share"]) for o in document["orbits"]]
+    others = [float(share) for share in document["outcomes"].values()]
+    assert sum(shares) + sum(others) == pytest.approx(1)
+    for entry in document["orbits"]:
+        assert {"stability", "itinerary", "start", "multipliers", "trace"} <= entry.keys()
+        dwell = [float(phase["dwell_time"]) for phase in entry["itinerary"]]
+        assert sum(dwell) == pytest.approx(float(entry["period"]))
+        assert entry["admissible"] is True
+        assert list(entry["start"]) == ["x1", "x2", "v1", "v2"]
+        assert isinstance(entry["multipliers"][0]["re"], str)
+
+
+@pytest.mark.compiled
+def test_find_shows_saves_and_maps(found, tmp_path):
+    pytest.importorskip("matplotlib")
+    kept, picture = tmp_path / "found.json", tmp_path / "basins.png"
+    code, out, err = run(
+        *FIND.split(), "--save", str(kept), "--basins", "x1=-2:2:6,v2=-1:0.5:4",
+        "--from", "x2=1/2", "--plot", str(picture),
+    )  # fmt: skip
+    assert code == 0
+    assert f"{kept} written\n{picture} written\n" in out
+    assert f"take {kept}:1 and so on" in out
+    assert f"{len(found.orbits)} periodic orbits and 1 equilibrium from 12 starts" in out
+    assert "unstable" in out
+    assert "Traceback" not in err
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    np.testing.assert_array_equal(load_found(kept).labels, found.labels)
+
+
+@pytest.mark.compiled
+def test_seed_and_box_reach_the_search():
+    document = told(*f"{FIND} --seed 3 --box x1=0:1/2,v2=-1:0".split())
+    assert document["box"]["x1"] == ["0.0", "0.5"]
+    assert document["box"]["v2"] == ["-1.0", "0.0"]
+    assert document["box"]["x2"] == told(*FIND.split())["box"]["x2"]
+
+
+@pytest.mark.parametrize(
+    ("options", "part"),
+    [
+        ("--starts 0", "n = 0"),
+        ("--transitions 1", "transitions = 1"),
+        ("--seed -1", "seed = -1"),
+        ("--box x1=2:1", "box of x1: 2.0 to 1.0 is no interval"),
+        ("--box x1=nan:1", "'nan'"),
+        ("--box x1=1", "'x1=1' is not NAME=A:B"),
+        ("--box z1=0:1", "unknown state 'z1'"),
+        ("--box x1=0:1,x1=0:1", "state x1 is given twice"),
+        ("--basins x1=0:1:3,x2=0:1:3", "give both"),
+        ("--plot b.png", "give both"),
+        ("--basins x1=0:1:3 --plot b.png", "takes two states, not 1"),
+        ("--basins x1=0:1:3,x2=0:1 --plot b.png", "'x2=0:1' is not NAME=A:B:N"),
+        ("--basins x1=0:1:3,x2=0:1:many --plot b.png", "'many' is not a count"),
+        ("--basins x1=0:1:3,x2=0:1:1 --plot b.png", "count of x2 = 1"),
+        ("--basins x1=0:1:3,z2=0:1:3 --plot b.png", "unknown state 'z2'"),
+        ("--basins x1=0:1:3,x2=0:1:3 --plot b.gif", "b.gif does not end in .png, .svg, .pdf"),
+        ("--basins x1=0:1:3,x2=0:1:3 --plot none/b.png", "cannot write none/b.png"),
+        ("--basins x1=0:1:3,x2=0:1:3 --plot b.png --from q=1", "unknown state 'q'"),
+        ("--from x1=1", "--basins, which is missing"),
+        ("--save none/f.json", "cannot write none/f.json"),
+        ("--save .", "it is a folder"),
+        ("V=2", "parameter V is given twice"),
+    ],
+)
+def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    command = f"find dry-friction {B} {options}"
+    if "--starts" not in options:
+        command += " --starts 3"
+    if "--transitions" not in options:
+        command += " --transitions 60"
+    code, out, err = run(*command.split())
+    assert (code, out) == (2, "")
+    (line,) = (line for line in err.splitlines() if line.startswith("nonsmooth: "))
+    assert line.startswith("nonsmooth: error: ")
+    assert part in line
+    assert told(*command.split(), code=2)["error"] in line
+    assert not list(tmp_path.iterdir())
+
+
+# --- sweep
+
+
+def test_json_of_sweep():
+    document = told(*SWEEP.split())
+    assert list(document) == [
+        *("system", "parameter", "state", "configuration", "phase", "values", "samples"),
+        *("outcomes", "files"),
+    ]
+    assert [float(v) for v in document["values"]] == pytest.approx([0.95, 1.0, 1.05])
+    assert [len(row) for row in document["samples"]] == [3, 3, 3]
+    assert all(isinstance(x, str) for row in document["samples"] for x in row)
+    motion = simulate("dry-friction", values(A), [0, 0, 0, 0], transitions=62)
+    wanted = [
+        state[0]
+        for name, state in zip(motion.configurations[51:], motion.states[51:], strict=True)
+        if name == "slip-stick"
+    ]
+    assert [float(x) for x in document["samples"][1]] == pytest.approx(wanted, abs=1e-10)
+
+
+@pytest.mark.parametrize(("ending", "start"), PICTURES)
+def test_a_diagram(tmp_path, ending, start):
+    pytest.importorskip("matplotlib")
+    target = tmp_path / f"diagram.{ending}"
+    code, out, _ = run(*SWEEP.split(), "--out", str(target))
+    assert code == 0
+    assert "9 points of x1 at each entry of slip-stick, V from 0.95 to 1.05" in out
+    assert out.endswith(f"{target} written\n")
+    assert target.read_bytes().startswith(start)
+    downward = told(*SWEEP.replace("0.95:1.05", "1.05:0.95").split(), "--restart")
+    assert [float(v) for v in downward["values"]] == pytest.approx([1.05, 1.0, 0.95])
+
+
+@pytest.mark.parametrize(
+    ("change", "part"),
+    [
+        (("V=0.95:1.05:3", "V=1"), "one parameter has to be a range A:B:N, not 0"),
+        (("chi=0.5", "chi=0.4:0.6:3"), "one parameter has to be a range A:B:N, not 2"),
+        (("V=0.95:1.05:3", "V=0.95:1.05"), "is not NAME=A:B:N"),
+        (("V=0.95:1.05:3", "V=0.95:1.05:0"), "values of V"),
+        (("V=0.95:1.05:3", "V=0.95:1.05:-3"), "'-3' is not a count"),
+        (("V=0.95:1.05:3", "V=nan:1.05:3"), "'nan'"),
+        (("V=0.95:1.05:3", "V=-2:-1:3"), "for no value of V"),
+        (("V=0.95:1.05:3", "W=0.95:1.05:3 V=1"), "unknown parameter 'W'"),
+        (("V=0.95:1.05:3", "V=0.95:1.05:3 V=1"), "V is both given and swept"),
+        (("eta=1", ""), "needs a value for: eta"),
+        (("--state x1", "--state q"), "unknown state 'q'"),
+        (("--state x1", ""), "--state is missing"),
+        (("--at slip-stick", "--at slip"), "unknown configuration 'slip'"),
+        (("--at slip-stick", ""), "--at is missing"),
+        ((ZERO, ""), "--from is missing"),
+        (("--transient 50", "--transient -1"), "transient = -1"),
+        (("--samples 12", "--samples 0"), "samples = 0"),
+        (("--samples 12", "--out d.gif"), "d.gif does not end in .png, .svg, .pdf"),
+        (("--samples 12", "--out none/d.png"), "cannot write none/d.png"),
+    ],
+)
+def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    command = SWEEP.replace(*change)
+    assert command != SWEEP
+    code, out, err = run(*command.split())
+    assert (code, out) == (2, "")
+    (line,) = (line for line in err.splitlines() if line.startswith("nonsmooth: "))
+    assert line.startswith("nonsmooth: error: ")
+    assert part in line
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("command", "drawer"),
+    [
+        (f"{FRICTION} --plot", "scenes.trajectory_figure"),
+        (f"{FIND} --basins x1=-1:1:2,v2=-1:1:2 --plot", "maps.draw_basins"),
+        (f"{SWEEP} --out", "maps.draw_sweep"),
+    ],
+)
+def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypatch):
+    def fail(*_):
+        raise nonsmooth.InputError("no colours")
+
+    monkeypatch.setattr(f"nonsmooth.runtime.present.pictures.{drawer}", fail)
+    kept = tmp_path / ("kept.npz" if command.startswith("simulate") else "kept.json")
+    words = [*command.split(), str(tmp_path / "a.png"), "--save", str(kept)]
+    code, out, err = run(*words)
+    assert code == 2
+    assert f"{kept} written" in out.replace("\n", "")
+    assert err == "nonsmooth: error: no picture: no colours\n"
+    assert kept.exists()
+
+
+def test_no_traceback_for_usage():
+    for command in ("simulate", "find", "sweep", "simulate rigid-stop --transitions many"):
+        code, out, err = run(*command.split())
+        assert (code, out) == (2, "")
+        assert "Usage:" in err
+        assert "Traceback" not in err
+
+
+def test_help_has_an_example_of_each():
+    for command in ("simulate", "find", "sweep"):
+        code, out, _ = run(command, "--help")
+        assert code == 0
+        assert f"nonsmooth {command} " in out.partition("Examples:")[2]

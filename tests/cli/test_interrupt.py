@@ -1,0 +1,217 @@
+"""Ctrl-C: a real signal to each long command, what it keeps, and the command that goes on."""
+
+from __future__ import annotations
+
+import os
+import re
+import select
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.result_files import format_in
+
+pty = pytest.importorskip("pty")  # progress is shown on terminals alone
+
+FRICTION = "chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+REST = "--from x1=0,x2=0,v1=0,v2=0"
+CODE = "from nonsmooth.runtime.cli.program import main; main()"
+
+
+class Ended(NamedTuple):
+    code: int
+    said: str  # the last line on stderr
+    goes_on: list[str]  # arguments of the command that it names
+
+
+def interrupted(arguments: str, when: str, folder: Path, later: float = 0.0) -> Ended:
+    """A command that gets SIGINT as soon as its progress shows something, or so much later."""
+    terminal, its = pty.openpty()
+    environment = {**os.environ, "TERM": "xterm", "COLUMNS": "300"}
+    process = subprocess.Popen(
+        [sys.executable, "-c", CODE, *shlex.split(arguments)],
+        **{"stderr": its, "stdout": subprocess.DEVNULL, "cwd": folder, "env": environment},
+    )  # type: ignore[call-overload]
+    os.close(its)
+    text, sent = "", False
+    try:
+        while select.select([terminal], [], [], 120)[0]:
+            text += os.read(terminal, 1 << 16).decode()
+            if not sent and re.search(when, text):
+                sent = True
+                time.sleep(later)
+                process.send_signal(signal.SIGINT)
+    except OSError:  # the other end is closed
+        pass
+    finally:
+        os.close(terminal)
+        process.wait(120)
+    assert sent, text
+    lines = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", text).strip().splitlines()
+    said = lines[-1]
+    assert sum("interrupted" in line for line in lines) == 1
+    program, *goes_on = shlex.split(said.partition(" with: ")[2])
+    assert program == "nonsmooth"
+    return Ended(process.returncode, said, goes_on)
+
+
+def run(*arguments: str, folder: Path) -> tuple[int, str]:
+    before = Path.cwd()
+    os.chdir(folder)
+    try:
+        result = CliRunner().invoke(app, arguments)
+    finally:
+        os.chdir(before)
+    return result.exit_code, result.output
+
+
+def test_a_map_is_kept_drawn_and_gone_on_with(tmp_path: Path) -> None:
+    ended = interrupted(
+        "certify dry-friction/symmetric V=0.6:1.3 --tiles 100000 --save map.json --plot map.png",
+        r"[1-9]\d* tiles",
+        tmp_path,
+    )
+    assert ended.code == 130
+    assert "kept in map.json; go on with: " in ended.said
+    assert (tmp_path / "map.png").stat().st_size > 0
+    state = ns.load_box_certificate(tmp_path / "map.json")
+    assert sum(tile.place.share for tile in state.tiles) == 1
+    assert run("plot", "map.json", "--out", "again.png", folder=tmp_path)[0] == 0
+    assert "--resume" in ended.goes_on
+    assert "--save" not in ended.goes_on
+    goes_on = [*ended.goes_on, "--tiles", "3"]
+    assert run(*goes_on, folder=tmp_path)[0] in (0, 1)
+    later = ns.load_box_certificate(tmp_path / "map.json")
+    assert len(later.tiles) > len(state.tiles)
+
+
+def test_a_sweep_goes_on_to_the_same_diagram(tmp_path: Path) -> None:
+    question = (
+        f"sweep dry-friction V=0.5:1.2:500 {FRICTION} --state x1 --at slip-stick {REST}"
+        " --transient 200 --out d.png"
+    )
+    ended = interrupted(f"{question} --save part.json", r"[1-9]\d*/500", tmp_path)
+    assert ended.code == 130
+    part = ns.load_sweep(tmp_path / "part.json")
+    assert 0 < part.done < 500
+    assert f"{part.done} of 500 values are done, kept in part.json; go on with: " in ended.said
+    assert (tmp_path / "d.png").stat().st_size > 0
+    assert run(*ended.goes_on, folder=tmp_path)[0] == 0
+    assert run(*question.split(), "--save", "whole.json", folder=tmp_path)[0] == 0
+    gone_on, whole = (ns.load_sweep(tmp_path / name) for name in ("part.json", "whole.json"))
+    assert gone_on.done == 500
+    np.testing.assert_array_equal(gone_on.samples, whole.samples)
+
+
+def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
+    ended = interrupted(
+        "continue dry-friction/global-stick V=0.99:1.01 --step 1e-4 --points 1000000"
+        " --save b.json --plot b.png",
+        r"[1-9]\d*/2000000",
+        tmp_path,
+    )
+    assert ended.code == 130
+    part = ns.load_branch(tmp_path / "b.json")
+    assert "interrupted" in part.ends
+    assert f"{len(part)} points are kept in b.json; go on with: " in ended.said
+    assert (tmp_path / "b.png").stat().st_size > 0
+    assert run(*ended.goes_on, "--step", "0.05", folder=tmp_path)[0] == 0
+    whole = ns.load_branch(tmp_path / "b.json")
+    assert whole.ends == ("end of the interval", "end of the interval")
+    values = whole.parameter_values
+    assert (values[0], values[-1]) == (0.99, 1.01)
+    assert (np.diff(values) > 0).all()
+    place = int(np.flatnonzero(values == part.parameter_values[0])[0])
+    np.testing.assert_array_equal(whole.unknowns[place : place + len(part)], part.unknowns)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "when", "file", "told"),
+    [
+        (
+            f"find dry-friction V=0.6773 {FRICTION} --starts 60 --save found.json",
+            "looking for unstable",
+            "found.json",
+            "what was found until then is kept in found.json; begin again with: ",
+        ),
+        (
+            "certify dry-friction/symmetric V=0.6:1.3 --events --digits 1500 --save events.json",
+            r"[1-9]\d*/\d",
+            "events.json",
+            "1 of 2 events are done, kept in events.json; go on with: ",
+        ),
+        (
+            "certify dry-friction/global-stick --all tau=0:200 tau1=0:200 --save census.json",
+            "searching",
+            "census.json",
+            "what was found until then is kept in census.json; begin again with: ",
+        ),
+        (
+            "chart dry-friction/global-stick V=0.8:1.3:2000 eta=0.8:1.3:2000 --chunk 4000"
+            " --out F.zarr",
+            r"[1-9]\d*/\d+",
+            "F.zarr",
+            "chunks are kept in F.zarr; go on with: ",
+        ),
+        ("reproduce --out paper", "orbit rigid", "paper", "0 pictures are kept in paper"),
+    ],
+)
+def test_each_long_command_keeps_what_it_has(
+    arguments: str, when: str, file: str, told: str, tmp_path: Path
+) -> None:
+    later = 0.5 if when == "searching" else 0.0  # it is told before the search begins
+    ended = interrupted(arguments, when, tmp_path, later)
+    assert ended.code == 130
+    assert ended.said.startswith("nonsmooth: interrupted: ")
+    assert told in ended.said
+    assert (tmp_path / file).exists()
+    if file == "found.json":
+        assert not ns.load_found(tmp_path / file).complete
+        assert run("plot", file, folder=tmp_path)[0] == 0
+    if file == "events.json":
+        (event,) = ns.load_event_certificates(tmp_path / file)
+        assert event.proved
+    if file == "census.json":
+        assert not ns.load_census(tmp_path / file).decided
+    if file == "F.zarr":
+        assert (ns.load_chart(tmp_path / file).status.values != -128).any()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "certify dry-friction/global-stick V=0.99:1.01",
+        "certify dry-friction/global-stick",
+        "certify dry-friction/global-stick --all tau=0:3 tau1=0:3",
+        "continue dry-friction/global-stick V=0.99:1.01",
+        f"find dry-friction V=0.6773 {FRICTION}",
+        f"sweep dry-friction V=0.5:1.2:5 {FRICTION} --state x1 --at slip-stick {REST}",
+    ],
+)
+def test_no_file_is_replaced_unasked(arguments: str, tmp_path: Path) -> None:
+    ns.solve("dry-friction/global-stick").save(tmp_path / "file.json")
+    before = (tmp_path / "file.json").read_bytes()
+    code, told = run(*arguments.split(), "--save", "file.json", folder=tmp_path)
+    assert code == 2
+    assert "file.json is there already: " in told
+    assert "--overwrite replaces it" in told
+    assert (tmp_path / "file.json").read_bytes() == before
+    resumes = "find" not in arguments and ":" in arguments and "--all" not in arguments
+    assert ("--resume file.json goes on with it" in told) == resumes
+
+
+def test_a_file_is_replaced_when_asked(tmp_path: Path) -> None:
+    ns.solve("dry-friction/global-stick").save(tmp_path / "file.json")
+    question = "certify dry-friction/global-stick --save file.json --overwrite"
+    assert run(*question.split(), folder=tmp_path)[0] == 0
+    assert format_in(tmp_path / "file.json") == "nonsmooth certificate"

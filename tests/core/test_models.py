@@ -1,0 +1,174 @@
+"""Taylor models contain what they enclose; rational functions obey the laws of a field."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb, arb_mat, fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from nonsmooth.runtime.core.rational_functions import Quotient, symbols
+from nonsmooth.runtime.core.taylor_models import Model, matrix, range_of, space_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.motion.exact_rows import Facts, left_kernel, product
+
+SPACES = [(1, 1), (1, 4), (2, 1), (2, 3), (3, 2)]
+
+
+def random_number(rng: np.random.Generator, variables: int, order: int, size: float) -> Model:
+    space = space_of(variables, order)
+    parts = [arb(float(rng.normal())) * size ** sum(e) for e in space.exponents]
+    return Model(space, tuple(parts))
+
+
+def random_matrix(rng: np.random.Generator, variables: int, order: int, size: int) -> Model:
+    entries = [
+        [random_number(rng, variables, order, 0.05) for _ in range(size)] for _ in range(size)
+    ]
+    found: Model = matrix(entries)
+    return found
+
+
+def points(rng: np.random.Generator, variables: int) -> list[list[arb]]:
+    inside = rng.uniform(-1, 1, (6, variables))
+    corners = rng.choice([-1.0, 1.0], (3, variables))
+    return [[arb(float(x)) for x in point] for point in (*inside, *corners)]
+
+
+def overlap(left: Any, right: Any) -> bool:
+    """Whether balls that are to contain the same numbers do not exclude it."""
+    if isinstance(left, arb):
+        return bool(left.overlaps(right))
+    return all(x.overlaps(y) for x, y in zip(left.entries(), right.entries(), strict=True))
+
+
+@pytest.mark.parametrize(("variables", "order"), SPACES)
+def test_models_of_functions_contain_them_everywhere(variables: int, order: int) -> None:
+    rng = np.random.default_rng(10 * variables + order)
+    with flint_precision(64):
+        for _ in range(5):
+            x, y = (random_number(rng, variables, order, 0.1) for _ in range(2))
+            a, b = (random_matrix(rng, variables, order, 3) for _ in range(2))
+            nonzero = x - x.at([arb(0)] * variables) + 3
+            for p in points(rng, variables):
+                xp, yp, ap, bp, np_ = x.at(p), y.at(p), a.at(p), b.at(p), nonzero.at(p)
+                assert overlap((x * y - x).at(p), xp * yp - xp)
+                assert overlap((2 - y / nonzero).at(p), 2 - yp / np_)
+                assert overlap((1 / nonzero + x**3).at(p), 1 / np_ + xp**3)
+                assert overlap((a * b + a * x).at(p), ap * bp + ap * xp)
+                assert overlap(a.exp().at(p), ap.exp())
+                assert overlap((a * 9).exp().at(p), (ap * 9).exp())
+                sine, cosine = (x * 3).sin_cos()
+                assert overlap(sine.at(p), (xp * 3).sin())
+                assert overlap(cosine.at(p), (xp * 3).cos())
+                assert x.range().contains(xp)
+                assert overlap(matrix([[x, 1], [y, x]]).at(p), arb_mat([[xp, 1], [yp, xp]]))
+
+
+def test_what_is_cut_off_stays_in_the_radius() -> None:
+    # no quadratic polynomial is nearer to 2/(2 - e) than 2 (2 - sqrt 3)^2/3 (Chebyshev)
+    with flint_precision(64):
+        space = space_of(1, 2)
+        e = space.variable(0, arb(0), arb(1))
+        found = 1 / (1 - e / 2)
+        assert found.rad() > 2 * (2 - 3**0.5) ** 2 / 3
+        for value in (-1.0, -0.3, 0.0, 0.7, 1.0):
+            assert found.at([arb(value)]).contains(1 / (1 - arb(value) / 2))
+        square = (e * e).range()
+        assert square.contains(arb(0))
+        assert square.contains(arb(1))
+        assert float(square.lower()) > -1e-8  # even powers are not negative
+
+
+def test_higher_orders_are_sharper() -> None:
+    rng = np.random.default_rng(1)
+    base = rng.normal(size=(3, 3))
+    slope = rng.normal(size=(3, 3))
+    radii = []
+    with flint_precision(64):
+        for order in (1, 2, 3, 4):
+            space = space_of(1, order)
+            e = space.variable(0, arb(0), arb(1) / 20)
+            found = (space.constant(arb_mat(base.tolist())) + arb_mat(slope.tolist()) * e).exp()
+            radii.append(max(float(x.rad()) for x in found.parts[0].entries()))
+    assert all(sharp < rough / 5 for rough, sharp in pairwise(radii))
+
+
+def test_an_interval_that_holds_zero_has_no_reciprocal() -> None:
+    with flint_precision(64):
+        e = space_of(1, 2).variable(0, arb("0.5"), arb(1))
+        assert not range_of(1 / e).is_finite()
+        huge = space_of(1, 2).constant(arb_mat([[arb("1e30")]]))
+        assert not range_of(huge.exp())[0, 0].is_finite()
+        assert not (e > 0)
+        assert not (e < 0)
+
+
+V, ETA = symbols(["V", "eta"])
+rationals = st.fractions(min_value=-5, max_value=5, max_denominator=12)
+
+
+@st.composite
+def quotients(draw: st.DrawFn) -> Quotient:
+    a, b, c, d = (draw(rationals) for _ in range(4))
+    numbers = [fmpq(x.numerator, x.denominator) for x in (a, b, c, d)]
+    above = numbers[0] + numbers[1] * V + numbers[2] * V * ETA
+    return above / (1 + numbers[3] * ETA * ETA)
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(quotients(), quotients(), quotients(), rationals, rationals)
+def test_rational_functions_are_a_field(
+    x: Quotient, y: Quotient, z: Quotient, v: Fraction, eta: Fraction
+) -> None:
+    assert x * (y + z) == x * y + x * z
+    assert not (x + y) - y - x
+    assert (x - y) ** 2 == x * x - 2 * x * y + y * y
+    if y:
+        assert x / y * y == x
+        assert y**-1 * y == 1
+    with flint_precision(128):
+        point = [arb(fmpq(p.numerator, p.denominator)) for p in (v, eta)]
+        for found, wanted in ((x + y, x(point) + y(point)), (x * y, x(point) * y(point))):
+            assert found(point).overlaps(wanted)
+    with pytest.raises(ZeroDivisionError):
+        x / (y - y)
+
+
+def test_facts_over_rational_functions() -> None:
+    # x = V y and x + y = eta are known; what follows holds for all V and eta
+    zero, one = V - V, V / V
+    facts = Facts.of([(one, -V, zero), (one, one, -ETA)])
+    assert facts.pivots == (0, 1)
+    assert not any(facts.reduce((one + V, zero, -V * ETA)))
+    assert any(facts.reduce((one, zero, -V)))
+    kernel = left_kernel([(V, ETA), (V * V, V * ETA), (1, 0)])
+    assert len(kernel) == 1
+    assert not any(product(kernel[0], [(V, ETA), (V * V, V * ETA), (one, zero)]))
+
+
+def test_what_irrational_constants_make_zero_divides_nothing() -> None:
+    with flint_precision(256):
+        x, two, eight = symbols(["x", "p", "q"], [arb(2).sqrt(), arb(8).sqrt()])
+        apart = eight - 2 * two  # zero at these numbers, not as a function
+        assert apart
+        with pytest.raises(ZeroDivisionError, match="irrational"):
+            1 / apart
+        with pytest.raises(ZeroDivisionError, match="irrational"):
+            Facts.of([(apart, x, x - x)])
+        with pytest.raises(ZeroDivisionError, match="irrational"):
+            x / (two * two - 2)
+        assert (x * apart + two) / (x * apart + two) == 1
+        assert 1 / (apart + x) == (apart + x) ** -1
+
+
+def test_exponentials_of_tiny_matrices_to_many_digits() -> None:
+    with flint_precision(4000):
+        space = space_of(1, 1)
+        tiny = space.constant(arb_mat([[arb(0, arb(2) ** -3000)]]))
+        assert tiny.exp().range()[0, 0].contains(arb(1))

@@ -1,0 +1,337 @@
+"""Oscillators from elements: the built-in systems again, impact and contact laws, bad input."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import product
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.optimize import lsq_linear
+
+from nonsmooth.derive import (
+    DeclarationError,
+    Friction,
+    Harmonic,
+    Parameter,
+    Regions,
+    RigidStop,
+    Slider,
+    SoftStop,
+    System,
+    Terms,
+    Transition,
+    chain_matrices,
+    oscillator,
+)
+from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from nonsmooth.runtime.events.transition_choice import Decider
+from nonsmooth.runtime.model.piecewise import piecewise
+
+chi, eta, V, us1, ur1, us2, ur2, r = sp.symbols("chi eta V us1 ur1 us2 ur2 r")
+m1, m2, k1, k2, k3 = sp.symbols("m1 m2 k1 k2 k3")
+FULL = np.array([[2.0, 0.5, 0.1], [0.5, 1.0, -0.2], [0.1, -0.2, 1.5]])
+SPRINGS = np.array([[2.0, -1, 0], [-1, 2, -1], [0, -1, 1]])
+
+
+def belt() -> System:
+    return oscillator(
+        "dry-friction",
+        ["x1", "x2"],
+        sp.diag(1, 1 / eta),
+        [[1, -chi], [-chi, chi]],
+        elements=[
+            Friction("x1", us1, ur1, V, name="first"),
+            Friction("x2", us2, ur2, V, name="second"),
+        ],
+        parameters=dry_friction.system.parameters,
+    )  # fmt: skip
+
+
+def chain_with(*elements: Any) -> System:
+    mass, stiffness, _ = chain_matrices([m1, m2], [k1, k2], fixed="right")
+    return oscillator("chain", ["x1", "x2"], mass, stiffness, elements=elements)
+
+
+BUILT_IN = {
+    "dry-friction": (belt, dry_friction.system),
+    "rigid-stop": (lambda: chain_with(RigidStop("x1", 1, r, name="first")), rigid_stop.system),
+    "elastic-stop": (lambda: chain_with(SoftStop("x1", 1, k3, name="first")), elastic_stop.system),
+}
+
+
+def rules(transition: Transition) -> tuple[Any, ...]:
+    conditions = tuple((sp.expand(c.function), c.along, c.holds) for c in transition.conditions)
+    return (
+        transition.source, transition.boundaries, transition.target, conditions, transition.reset
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_the_built_in_systems_are_built_again(name: str) -> None:
+    build, given = BUILT_IN[name]
+    built = build()
+    assert {c.name for c in built.configurations} == {c.name for c in given.configurations}
+    for source in (c.name for c in given.configurations):
+        assert [rules(t) for t in built.transitions if t.source == source] == [
+            rules(t) for t in given.transitions if t.source == source
+        ]
+        one, other = built.configuration(source), given.configuration(source)
+        assert [(b.name, sp.expand(b.function), b.acts_when) for b in one.boundaries] == [
+            (b.name, sp.expand(b.function), b.acts_when) for b in other.boundaries
+        ]
+        assert one.constraints == other.constraints
+        for mine, theirs in zip(
+            one.dynamics.field(built.states), other.dynamics.field(given.states), strict=True
+        ):
+            assert (mine - theirs).applyfunc(sp.cancel).is_zero_matrix
+        for mine, theirs in zip(built.contacts, given.contacts, strict=True):
+            forces = [sp.expand(c.forces.get(source, 0)) for c in (mine, theirs)]
+            assert forces[0] == forces[1]
+            assert (mine.velocity, mine.surface) == (theirs.velocity, theirs.surface)
+    assert built.constraints == given.constraints
+    domains = {p.name: (p.lower, p.upper, p.closed, p.upper_closed) for p in built.parameters}
+    assert domains == {
+        p.name: (p.lower, p.upper, p.closed, p.upper_closed) for p in given.parameters
+    }
+
+
+def energy_of(mass: np.ndarray, velocities: np.ndarray) -> float:
+    return float(velocities @ mass @ velocities / 2)
+
+
+def after(system: System, transition: Transition, velocities: np.ndarray) -> np.ndarray:
+    size = len(velocities)
+    state = sp.Matrix([0] * size + [sp.Rational(str(v)) for v in velocities])
+    found = transition.reset_of(state, system.states)
+    return np.array([float(value) for value in found[size:]])
+
+
+@pytest.mark.parametrize("direction", ["x2", {"x1": -1, "x3": 1}])
+@pytest.mark.parametrize("side", ["upper", "lower"])
+def test_an_impact_obeys_newton_along_the_inverse_mass(direction: Any, side: str) -> None:
+    stop = RigidStop(direction, at=1, restitution=0.6, side=side)
+    system = oscillator("full", ["x1", "x2", "x3"], FULL, SPRINGS, elements=[stop])
+    row = np.array([0, 1.0, 0] if direction == "x2" else [-1.0, 0, 1])
+    impact = next(t for t in system.transitions if t.source == t.target == "free")
+    velocities = np.round(np.random.default_rng(3).normal(size=3), 6)
+    velocities *= np.sign(row @ velocities) * (1 if side == "upper" else -1)
+    behind = after(system, impact, velocities)
+    assert row @ behind == pytest.approx(-0.6 * (row @ velocities), abs=1e-14)
+    impulse = FULL @ (behind - velocities)
+    assert np.allclose(impulse, (impulse @ row) / (row @ row) * row, atol=1e-13)
+    lost = energy_of(FULL, velocities) - energy_of(FULL, behind)
+    effective = 1 / (row @ np.linalg.inv(FULL) @ row)
+    assert lost == pytest.approx(effective * (1 - 0.6**2) * (row @ velocities) ** 2 / 2, rel=1e-13)
+
+
+def test_two_stops_at_one_instant_act_one_after_another() -> None:
+    stops = [RigidStop("x1", 1, 0.5), RigidStop("x2", 1, 0.5)]
+    system = oscillator("two", ["x1", "x2"], FULL[:2, :2], SPRINGS[:2, :2], elements=stops)
+    both = {"x1-upper-reaches-stop", "x2-upper-reaches-stop"}
+    impact = next(t for t in system.transitions if t.source == "free-free" and t.boundaries == both)
+    velocities = np.array([0.25, 2.0])
+    inverse = np.linalg.inv(FULL[:2, :2])
+    expected = velocities.copy()
+    for row in np.eye(2):
+        expected -= 1.5 * (row @ expected) / (row @ inverse @ row) * (inverse @ row)
+    assert np.allclose(after(system, impact, velocities), expected, atol=1e-14)
+
+
+def decided(system: System, source: str, boundaries: set[str], state: np.ndarray) -> str:
+    """The configuration that follows by the contact law of a system without parameters."""
+    point = piecewise(system, {})
+    structure = point.structure
+    decider = Decider(structure, point.fields, point.rows, point.resets)
+    place, known = structure.configuration(source), np.append(state, 1.0)
+    reached = frozenset(structure.boundary(place, name) for name in boundaries)
+    found = decider.decision(place, reached, known, abs(known), 0.0)
+    assert found is not None
+    return structure.configurations[found.target]
+
+
+def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> None:
+    limits = np.array([0.3, 0.5])
+    elements = [Friction(x, u, velocity=0.75) for x, u in zip(("x1", "x2"), limits, strict=True)]
+    mass, stiffness = FULL[:2, :2], SPRINGS[:2, :2]
+    system = oscillator("pair", ["x1", "x2"], mass, stiffness, elements=elements)
+    root = np.linalg.inv(np.linalg.cholesky(mass))
+    rng, seen = np.random.default_rng(11), set()
+    for _ in range(150):
+        positions = rng.normal(size=2)
+        forces = -stiffness @ positions
+        held = lsq_linear(root, -root @ forces, (-limits, limits), tol=1e-14).x
+        expected = "-".join(
+            "slip" if f > u - 1e-6 else "overshoot" if f < -u + 1e-6 else "stick"
+            for f, u in zip(held, limits, strict=True)
+        )
+        state = np.array([*positions, 0.75, 0.75])
+        belts = {"x1-reaches-belt", "x2-reaches-belt"}
+        for source in ("slip-slip", "overshoot-slip"):
+            assert decided(system, source, belts, state) == expected
+        seen.add(expected)
+    assert len(seen) == 9
+
+
+def test_a_contact_and_a_stop_that_are_coupled_are_decided_together() -> None:
+    elements = [Friction("x1", 0.4), RigidStop("x2", at=0.25, restitution=0.5)]
+    names = ["x1", "x2", "x3"]
+    system = oscillator("three", names, FULL, SPRINGS, elements=elements)
+    root = np.linalg.inv(np.linalg.cholesky(FULL))
+    rng, seen = np.random.default_rng(12), set()
+    for _ in range(150):
+        positions = np.array([rng.normal(), 0.25, rng.normal()])
+        forces = -SPRINGS @ positions
+        bounds = ([-0.4, -np.inf], [0.4, 0])
+        held = lsq_linear(root[:, :2], -root @ forces, bounds, tol=1e-14).x
+        friction = "slip" if held[0] > 0.4 - 1e-6 else "overshoot"
+        friction = "stick" if abs(held[0]) < 0.4 - 1e-6 else friction
+        expected = f"{friction}-{'contact' if held[1] < -1e-6 else 'free'}"
+        reached = {"x1-reaches-belt", "x2-upper-reaches-stop"}
+        state = np.array([*positions, 0, 0, 0])
+        assert decided(system, "slip-free", reached, state) == expected
+        seen.add(expected)
+    assert len(seen) == 6
+
+
+def field_of(system: System, name: str, values: dict[str, Any]) -> dict[str, sp.Expr]:
+    configuration = system.configuration(name)
+    matrix, offset = configuration.dynamics.field(system.states)
+    rates = matrix * sp.Matrix(system.states) + offset
+    by_name = {p.name: p.symbol for p in system.parameters}
+    numbers = {by_name[n]: v for n, v in values.items()}
+    return {str(s): sp.expand(e.subs(numbers)) for s, e in zip(system.states, rates, strict=True)}
+
+
+def test_friction_may_fall_and_its_load_may_follow_the_state() -> None:
+    y, mu, slope = sp.symbols("y mu slope")
+    system = oscillator(
+        "brake", ["x1", "y"], sp.eye(2), sp.eye(2),
+        elements=[Friction("x1", mu, 2 * mu, V, falling=slope, normal=3 - y)],
+    )  # fmt: skip
+    x1, y, v1, _ = system.states
+    values = {"mu": sp.Rational(1, 4), "slope": sp.Rational(1, 8), "V": 1}
+    load = sp.Rational(1, 4) * (3 - y)
+    for name, sign in (("slip", 1), ("overshoot", -1)):
+        expected = -x1 + sign * load + sp.Rational(1, 8) * (v1 - 1)
+        assert sp.expand(field_of(system, name, values)["v1"] - expected) == 0
+        assert isinstance(system.configuration(name).dynamics, SecondOrder)
+    forward = system.configuration("stick").boundary("x1-breaks-forward").function
+    assert sp.expand(forward.subs({p.symbol: values[p.name] for p in system.parameters})) == (
+        sp.expand(x1 - 2 * load)
+    )
+
+
+def test_forcing_adds_two_states_each_and_sliders_one() -> None:
+    w = sp.Symbol("w")
+    system = oscillator(
+        "forced", ["x1", "x2"], sp.diag(1, 2), sp.eye(2), sp.eye(2) / 10,
+        forcing=[Harmonic(w, {"x2": 3}), Harmonic(2, sine=(1, 0))],
+        elements=[Slider({"x2": 1, "x1": -1}, stiffness=4, limit=1, name="joint")],
+    )  # fmt: skip
+    assert " ".join(map(str, system.states)) == "x1 x2 v1 v2 c1 s1 c2 s2 s_joint"
+    assert [(str(c), str(s)) for c, s in system.forcing] == [("c1", "s1"), ("c2", "s2")]
+    x1, x2, v1, v2, c1, s1, _, s2, joint = system.states
+    rates = field_of(system, "stuck", {"w": 5})
+    assert (rates["c1"], rates["s1"]) == (-5 * s1, 5 * c1)
+    assert sp.expand(rates["v1"] - (-x1 - v1 / 10 + s2 + 4 * (x2 - x1 - joint))) == 0
+    assert sp.expand(rates["v2"] - (-x2 - v2 / 10 + 3 * c1 - 4 * (x2 - x1 - joint)) / 2) == 0
+    assert rates["s_joint"] == 0
+    assert field_of(system, "backward", {})["s_joint"] == v2 - v1
+    assert all(isinstance(c.dynamics, FirstOrder) for c in system.configurations)
+
+
+@pytest.mark.parametrize(("fixed", "links"), [("left", 3), ("right", 3), ("both", 4), ("none", 2)])
+def test_a_chain_stores_the_energy_of_its_springs(fixed: str, links: int) -> None:
+    rng = np.random.default_rng(links)
+    springs, positions = rng.integers(1, 9, links), rng.integers(-4, 5, 3)
+    ends = [*([0] * (fixed in ("left", "both"))), *positions, *([0] * (fixed in ("right", "both")))]
+    mass, stiffness, damping = chain_matrices([1, 2, 3], list(map(int, springs)), fixed=fixed)
+    stored = (sp.Matrix([list(map(int, positions))]) * stiffness * sp.Matrix(positions))[0]
+    assert stored == sum(springs * np.diff(ends) ** 2)
+    assert mass == sp.diag(1, 2, 3)
+    assert damping.is_zero_matrix
+
+
+def test_every_product_has_transitions_for_all_sets_of_boundaries() -> None:
+    mass, stiffness, damping = chain_matrices([m1, m2], [k1, k2], sp.symbols("d1 d2"))
+    elements = [
+        Friction("x1", us1, ur1, V),
+        Friction("x2", us2, ur2, V),
+        RigidStop("x1", 1, r),
+        SoftStop("x2", 1, k3),
+    ]
+    system = oscillator("many", ["x1", "x2"], mass, stiffness, damping, elements=elements)
+    names = {c.name for c in system.configurations}
+    assert "slip-stick-contact-free" in names
+    # a mass that the belt carries cannot rest at a stop
+    assert not any(n.startswith(("stick", "overshoot")) and "-contact-" in n for n in names)
+    sets = {(t.source, t.boundaries) for t in system.transitions}
+    assert len(sets) < 2000
+    for configuration in system.configurations:
+        for first, second in product(configuration.boundaries, repeat=2):
+            parts = {b.name.split("-", 1)[0] + b.name.split("-")[-1] for b in (first, second)}
+            if first == second or (len(parts) == 2 and first.name[:2] != second.name[:2]):
+                assert (configuration.name, frozenset({first.name, second.name})) in sets
+
+
+def test_domains_are_inferred() -> None:
+    load, drag = sp.Symbol("load", real=True), sp.Symbol("drag", nonnegative=True)
+    system = oscillator(
+        "domains", ["x"], [[m1]], [[k1]], [[drag]], [load],
+        elements=[RigidStop("x", 1, r)], parameters=[Parameter("k1", "stiffness", upper=2)],
+    )  # fmt: skip
+    domains = {p.name: (p.lower, p.upper, p.closed, p.upper_closed) for p in system.parameters}
+    assert domains == {
+        "k1": (0, 2, False, False),
+        "m1": (0, sp.oo, False, False),
+        "drag": (0, sp.oo, True, False),
+        "load": (-sp.oo, sp.oo, False, False),
+        "r": (0, 1, True, True),
+    }
+
+
+def one(*elements: Any, **changes: Any) -> Callable[[], System]:
+    parts: dict[str, Any] = {"coordinates": ["x1", "x2"], "mass": sp.eye(2), "stiffness": sp.eye(2)}
+    return lambda: oscillator("wrong", elements=elements, **(parts | changes))
+
+
+WRONG: dict[str, tuple[Callable[[], Any], str]] = {
+    "coordinate": (one(Friction("x3", 1)), "unknown coordinate 'x3' .known: x1, x2"),
+    "direction": (one(Friction({"x1": 0}, 1)), "'x1': its direction is zero"),
+    "restitution": (lambda: RigidStop("x1", 1, 1.5), r"'x1-upper' is not in \[0, 1\]: 1.5"),
+    "static": (lambda: Friction("x1", 2, 1), "'x1': kinetic friction 2 is above static 1"),
+    "friction": (lambda: Friction("x1", -1), "kinetic friction of 'x1' is negative: -1"),
+    "stiffness": (lambda: SoftStop("x1", 1, -2), "stiffness of 'x1-upper' is negative: -2"),
+    "limit": (lambda: Slider("x1", 1, 0), "limit of 'x1' is not positive: 0"),
+    "frequency": (lambda: Harmonic(0, (1,)), "frequency is not positive: 0"),
+    "number": (lambda: Slider("x1", sp.oo, 1), "stiffness of 'x1' is not a real number: oo"),
+    "side": (lambda: RigidStop("x1", 1, 1, "above"), "side of a stop is 'above'"),
+    "release": (lambda: SoftStop("x1", 1, 1, released="late"), "released is 'late'"),
+    "names": (one(Friction("x1", 1), Friction("x1", 2, velocity=1)), "'x1' is declared twice"),
+    "mass shape": (one(mass=[[1]]), "mass is 1 x 1, not 2 x 2"),
+    "stiffness shape": (one(stiffness=sp.eye(3)), "stiffness is 3 x 3, not 2 x 2"),
+    "damping shape": (one(damping=[[1]]), "damping is 1 x 1, not 2 x 2"),
+    "load": (one(load=[1]), "load has 1 values for 2 coordinates"),
+    "amplitudes": (one(forcing=[Harmonic(1, (1,))]), "cosine amplitudes has 1 values"),
+    "symmetry": (one(mass=[[1, 0.5], [0, 1]]), "mass is not symmetric"),
+    "definite": (one(mass=[[1, 2], [2, 1]]), "mass is not positive definite"),
+    "coordinates": (one(coordinates=["x1", "x1"]), "coordinate 'x1' is declared twice"),
+    "normal": (one(Friction("x1", 1, normal=sp.Symbol("x2") ** 2)), "'x1'.*not affine"),
+    "belt": (one(Friction("x1", 1, velocity=sp.Symbol("v2"))), "'x1': the velocity of the belt"),
+    "region": (one(Regions(sp.Symbol("a"), name="side")), "'side': a does not depend"),
+    "terms": (one(Regions(sp.Symbol("x1"), Terms([[1]]))), "below: stiffness is 1 x 1, not 2 x 2"),
+    "alike": (one(Friction("x1", 1), Friction("x1", 1, name="b")), "'x1' and 'b' rub in one"),
+    "chain": (lambda: chain_matrices([1, 1], [1]), "has 2 springs, not 1"),
+    "ends": (lambda: chain_matrices([1], [1], fixed="top"), "fixed is 'top'"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_declarations_are_refused(name: str) -> None:
+    build, message = WRONG[name]
+    with pytest.raises(DeclarationError, match=message):
+        build()

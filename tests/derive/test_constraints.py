@@ -1,0 +1,132 @@
+"""Relations between parameters: checked wherever values are taken."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.derive import DeclarationError, Friction, RigidStop, Slider, SoftStop, oscillator
+from nonsmooth.derive.codegen.tables import system_table
+from nonsmooth.derive.declaration import Declaration
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.parameters import check_constraints
+from nonsmooth.runtime.orbits.solve import solve
+
+BELT = """
+import sympy as sp
+from nonsmooth.derive import Friction, Itinerary, Reference, oscillator
+
+u, s, V = sp.symbols("u s V")
+system = oscillator(
+    "belt", ["x"], [[1]], [[1]], elements=[Friction("x", u, s, velocity=V, name="belt")]
+)
+orbits = [
+    Itinerary(
+        "stick-slip",
+        system,
+        (("stick", "belt-breaks-forward", "ts"), ("slip", "belt-reaches-belt", "tau")),
+        reference=Reference(
+            {"u": "1", "s": "1.3", "V": "0.5"}, {"ts": "1.2", "tau": "5.2", "x0": "0.7"}
+        ),
+    )
+]
+"""
+
+
+def test_constraints_hold_where_their_expressions_are_not_negative() -> None:
+    a, b, n = sp.symbols("a b n")
+    system = oscillator(
+        "loaded", ["x"], [[1]], [[1]],
+        elements=[Friction("x", 1, a / 2, normal=n - b**2 / 3 - a * b / (1 + n) - 1)],
+    )  # fmt: skip
+    kernels, symbols = kernels_of(system), {p.name: p.symbol for p in system.parameters}
+    assert len(system.constraints) == 2
+    rng, kept = np.random.default_rng(5), 0
+    for _ in range(100):
+        numbers = [Fraction(int(k), 6) for k in rng.integers(1, 30, 3)]
+        values = dict(zip(("a", "b", "n"), numbers, strict=True))
+        point = {symbols[k]: sp.Rational(v.numerator, v.denominator) for k, v in values.items()}
+        holds = all(c.subs(point) >= 0 for c in system.constraints)
+        kept += holds
+        if holds:
+            check_constraints(kernels, {k: as_value(v) for k, v in values.items()})
+        else:
+            with pytest.raises(InputError, match="does not hold"):
+                check_constraints(kernels, {k: as_value(v) for k, v in values.items()})
+    assert 10 < kept < 90
+    terms = [entry["terms"] for entry in system_table(Declaration(system))["constraints"]]
+    assert terms[0] == {"a": 2, "1": -4}
+
+
+a, b = sp.symbols("a b")
+NEEDED: dict[str, tuple[Any, Any]] = {
+    "friction": (Friction("x", a, b), (b - a,)),
+    "load": (Friction("x", a, normal=a - b), (a - b,)),
+    "slope": (Friction("x", a, falling=a - b), (a - b,)),
+    "rising": (Friction("x", a, falling=-b), ()),
+    "restitution": (RigidStop("x", 1, a - b), (a - b, 1 - a + b)),
+    "plain restitution": (RigidStop("x", 1, a), ()),
+    "slider": (Slider("x", a, a - b), (a - b,)),
+    "soft stop": (SoftStop("x", 1, a, damping=a - b), (a - b,)),
+}
+
+
+@pytest.mark.parametrize("name", NEEDED)
+def test_elements_need_what_their_laws_need(name: str) -> None:
+    element, needed = NEEDED[name]
+    system = oscillator("needing", ["x"], [[1]], [[1]], elements=[element])
+    own = {p.name: p.symbol for p in system.parameters}
+    given = {symbol: own[str(symbol)] for symbol in (a, b) if str(symbol) in own}
+    assert {sp.expand(c) for c in system.constraints} == {
+        sp.expand(expression.subs(given)) for expression in needed
+    }
+
+
+STATE, STOP = sp.Symbol("x"), RigidStop("x", 1, 0.5, name="wall")
+REFUSED: dict[str, tuple[Any, str]] = {
+    "negative load": (Friction("x", 1, normal=-a), "'x': its normal load -a is not positive"),
+    "no load": (Friction("x", 1, normal=0), "'x': its normal load 0 is not positive"),
+    "rigid stop": (Friction("x", 1, normal="wall"), "the rigid stop 'wall' is no normal load"),
+    "other rigid stop": (Friction("x", 1, normal=RigidStop("x", 2, 1)), "is no soft stop"),
+    "unknown stop": (Friction("x", 1, normal="wal"), r"'wal' is no soft stop .*known: none"),
+    "kinetic": (Friction("x", 1 + STATE), "kinetic friction depends on the state"),
+    "slope": (Friction("x", 1, falling=STATE), "the slope of falling friction depends on the"),
+    "nothing to fall": (Friction("x", 0, 1, falling=1), "kinetic friction is zero, it cannot"),
+    "unknown sign": (Friction("x", 1, normal=sp.cos(a)), r"cos\(a\), of unknown sign"),
+    "slider": (Slider("x", 1, 1 - STATE), "'x': limit depends on the state"),
+    "stop": (SoftStop("x", 1, -a, name="soft"), "'soft': stiffness is negative: -a"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_laws_outside_their_field_are_refused_in_one_line(name: str) -> None:
+    element, message = REFUSED[name]
+    with pytest.raises(DeclarationError, match=message) as refusal:
+        oscillator("wrong", ["x"], [[1]], [[1]], elements=[element, STOP])
+    assert "\n" not in str(refusal.value)
+
+
+def test_orbits_with_kernels_keep_them_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+    Path("belt.py").write_text(BELT)
+    answer = CliRunner().invoke(app, ["generate", "belt.py", "--out", "kernels"])
+    assert answer.exit_code == 0
+    kernels = "kernels:stick-slip"
+    orbit = solve(kernels)
+    assert float(orbit.unknowns["ts"]) == pytest.approx(1.2)
+    assert ns.refine(orbit, 30).stability.margin == 1  # a map of rank zero
+    with pytest.raises(InputError, match=r"s = 0\.9, u = 1: s - u >= 0 does not hold"):
+        solve(kernels, {"s": "0.9"})
+    found = ns.solve_many(kernels, s=np.array([0.9, 1.3]))
+    assert found.status.tolist() == [2, 0]

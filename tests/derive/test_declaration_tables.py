@@ -1,0 +1,297 @@
+"""Rows, fields, resets and modes as the kernels give them, against the declarations."""
+
+import itertools
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.linalg import expm
+
+from nonsmooth.derive.declaration import Declaration, modes_of
+from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.modal import TIME, derive_flows
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.systems import SYSTEMS, declaration
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
+from nonsmooth.runtime.model.structure import structure_of
+
+NAMES = list(SYSTEMS)
+
+
+@cache
+def declared(name):
+    system = declaration(name).system
+    return Declaration(system, *derive_flows(system))
+
+
+def points(name, count=4):
+    """Random parameters inside their domains."""
+    random = np.random.default_rng(sum(map(ord, name)))
+    found = []
+    for _ in range(count):
+        values = {p.name: random.uniform(0.2, 0.9) for p in load_system(name).parameters}
+        for mass in "12" if "ur1" in values else "":
+            values[f"ur{mass}"] = values[f"us{mass}"] + random.uniform(0, 1)
+        found.append(values)
+    return found
+
+
+def at(name, values):
+    kernels = load_system(name)
+    return piecewise_at(kernels, np.array([values[p.name] for p in kernels.parameters]))
+
+
+def numbers(name, expressions, values):
+    """Affine functions (gradient, constant) of the states, in floats."""
+    system = declaration(name).system
+    substitution = {p.symbol: values[p.name] for p in system.parameters}
+    zero = dict.fromkeys(system.states, 0)
+    return np.array(
+        [
+            [
+                *(float(sp.diff(e, state).subs(substitution)) for state in system.states),
+                float(sp.sympify(e).subs(zero).subs(substitution)),
+            ]
+            for e in expressions
+        ]
+    )
+
+
+@pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def backend(request, monkeypatch):
+    monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
+    return request.param
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.usefixtures("backend")
+def test_boundary_rows_are_the_declared_functions(name):
+    system, structure = declaration(name).system, structure_of(name)
+    for values in points(name):
+        found = at(name, values)
+        for place, configuration in enumerate(system.configurations):
+            assert structure.configurations[place] == configuration.name
+            shapes = structure.boundaries[place]
+            assert [s.name for s in shapes] == [b.name for b in configuration.boundaries]
+            assert [s.reached for s in shapes] == [
+                b.acts_when == "reached" for b in configuration.boundaries
+            ]
+            wanted = numbers(name, [b.function for b in configuration.boundaries], values)
+            rows = found.rows[[s.row for s in shapes]]
+            np.testing.assert_allclose(rows, wanted, rtol=1e-14, atol=1e-15)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.usefixtures("backend")
+def test_fields_are_the_equations_of_motion(name):
+    system = declaration(name).system
+    size = len(system.states) // 2
+    for values in points(name, 2):
+        substitution = {p.symbol: values[p.name] for p in system.parameters}
+        found = at(name, values)
+        for place, configuration in enumerate(system.configurations):
+            dynamics, field = configuration.dynamics, found.fields[place]
+
+            def in_floats(matrix, substitution=substitution):
+                return np.array(sp.Matrix(matrix).subs(substitution).tolist(), dtype=float)
+
+            mass, stiffness = in_floats(dynamics.mass), in_floats(dynamics.stiffness)
+            load = in_floats(dynamics.load).ravel()
+            held = [system.states.index(x) for x in dynamics.held]
+            free = [i for i in range(size) if i not in held]
+            np.testing.assert_array_equal(field[:size, size:-1], np.eye(size))
+            state = np.random.default_rng(place).normal(size=2 * size)
+            rate = field[:, :-1] @ state + field[:, -1]
+            # M a + K x = load in the free coordinates; the held ones have no acceleration
+            missed = mass @ rate[size:] + stiffness @ state[:size] - load
+            np.testing.assert_allclose(missed[free], 0, atol=1e-13)
+            assert not rate[[size + i for i in held]].any()
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.usefixtures("backend")
+def test_transitions_and_resets_are_the_declared_ones(name):
+    system, structure = declaration(name).system, structure_of(name)
+    assert sum(map(len, structure.transitions)) == len(system.transitions)
+    for values in points(name, 1):
+        found = at(name, values)
+        np.testing.assert_array_equal(found.resets[0], np.eye(len(system.states), 5))
+        for place, configuration in enumerate(system.configurations):
+            # in the order of the declaration: the first whose conditions hold is taken
+            wanted = [t for t in system.transitions if t.source == configuration.name]
+            for shape, transition in zip(structure.transitions[place], wanted, strict=True):
+                names = {structure.boundaries[place][b].name for b in shape.boundaries}
+                assert names == transition.boundaries
+                assert structure.configurations[shape.target] == transition.target
+                rules = dict(transition.reset.items())
+                column = [rules.get(s, s) for s in system.states]
+                jump = found.resets[shape.reset]
+                np.testing.assert_allclose(jump, numbers(name, column, values), atol=1e-15)
+                for (row, along, holds), condition in zip(
+                    shape.conditions, transition.conditions, strict=True
+                ):
+                    assert structure.configurations[along] == condition.along
+                    assert holds is condition.holds
+                    (function,) = numbers(name, [condition.function], values)
+                    np.testing.assert_allclose(found.rows[row], function, atol=1e-15)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.usefixtures("backend")
+def test_constraints_and_contacts_are_the_declared_ones(name):
+    system, structure = declaration(name).system, structure_of(name)
+    size = len(system.states) // 2
+    for values in points(name, 2):
+        found = at(name, values)
+        for place, configuration in enumerate(system.configurations):
+            held = configuration.dynamics.held
+            functions = [
+                system.states[size + system.states.index(x)] - velocity
+                for x, velocity in held.items()
+            ]
+            wanted = numbers(name, [*functions, *configuration.constraints], values)
+            rows = found.rows[list(structure.constraints[place])]
+            np.testing.assert_allclose(rows, wanted.reshape(rows.shape), atol=1e-15)
+            assert structure.held[place] == tuple(system.states.index(x) for x in held)
+        for shape, contact in zip(structure.contacts, system.contacts, strict=True):
+            assert shape.name == contact.name
+            (velocity,) = numbers(name, [contact.velocity], values)
+            np.testing.assert_allclose(found.rows[shape.velocity], velocity, atol=1e-15)
+            (surface,) = numbers(name, [contact.surface], values)
+            np.testing.assert_allclose(found.rows[shape.surface], surface, atol=1e-15)
+            forces = {structure.configurations[c]: row for c, row in shape.forces.items()}
+            assert forces.keys() == contact.forces.keys()
+            for where, row in forces.items():
+                (force,) = numbers(name, [contact.forces[where]], values)
+                np.testing.assert_allclose(found.rows[row], force, atol=1e-15)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.usefixtures("backend")
+def test_flows_of_modes_are_matrix_exponentials(name):
+    random = np.random.default_rng(4)
+    times = np.array([0.0, 1e-6, 0.3, 2.0, 9.0])
+    for values in points(name, 3):
+        system = at(name, values)
+        for place in range(len(system.structure.configurations)):
+            field = system.fields[place]
+            start = random.normal(size=field.shape[0])
+            found = flow_states(system, place, times, start)
+            for time, state in zip(times, found, strict=True):
+                generator = np.vstack([field, np.zeros(field.shape[1])])
+                wanted = (expm(generator * time) @ np.append(start, 1.0))[:-1]
+                scale = max(1.0, np.abs(wanted).max())
+                np.testing.assert_allclose(state, wanted, rtol=0, atol=2e-12 * scale)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_modes_solve_the_field(name):
+    # coefficient by coefficient: y' = A y + b for a sum over t^k cos, t^k sin
+    (values,) = points(name, 1)
+    system = at(name, values)
+    for place, modes in enumerate(system.structure.modes):
+        field, flows = system.fields[place], system.flows[place]
+        eigenvalues = np.append(np.linalg.eigvals(field[:, :-1]), 0)  # the offset is constant
+        for mode, (rate, frequency) in zip(modes, system.exponents[place], strict=True):
+            assert np.abs(eigenvalues - complex(rate, frequency)).min() < 1e-7
+            assert mode.oscillates == (frequency != 0)
+            assert len(mode.places) == mode.length * (2 if mode.oscillates else 1)
+            if not mode.oscillates:
+                continue
+            cosine, sine = (flows[p] for p in mode.places)
+            moved = field[:, :-1] @ cosine
+            np.testing.assert_allclose(moved, frequency * sine, atol=1e-12)
+            np.testing.assert_allclose(field[:, :-1] @ sine, -frequency * cosine, atol=1e-12)
+        # at time zero they give the start back
+        start = sum(flows[p] for mode in modes for p in mode.places if p == mode.places[0])
+        np.testing.assert_allclose(start, np.eye(len(field), len(field) + 1), atol=1e-13)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_table_is_made_of_the_rows_it_names(name):
+    found, table = declared(name), load_system(name).table
+    assert len(set(found.rows)) == len(found.rows) == structure_of(name).rows
+    assert len(found.resets) == structure_of(name).resets
+    fresh = found.table()
+    for key in ("modes", "held", "constraint_rows", "boundary_rows"):
+        assert fresh[key] == table[key]
+    used = {row for rows in fresh["boundary_rows"].values() for row in rows}
+    used |= {row for rows in fresh["constraint_rows"].values() for row in rows}
+    used |= {row for t in fresh["transitions"] for row, _, _ in t["conditions"]}
+    for contact in fresh["contacts"].values():
+        used |= {*contact["forces"].values(), contact["velocity"], contact["surface"]}
+    assert used == set(range(len(found.rows)))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_numbers_of_many_points_are_those_of_each(name):
+    kernels = load_system(name)
+    grid = np.array([[v[p.name] for p in kernels.parameters] for v in points(name, 5)])
+    (many,) = numbers_at(kernels, grid)
+    for row, point in zip(many.flat, grid, strict=True):
+        one = piecewise_at(kernels, point)
+        parts = (one.fields, one.rows, one.resets, *one.exponents, *one.flows)
+        np.testing.assert_array_equal(row, np.concatenate([p.ravel() for p in parts]))
+
+
+# --- a system without modes in closed form
+
+
+def chain(size):
+    """So many masses in a row, the first in front of a stop."""
+    stiffness = Parameter("k", "stiffness")
+    positions = sp.symbols(f"x1:{size + 1}", real=True)
+    velocities = sp.symbols(f"v1:{size + 1}", real=True)
+    matrix = sp.zeros(size)
+    for i, j in itertools.product(range(size), repeat=2):
+        matrix[i, j] = {0: 2 * stiffness.symbol + i, 1: -stiffness.symbol}.get(abs(i - j), 0)
+    free = Configuration(
+        "free",
+        SecondOrder(sp.eye(size), matrix),
+        (Boundary("first-reaches-stop", positions[0] - 1),),
+    )
+    return System(
+        name=f"chain-of-{size}",
+        description="masses in a row",
+        states=(*positions, *velocities),
+        parameters=(stiffness,),
+        configurations=(free,),
+        transitions=(
+            Transition(
+                "free",
+                frozenset({"first-reaches-stop"}),
+                "free",
+                (),
+                {velocities[0]: -velocities[0]},
+            ),
+        ),
+    )
+
+
+@cache
+def entire():
+    system = chain(3)
+    return Declaration(system, *derive_flows(system))
+
+
+def test_two_masses_have_modes():
+    system = chain(2)
+    found = Declaration(system, *derive_flows(system))
+    assert found.table()["modes"] is not None
+    modes = found.modes["free"]
+    assert [(m.oscillates, m.length) for m in modes if m.oscillates] == [(True, 1)] * 2
+    assert modes[0].terms == (sp.Integer(1),)
+    for mode in modes[1:]:
+        assert mode.terms == (sp.cos(mode.frequency * TIME), sp.sin(mode.frequency * TIME))
+
+
+def test_entire_functions_are_no_modes():
+    found = entire()
+    assert modes_of(found.flows["free"]) is None
+    assert found.modes is None
+    assert found.table()["modes"] is None
+    assert [kernel.name for kernel in found.kernels()] == ["fields", "rows", "resets"]

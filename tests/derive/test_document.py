@@ -1,0 +1,391 @@
+"""Documents of systems and orbits: well formed in LaTeX, Markdown, HTML and PDF."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
+
+from nonsmooth.derive.document.arrange import by_function
+from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
+from nonsmooth.derive.document.centres import name_centres
+from nonsmooth.derive.document.describe import describe_orbit, describe_system
+from nonsmooth.derive.document.hypertext import to_html
+from nonsmooth.derive.document.latex import LatexMissing, compile_pdf, to_latex
+from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.markdown import to_markdown
+from nonsmooth.derive.document.mathml import mended
+from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.equations import derive_equations
+from nonsmooth.derive.itinerary import Itinerary, Phase
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.systems import SYSTEMS, declaration
+from tests.latex_reader import ORBITS, written_of
+
+VOID = {"meta", "br", "hr", "img", "link"}
+
+
+def drop() -> Itinerary:
+    """A ball that falls and bounces: one coordinate, an offset, no centre, no frequency."""
+    g, r, w = (Parameter(n, n, upper=u) for n, u in (("g", sp.oo), ("r", 1), ("w", sp.oo)))
+    h, v = sp.symbols("h v", real=True)
+    eye = sp.eye(1)
+    configuration = Configuration(
+        "falling", SecondOrder(eye, sp.zeros(1, 1), (-g.symbol,)), (Boundary("lands", -h),)
+    )
+    bounce = Transition(
+        "falling", frozenset({"lands"}), "falling", (), {v: w.symbol - r.symbol * v}
+    )
+    system = System("ball", "a falling ball", (h, v), (g, r, w), (configuration,), (bounce,))
+    return Itinerary("bounce", system, (Phase("falling", "lands", "tau"),))
+
+
+def masses(count: int) -> System:
+    """Masses between two springs that may be absent: eigenvalues without a closed form."""
+    k = Parameter("k", "stiffness", lower=-sp.oo)
+    positions = sp.symbols(f"x1:{count + 1}", real=True)
+    velocities = sp.symbols(f"v1:{count + 1}", real=True)
+    stiffness = sp.diag(*(k.symbol + i for i in range(count)))
+    for i in range(count - 1):
+        stiffness[i, i + 1] = stiffness[i + 1, i] = -k.symbol
+    free = Configuration(
+        "free", SecondOrder(sp.eye(count), stiffness), (Boundary("stops", velocities[0]),)
+    )
+    return System("masses", "masses & springs", (*positions, *velocities), (k,), (free,))
+
+
+@pytest.fixture(scope="module")
+def two_masses() -> Document:
+    return describe_system(masses(2))
+
+
+@pytest.fixture(scope="module")
+def three_masses() -> Document:
+    return describe_system(masses(3))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def elsewhere() -> Iterator[subprocess.Popen[bytes]]:
+    """Another process, with other hashes, that writes all orbits while the tests run."""
+    program = (
+        "import sys\n"
+        "from nonsmooth.derive.document.describe import describe_orbit as d\n"
+        "from nonsmooth.derive.document.latex import to_latex\n"
+        "from nonsmooth.derive.document.markdown import to_markdown\n"
+        "from nonsmooth.derive.equations import derive_equations as e\n"
+        "from nonsmooth.derive.systems import SYSTEMS, declaration\n"
+        "for o in (d(e(o)) for s in SYSTEMS for o in declaration(s).orbits):\n"
+        "    sys.stdout.buffer.write((to_latex(o) + to_markdown(o)).encode())"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", program],
+        env={**os.environ, "PYTHONHASHSEED": "12345"},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        yield process
+
+
+@cache
+def system_of(name: str) -> Document:
+    return describe_system(declaration(name).system)
+
+
+@pytest.fixture(scope="module")
+def ball() -> Document:
+    return describe_orbit(derive_equations(drop()))
+
+
+OTHERS = ("ball", "two_masses", "three_masses")
+ZETA, OMEGA = sp.symbols("zeta omega", positive=True)
+DECLARED: dict[str, Callable[[], Document]] = {
+    "forced": lambda: describe_system(forced_stop()),
+    "one impact": lambda: describe_orbit(impacts(1)),
+    "two impacts": lambda: describe_orbit(impacts(2)),
+    "chain": lambda: describe_system(chain()),
+    "rattle": lambda: describe_orbit(rattle(7)),
+    "undamped rattle": lambda: describe_orbit(rattle(1, 0)),
+    "one mass": lambda: describe_system(one_mass(ZETA * OMEGA, OMEGA**2)),
+    "switching": lambda: describe_orbit(switching()),
+}
+
+
+@cache
+def declared(name: str) -> Document:
+    return DECLARED[name]()
+
+
+@pytest.fixture(params=[*ORBITS, *SYSTEMS, *OTHERS, *DECLARED])
+def document(request: pytest.FixtureRequest) -> Document:
+    name = str(request.param)
+    if name in DECLARED:
+        return declared(name)
+    if name in OTHERS:
+        found = request.getfixturevalue(name)
+        assert isinstance(found, Document)
+        return found
+    return written_of(name).document if "/" in name else system_of(name)
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_the_system_shows_its_configurations_and_transitions(name: str) -> None:
+    system, document = declaration(name).system, system_of(name)
+    text = to_markdown(document)
+    for configuration in system.configurations:
+        assert f"*{configuration.name}*" in text
+        for boundary in configuration.boundaries:
+            assert f"*{boundary.name}*" in text
+    tables = [b for b in document.section("Transitions") if isinstance(b, Table)]
+    events = {(t.source, t.boundaries) for t in system.transitions}
+    listed = sum(row[1].count(", or ") + 1 for row in tables[-1].rows)
+    assert listed == len(events)
+    rows = [" ".join(row) for table in tables for row in table.rows]
+    for transition in system.transitions:
+        assert any(f"*{transition.target}*" in row for row in rows)
+    (parameters,) = (b for b in document.section("The system") if isinstance(b, Table))
+    assert len(parameters.rows) == len(system.parameters)
+
+
+def test_the_ends_of_a_domain_are_told_apart() -> None:
+    (table,) = (b for b in system_of("rigid-stop").section("The system") if isinstance(b, Table))
+    assert table.rows[-1][2] == r"$0 \le r \le 1$"
+    (table,) = (b for b in system_of("dry-friction").section("The system") if isinstance(b, Table))
+    assert table.rows[0][2] == r"$0 < \chi < 1$"
+
+
+def test_latex_is_balanced(document: Document) -> None:
+    text = to_latex(document)
+    depth = 0
+    for character in re.sub(r"\\[{}\\]", "", text):
+        depth += {"{": 1, "}": -1}.get(character, 0)
+        assert depth >= 0
+    assert depth == 0
+    opened: list[str] = []
+    for kind, name in re.findall(r"\\(begin|end)\{([a-z*]+)\}", text):
+        if kind == "begin":
+            opened.append(name)
+        else:
+            assert opened.pop() == name
+    assert not opened
+    assert len(re.findall(r"\\left", text)) == len(re.findall(r"\\right", text))
+
+
+@cache
+def raw_names() -> set[str]:
+    """Names in the code that LaTeX writes otherwise."""
+    names: set[str] = set()
+    for name in ORBITS:
+        equations = written_of(name).equations
+        stages = (*equations.chain.stages, *equations.trace[0], *equations.reduction.stages)
+        names |= {str(s) for stage in (*stages, *equations.stages) for s, _ in stage.assignments}
+        names |= {str(s) for s in (*equations.unknowns, *equations.spectrum.symbols)}
+        names |= {p.name for p in equations.system.parameters}
+        names |= {p.name for p in equations.itinerary.system.parameters}
+    return {n for n in names if re.search(r"\d|_", n)}
+
+
+def test_no_raw_names_remain(document: Document) -> None:
+    raw = raw_names()
+    assert {"z10", "half_tau", "coefficient11"} <= raw
+    for text in (to_markdown(document), to_latex(document)):
+        words = set(re.findall(r"(?<!\\)\b[A-Za-z]\w*[\d_]\w*", text))
+        assert not words & raw
+        assert not re.search(r"(?<![\\A-Za-z])(chi|eta|tau|omega|kappa)(?![A-Za-z])", text)
+        assert "None" not in text
+
+
+def test_sentences_end(document: Document) -> None:
+    for place, block in enumerate(document.blocks):
+        if not isinstance(block, Paragraph):
+            continue
+        assert "  " not in block.text
+        assert not re.search(r"\b(and|or|,)\.", block.text)
+        ended = block.text.endswith((".", ":"))
+        following = document.blocks[place + 1 : place + 2]
+        assert ended or (following and isinstance(following[0], Formula)), block.text
+        dollars = re.sub(r"\$[^$]*\$", "", block.text)
+        assert "$" not in dollars
+        assert dollars.count("*") % 2 == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "latex"),
+    [
+        ("tau1", r"\tau_{1}"),
+        ("ta", "t_{a}"),
+        ("z10", "z_{10}"),
+        ("us1", "u_{s1}"),
+        ("gap1", r"\Delta_{1}"),
+        ("V", "V"),
+        ("k_c", "k_{c}"),
+        ("stiffness2", r"\mathrm{stiffness}_{2}"),
+        ("z1_3", "z_{1}^{(3)}"),
+        ("z1_3_reset", "z_{1}^{(3)+}"),
+        ("z1_3_by_tau", r"\partial_{\tau} z_{1}^{(3)}"),
+        ("amplitude_tau2", r"A_{\tau_{2}}"),
+        ("amplitude_tau2_by_tau1", r"\partial_{\tau_{1}} A_{\tau_{2}}"),
+        ("cos_omega1_tau1", r"\cos \omega_{1} \tau_{1}"),
+    ],
+)
+def test_notation(name: str, latex: str) -> None:
+    assert written_of("dry-friction/global-stick").notation.symbol(name) == latex
+
+
+@pytest.mark.parametrize(
+    ("name", "latex"),
+    [
+        ("y", "y"),
+        ("coefficient11", "a_{11}"),
+        ("right1", "b_{1}"),
+        ("numerator2", "N_{2}"),
+        ("determinant", "D"),
+        ("cos_omega3_half_tau1", r"\cos(\omega_{3} \tau_{1}/2)"),
+        ("x1_1_reset", "x_{1}^{(1)+}"),
+        ("half_tau", r"\frac{\tau}{2}"),
+    ],
+)
+def test_notation_of_half_phases(name: str, latex: str) -> None:
+    assert written_of("elastic-stop/one-contact").notation.symbol(name) == latex
+
+
+def test_an_arranged_sum_is_the_sum() -> None:
+    written = written_of("elastic-stop/one-contact")
+    for expression in written.equations.residual:
+        terms = by_function(written.notation, expression)
+        assert sp.expand(sp.Add(*terms) - written.notation.plain(expression)) == 0
+        assert len(terms) == 4
+
+
+def test_functions_share_a_coefficient_up_to_its_sign() -> None:
+    written = written_of("elastic-stop/one-contact")
+    named = {str(s): s for s in (*written.notation.functions, *written.notation.constants)}
+    one, two, three = (named[f"cos_omega{i}_{t}"] for i, t in ((1, "tau"), (2, "tau"), (3, "tau1")))
+    p, omega, y = named["p1"], named["omega1"], written.equations.unknowns[0]
+    total = (p - y) * one + (y - p) * two * omega + 3 * three
+    terms = by_function(written.notation, total)
+    assert len(terms) == 2
+    assert sp.expand(sp.Add(*terms) - total) == 0
+
+
+def test_centres_have_letters_that_nothing_else_has() -> None:
+    written = written_of("elastic-stop/one-contact")
+    flows = written.equations.flows.values()
+    assert list(name_centres(flows, ["x_{1}"]).names.values()) == ["d_{1}", "d_{2}"]
+    assert list(name_centres(flows, ["d_{7}"]).names.values()) == ["c_{1}", "c_{2}"]
+    centre = {str(s): e for s, e in written.centres.values.items()}
+    motion = written.equations.system.configuration("contact").dynamics
+    assert sp.simplify(
+        motion.stiffness * sp.Matrix([*centre.values()]) - motion.load
+    ).is_zero_matrix
+
+
+def test_lines_fit_the_page(document: Document) -> None:
+    for formula in document.formulas:
+        for row in formula.latex.splitlines()[1:-1]:
+            assert width(row.replace("&", "")) < 46
+
+
+class Page(HTMLParser):
+    """Tags in their order, and whether they close."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.seen: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.seen.add(tag)
+        assert not {"href", "src"} & {name for name, _ in attrs}
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.seen.add(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self.open[-1:] != ["style"]:
+            assert "\\" not in data
+
+
+def test_html_is_one_offline_page(document: Document) -> None:
+    pytest.importorskip("latex2mathml")
+    text = to_html(document)
+    page = Page()
+    page.feed(text)
+    page.close()
+    assert not page.open
+    assert "math" in page.seen
+    assert not page.seen & {"script", "link", "img", "iframe"}
+    assert not re.search(r"https?://(?!www\.w3\.org)|url\(|@import", text)
+    assert len(re.findall(r'<div class="formula( noted)?">', text)) == len(document.formulas)
+    assert not re.search("<mi>(cos|sin|det|tr)</mi>", text)
+    for label in (f.label for f in document.formulas if f.label):
+        assert text.count(f'<span class="number">({label})</span>') == 1
+
+
+def test_mathml_is_set_as_tex_sets_it() -> None:
+    convert = pytest.importorskip("latex2mathml.converter").convert
+    text = mended(
+        convert(r"- u \left(1 - p\right) \cos \omega t + \frac{a}{2} = -\left(\frac{1}{2}\right)")
+    )
+    page = Page()
+    page.feed(text)
+    assert not page.open
+    assert '<mo lspace="0.167em" rspace="0.167em">cos</mo>' in text
+    fences = re.findall(r'<mo stretchy="(\w+)"', text)
+    assert fences == ["false", "false", "true", "true"]
+    assert text.count('form="prefix"') == 3  # both parentheses, and the sign behind "="
+    assert mended(convert("|x|")).count('stretchy="false"') == 2
+
+
+def test_html_says_what_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
+    orbit = written_of("dry-friction/global-stick").document
+    monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
+    with pytest.raises(ImportError, match=r"nonsmooth\[html\]"):
+        to_html(orbit)
+
+
+def test_another_process_writes_the_same_bytes(elsewhere: subprocess.Popen[bytes]) -> None:
+    written, errors = elsewhere.communicate(timeout=120)
+    assert elsewhere.returncode == 0, errors.decode()
+    documents = [written_of(name).document for name in ORBITS]
+    assert written.decode() == "".join(to_latex(d) + to_markdown(d) for d in documents)
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_pdf_has_no_overfull_box(document: Document, tmp_path: Path) -> None:
+    text = to_latex(document)
+    (tmp_path / "document.tex").write_text(text, encoding="utf-8")
+    options = ["-interaction=nonstopmode", "-halt-on-error", "-draftmode", "-no-shell-escape"]
+    command = ["pdflatex", *options, "document.tex"]
+    subprocess.run(command, cwd=tmp_path, capture_output=True, check=True)
+    log = (tmp_path / "document.log").read_text(encoding="latin-1")
+    overfull = re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)
+    assert not [o for o in overfull if float(o) > 5]
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_pdf_is_written(ball: Document, tmp_path: Path) -> None:
+    compile_pdf(to_latex(ball), tmp_path / "ball.pdf")
+    assert (tmp_path / "ball.pdf").read_bytes().startswith(b"%PDF")
+    with pytest.raises(RuntimeError, match="failed"):
+        compile_pdf(r"\documentclass{article}\begin{document}\nothing", tmp_path / "bad.pdf")
+    assert not (tmp_path / "bad.pdf").exists()
+
+
+def test_missing_latex_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(LatexMissing, match="texlive-latex-recommended"):
+        compile_pdf("", tmp_path / "orbit.pdf")

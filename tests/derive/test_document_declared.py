@@ -1,0 +1,393 @@
+"""Documents of declared systems without closed forms: what they say is true of the motion."""
+
+import re
+from collections.abc import Mapping
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from declared_documents import (
+    chain,
+    forced_stop,
+    impacts,
+    one_mass,
+    rattle,
+    switched,
+    switching,
+)
+from scipy.linalg import expm
+from scipy.optimize import brentq, fsolve
+
+from nonsmooth.derive.document.blocks import Document, Line, Paragraph, Table
+from nonsmooth.derive.document.characteristic import characteristic_pieces
+from nonsmooth.derive.document.cycle import Cycle, harmonics_of
+from nonsmooth.derive.document.describe import describe_itinerary, describe_orbit, describe_system
+from nonsmooth.derive.document.letters import letters_of
+from nonsmooth.derive.document.markdown import to_markdown
+from nonsmooth.derive.document.symbols import Notation
+from nonsmooth.derive.document.wording import Naming
+from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.itinerary import Itinerary, Phase
+from nonsmooth.derive.modal import derive_flows
+from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.systems import SYSTEMS, declaration
+from tests.latex_reader import Reader, text_of, value_of
+
+Field = tuple[np.ndarray, np.ndarray]
+
+
+def cycle_of(itinerary: Itinerary) -> Cycle:
+    """An itinerary as its document sees it."""
+    system = itinerary.presented_system
+    symbols = (*system.states, *(p.symbol for p in system.parameters))
+    naming = Naming(Notation(system.states, symbols), system)
+    return Cycle(itinerary, naming, letters_of(naming, symbols), {})
+
+
+def field_of(system: System, name: str, values: Mapping[sp.Symbol, float]) -> Field:
+    matrix, offset = system.configuration(name).dynamics.field(system.states)
+    return numbers(matrix, values), numbers(offset, values)[:, 0]
+
+
+def numbers(matrix: sp.Matrix, values: Mapping[sp.Symbol, float]) -> np.ndarray:
+    return np.array(sp.Matrix(matrix).subs(values).tolist(), dtype=float)
+
+
+def flow(field: Field, time: float) -> Field:
+    """Phi and phi by the exponential of the augmented matrix."""
+    matrix, offset = field
+    size = len(offset)
+    augmented = np.zeros((size + 1, size + 1))
+    augmented[:size, :size], augmented[:size, size] = matrix, offset
+    found = expm(augmented * time)
+    return found[:size, :size], found[:size, size]
+
+
+def lines_of(document: Document) -> list[Line]:
+    return [line for formula in document.formulas for line in formula.relations]
+
+
+def constant(value: float, time: float) -> float:
+    """A function of time that is known at one time."""
+    return value
+
+
+@cache
+def impact_document() -> Document:
+    return describe_itinerary(impacts(1))
+
+
+DOCUMENTS = {
+    "forced": lambda: describe_system(forced_stop()),
+    "impact": impact_document,
+    "rattle": lambda: describe_orbit(rattle(1)),
+    "switching": lambda: describe_itinerary(switching()),
+}
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_the_lines_say_what_they_show(name: str) -> None:
+    """LaTeX, read back at random numbers, is the expression beside it."""
+    document, draw = DOCUMENTS[name](), np.random.default_rng(5)
+    shown = [line for line in lines_of(document) if line.shows is not None]
+    assert shown
+    symbols = sorted(set().union(*(line.shows.free_symbols for line in shown)), key=str)
+    values = {
+        s: float(v) for s, v in zip(symbols, draw.uniform(0.2, 0.9, len(symbols)), strict=True)
+    }
+    notation = Notation(tuple(symbols), ())
+    read = Reader({notation.symbol(s): v for s, v in values.items()})
+    for line in shown:
+        text = re.sub(r"^.* = (?=\\left\(\\begin)", "", text_of(line))
+        if "D" in line.left or line.shows in (sp.eye(n) for n in (2, 4, 6)):
+            continue
+        if r"\operatorname{diag}" in text:
+            continue
+        found = read.matrix(text) if r"\begin{matrix}" in text else read(text)
+        assert np.allclose(found, value_of(line, values), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("system", [forced_stop(), chain(), switched()], ids=lambda s: str(s.name))
+def test_the_characteristic_polynomial_is_that_of_the_field(system: System) -> None:
+    draw = np.random.default_rng(2)
+    values = {p.symbol: float(draw.uniform(0.2, 0.9)) for p in system.parameters}
+    notation = Notation(system.states, tuple(values))
+    names = {notation.symbol(s): v for s, v in values.items()}
+    for configuration in system.configurations:
+        matrix, _ = configuration.dynamics.field(system.states)
+        pieces = characteristic_pieces(notation, matrix, r"\lambda")
+        if pieces is None:
+            continue
+        for root in draw.uniform(-2, 2, 3):
+            expected = np.linalg.det(root * np.eye(matrix.rows) - numbers(matrix, values))
+            read = Reader({**names, r"\lambda": float(root)})
+            assert read(" ".join(pieces)) == pytest.approx(expected, rel=1e-10, abs=1e-12)
+
+
+def test_a_long_characteristic_polynomial_is_left_out() -> None:
+    entries = sp.Matrix(6, 6, sp.symbols("a1:37", real=True))
+    assert characteristic_pieces(Notation((), ()), entries, r"\lambda") is None
+
+
+@pytest.mark.parametrize(
+    ("zeta", "square", "word"),
+    [
+        ("3/10", 1, r"\cos"),
+        (1, 1, "= 1"),
+        (2, 1, r"\cosh"),
+        ("-1/10", 4, r"\cos"),
+        (1, -1, r"\cosh"),
+    ],
+)
+def test_one_damped_coordinate_in_closed_form(zeta: Any, square: int, word: str) -> None:
+    system = one_mass(sp.sympify(zeta), square)
+    lines = {line.left: line for line in lines_of(describe_system(system))}
+    cosine = lines[r"\operatorname{C}(t)"]
+    assert word in cosine.latex
+    discriminant = float(lines["D"].shows)
+    field, time = field_of(system, "swing", {}), 0.7
+    left, right = (
+        text.partition("=")[2].rstrip(". ")
+        for text in cosine.latex.replace(r",\qquad", "|").split("|")
+    )
+    read = Reader({"D": discriminant, "t": time})
+    values = {
+        rf"\operatorname{{{letter}}}": partial(constant, read(text))
+        for letter, text in (("C", left), ("S", right))
+    }
+    for start in ([1.5, -0.4], [0.0, 2.0]):
+        phi, forcing = flow(field, time)
+        names = {**values, "t": time, r"\mathrm{e}": float(np.e)}
+        names |= {"x": partial(constant, start[0]), "v": partial(constant, start[1])}
+        text = " ".join(lines["x(t)"].pieces[:3]).partition(r",\qquad")[0]
+        assert Reader(names)(text) == pytest.approx((phi @ start + forcing)[0], rel=1e-13)
+
+
+def test_the_cases_of_the_discriminant_are_named_where_they_are_open() -> None:
+    zeta, omega = sp.symbols("zeta omega", positive=True)
+    text = to_markdown(describe_system(one_mass(zeta * omega, omega**2)))
+    assert text.count(r"\text{if }") == 3
+    assert r"\lambda^{2} + 2 \omega \zeta \lambda + \omega^{2}." in text
+    assert r"\text{if }" not in to_markdown(describe_system(switched()))
+
+
+def test_the_cycle_of_switched_damping() -> None:
+    """Elimination (4), switching (2) and Jacobian (6) give the known orbit."""
+    itinerary = switching()
+    cycle, system = cycle_of(itinerary), itinerary.system
+    fields = [field_of(system, p.configuration, {}) for p in itinerary.phases]
+    embedding = numbers(cycle.start.embedding, {})
+    base = numbers(cycle.start.constant, {})[:, 0]
+    inverse = np.eye(2)[list(cycle.start.places)]
+
+    def passage(dwell: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
+        matrix, remainder = np.eye(2), np.zeros(2)
+        flows = [flow(f, t) for f, t in zip(fields, dwell, strict=True)]
+        for phi, forcing in flows:
+            matrix, remainder = phi @ matrix, phi @ remainder + forcing
+        start = np.linalg.solve(
+            np.eye(1) - inverse @ matrix @ embedding, inverse @ (matrix @ base + remainder)
+        )
+        states = [embedding @ start + base]
+        for phi, forcing in flows:
+            states.append(phi @ states[-1] + forcing)
+        return start, states
+
+    def switchings(dwell: np.ndarray) -> list[float]:
+        _, states = passage(dwell)
+        return [
+            float((numbers(p.normal, {}) @ state)[0] + float(p.constant))
+            for p, state in zip(cycle.passings, states[1:], strict=True)
+        ]
+
+    dwell = fsolve(switchings, [1.5, 4.8], xtol=1e-13)
+    assert dwell.sum() == pytest.approx(6.367077, abs=5e-7)
+    _, states = passage(dwell)
+    values = dict(zip(system.states, states[1], strict=True))
+    jacobian = np.eye(2)
+    monodromy = np.eye(2)
+    for passing, state, field, time in zip(cycle.passings, states[1:], fields, dwell, strict=True):
+        values = dict(zip(system.states, state, strict=True))
+        normal, before = numbers(passing.normal, {}), numbers(passing.before, values)
+        phi, _ = flow(field, time)
+        jacobian = (np.eye(2) - before @ normal / float(passing.rate.subs(values))) @ phi @ jacobian
+        monodromy = numbers(passing.saltation(system.states), values) @ phi @ monodromy
+    (multiplier,) = (inverse @ jacobian @ embedding).ravel()
+    assert multiplier == pytest.approx(0.538924872, abs=5e-9)
+    assert monodromy.trace() == pytest.approx(1 + multiplier, rel=1e-11)
+
+
+def test_an_impact_orbit_under_forcing() -> None:
+    """The saltation matrix and the trivial multiplier, against the map by event location."""
+    itinerary = impacts(1)
+    cycle, system = cycle_of(itinerary), itinerary.system
+    zeta, omega, r = (p.symbol for p in system.parameters)
+    known = {zeta: 0.1, omega: 1.5, r: 0.6}
+    period, field = 2 * np.pi / 1.5, field_of(system, "free", known)
+    reset, amplitude = np.diag([1, -0.6, 1, 1]), 1.5
+
+    def start_of(unknowns: np.ndarray) -> np.ndarray:
+        speed, phase = unknowns
+        return np.array([1, speed, amplitude * np.cos(phase), amplitude * np.sin(phase)])
+
+    def misses(unknowns: np.ndarray) -> list[float]:
+        end = flow(field, period)[0] @ start_of(unknowns)
+        return [end[0] - 1, -0.6 * end[1] - unknowns[0]]
+
+    found = [fsolve(misses, [-1.0, phase], xtol=1e-13) for phase in (0, 1, 2, 3, 4, 5)]
+    start = next(start_of(u) for u in found if u[0] < 0 and max(map(abs, misses(u))) < 1e-10)
+    end = flow(field, period)[0] @ start
+    assert np.allclose(reset @ end, start, atol=1e-10)
+
+    def returned(coordinates: np.ndarray) -> np.ndarray:
+        begin = np.array([1, *coordinates])
+        near = (period - 0.05, period + 0.05)
+        time = brentq(lambda t: (flow(field, t)[0] @ begin)[0] - 1, *near, xtol=1e-14)
+        return np.asarray((reset @ flow(field, time)[0] @ begin)[1:])
+
+    step = 1e-5
+    columns = [returned(start[1:] + step * e) - returned(start[1:] - step * e) for e in np.eye(3)]
+    jacobian = np.array(columns).T / (2 * step)
+    (line,) = (x for x in lines_of(impact_document()) if x.left == "S_{1}")
+    values = known | dict(zip(system.states, end, strict=True))
+    monodromy = value_of(line, values) @ flow(field, period)[0]
+    wanted = sorted(np.linalg.eigvals(monodromy), key=lambda m: (abs(m - 1), m.real, m.imag))
+    given = sorted(np.linalg.eigvals(jacobian), key=lambda m: (abs(m - 1), m.real, m.imag))
+    assert abs(wanted[0] - 1) < 1e-6
+    assert abs(wanted[1] - 1) < 1e-6
+    assert abs(given[0] - 1) < 1e-6
+    assert np.allclose(wanted[2:], given[1:], atol=1e-7)
+    assert np.prod(given[1:]).real == pytest.approx(0.36 * np.exp(-0.2 * period), rel=1e-6)
+    velocity = field[0] @ start
+    assert np.allclose(monodromy @ velocity, velocity, atol=1e-9)
+    (harmonic,) = cycle.harmonics
+    assert harmonic.frequency == omega
+    assert "1 and trivial" in to_markdown(impact_document())
+
+
+def test_the_forcing_is_found_where_it_is() -> None:
+    c, s = forced_stop().states[2:]
+    (found,) = harmonics_of(impacts(2), forced_stop())
+    assert (found.first, found.second, found.invariant) == (c, s, c**2 + s**2)
+    assert not harmonics_of(switching(), switched())
+    assert not harmonics_of(rattle(1, 0), chain(0))
+
+
+def test_equal_transitions_are_described_once() -> None:
+    text = to_markdown(describe_itinerary(rattle(6)))
+    assert len(re.findall(r"^Transition \d", text, re.MULTILINE)) == 4
+    assert "(behind phases 1, 5, 9, 13, 17 and 21)" in text
+    (phases,) = (
+        b for b in describe_itinerary(rattle(6)).section("The itinerary") if isinstance(b, Table)
+    )
+    assert [row[-1] for row in phases.rows] == [f"${1 + k % 4}$" for k in range(24)]
+    short = to_markdown(describe_itinerary(rattle(1)))
+    assert len(text) < 1.15 * len(short) + 24 * 90
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_any_itinerary_can_be_described(name: str) -> None:
+    """Held coordinates, presentations, a given period and a border collision too."""
+    for itinerary in declaration(name).orbits:
+        document = describe_itinerary(itinerary)
+        labels = [f.label for f in document.formulas if f.label]
+        assert labels == [str(n) for n in range(1, len(labels) + 1)]
+        (table,) = (b for b in document.section("The itinerary") if isinstance(b, Table))
+        assert len(table.rows) == len(itinerary.phases)
+        for swapped in itinerary.solved_for:
+            text = " ".join(b.text for b in document.blocks if isinstance(b, Paragraph))
+            given = re.findall(r"Given are the parameters (.*?)\.", text)[0]
+            assert f"{swapped[0]}_{{{swapped[1:]}}}" not in given
+
+
+def test_saltation_matrices_of_a_derived_orbit_agree() -> None:
+    """Of the global-stick orbit, with those that its own document derives."""
+    (itinerary,) = (o for o in declaration("dry-friction").orbits if o.name == "global-stick")
+    shown = {
+        line.left: line.shows
+        for line in lines_of(describe_itinerary(itinerary))
+        if re.fullmatch(r"S_\{\d\}", line.left)
+    }
+    system = itinerary.presented_system
+    draw = np.random.default_rng(1)
+    for index, passing in enumerate(cycle_of(itinerary).passings, start=1):
+        symbols = sorted({*system.states, *(p.symbol for p in system.parameters)}, key=str)
+        values = dict(zip(symbols, draw.uniform(0.2, 0.9, len(symbols)), strict=True))
+        state = [values[s] for s in system.states]
+        normal = numbers(passing.normal, values)[0]
+        gap = normal @ state + float(passing.constant.subs(values))
+        state = np.array(state) - normal * gap / (normal @ normal)
+        values |= dict(zip(system.states, state, strict=True))
+        source, target = passing.transition.source, passing.transition.target
+        a, b = field_of(system, source, values)
+        before = a @ state + b
+        reset, jump = numbers(passing.reset, values), numbers(passing.jump, values)[:, 0]
+        a, b = field_of(system, target, values)
+        behind = a @ (reset @ state + jump) + b
+        expected = reset + np.outer(behind - reset @ before, normal) / (normal @ before)
+        assert np.allclose(numbers(shown[f"S_{{{index}}}"], values), expected, atol=1e-12)
+
+
+def test_letters_are_those_that_nothing_else_has() -> None:
+    names = "A R n c f m mu J p_1 s"
+    symbols = sp.symbols(names)
+    system = forced_stop()
+    letters = letters_of(Naming(Notation(system.states, symbols), system), symbols)
+    chosen = list(vars(letters).values())
+    assert len(set(chosen)) == len(chosen)
+    assert not {"A", "R", "n", "c", "f", "m", r"\mu", "J", "p", "s"} & set(chosen)
+
+
+def test_contacts_and_constraints_are_told() -> None:
+    document = describe_system(forced_stop())
+    text = to_markdown(document)
+    assert "Throughout, $x - 1 = 0$ and $v = 0$ in *contact*." in text
+    (table,) = (b for b in document.section("Contacts") if isinstance(b, Table))
+    assert table.rows == (("*stop*", "$v$", "$0$", "*contact*", "$x - c$"),)
+
+
+def test_wide_motions_are_written_row_by_row() -> None:
+    size = 7
+    states = sp.symbols(f"x1:{size + 1} v1:{size + 1}", real=True)
+    stiffness = sp.Matrix(size, size, lambda i, j: sp.Rational(1000 + i + j, 3))
+    motion = SecondOrder(sp.eye(size), stiffness, damping=stiffness)
+    configuration = Configuration("all", motion, (Boundary("stops", states[0]),))
+    reached = Transition("all", frozenset({"stops"}), "all")
+    document = describe_system(System("wide", "", states, (), (configuration,), (reached,)))
+    lefts = [line.left for line in lines_of(document)]
+    assert [f"x_{{{i}}}''" for i in range(1, size + 1)] == [x for x in lefts if "''" in x]
+
+
+def test_closed_and_open_flows_stand_side_by_side() -> None:
+    states = sp.symbols("x v", real=True)
+    motions = [SecondOrder([[1]], [[4]]), FirstOrder([[0, 1], [-1, -1]])]
+    boundary = Boundary("stops", states[0] - 1)
+    configurations = [
+        Configuration(name, motion, (boundary,))
+        for name, motion in zip(("swing", "damped"), motions, strict=True)
+    ]
+    transitions = [
+        Transition("swing", frozenset({"stops"}), "damped"),
+        Transition("damped", frozenset({"stops"}), "swing"),
+    ]
+    system = System("both", "", states, (), configurations, transitions)
+    with pytest.raises(DerivationError):
+        derive_flows(system)
+    text = to_markdown(describe_system(system))
+    assert r"$\Phi_{1}$, of *swing*:" in text
+    assert r"$\Phi_{2}$, of *damped*: the eigenvalues are the roots of" in text
+    assert "The flow of *damped* is not written out" in text
+
+
+def test_a_start_that_nothing_satisfies_is_refused() -> None:
+    """The held velocity is 1 throughout, the boundary asks for 2."""
+    x, v = sp.symbols("x v", real=True)
+    held = Configuration("held", SecondOrder([[1]], [[1]], held={x: 1}), (Boundary("fast", v - 2),))
+    system = System(
+        "contradiction", "", (x, v), (), (held,), (Transition("held", frozenset({"fast"}), "held"),)
+    )
+    with pytest.raises(DerivationError, match=r"'never'.*no state"):
+        describe_itinerary(Itinerary("never", system, (Phase("held", "fast", "tau"),)))

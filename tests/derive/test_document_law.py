@@ -1,0 +1,195 @@
+"""What the documents say is what was declared: each formula, evaluated at random numbers."""
+
+from __future__ import annotations
+
+import random
+import re
+from dataclasses import replace
+from typing import Any
+
+import pytest
+import sympy as sp
+from formulas.cycle_law import CycleLaw, Orbit
+from formulas.law import Broken, Facts, SystemLaw, drawn
+from formulas.layout import Unreadable
+
+import nonsmooth as ns
+from nonsmooth.derive.building import (
+    Friction,
+    Harmonic,
+    Regions,
+    RigidStop,
+    Slider,
+    SoftStop,
+    Terms,
+    chain_matrices,
+    oscillator,
+)
+from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
+from nonsmooth.derive.document.centres import name_centres
+from nonsmooth.derive.document.closed_forms import closed_flows, without_numeric
+from nonsmooth.derive.document.cycle import Cycle
+from nonsmooth.derive.document.describe import describe_itinerary, describe_system, naming_of
+from nonsmooth.derive.document.letters import letters_of
+from nonsmooth.derive.document.symbols import Notation
+from nonsmooth.derive.document.wording import Naming
+from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.system import System
+from nonsmooth.derive.unfolding import unfolded
+from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from tests.documents import GALLERY, document_of, names
+from tests.documents import declarations as all_declarations
+
+SECTIONS = ("The system", "Configurations", "Modal analysis", "Transitions", "Contacts")
+SYSTEMS = list(names(System))
+
+
+def facts_of(system: System, seed: int) -> Facts:
+    """A system at random parameters and a random state."""
+    spectrum, flows = closed_flows(system, [c.name for c in system.configurations])
+    constants = (*(p.symbol for p in system.parameters), *spectrum.symbols)
+    notation = Notation(system.states, constants)
+    centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
+    naming = Naming(notation.with_names(centres.names), system)
+    return Facts(system, naming, spectrum, centres, drawn(system, seed))
+
+
+def random_system(seed: int) -> System:
+    """Coordinates, elements of every kind, and expressions with every sign."""
+    draw = random.Random(seed)
+    letters = sp.symbols("a b k2 mu_c e h nu", positive=True)
+
+    def positive() -> sp.Expr:
+        one, two = draw.sample(letters, 2)
+        return draw.choice([one, one + two, one * two, one / two, 2 * one / 3, (one + 1) / two])
+
+    def signed() -> sp.Expr:
+        one, two, three = draw.sample(letters, 3)
+        choices = [-one, -one - two, one - two, -(one + two) / three, -2 * one, (two - 3) * one]
+        return draw.choice(choices)
+
+    size = draw.choice([1, 1, 1, 2, 2])
+    coordinates = [f"x{i + 1}" for i in range(size)] if size > 1 else [draw.choice(["x", "phi"])]
+    mass, stiffness, _ = chain_matrices(
+        [positive() for _ in range(size)], [positive() for _ in range(size)]
+    )
+    damping = draw.choice([None, sp.diag(*(positive() for _ in range(size)))])
+    side, other = (draw.choice(["upper", "lower"]) for _ in range(2))
+    u, s = letters[:2]
+    last, first = coordinates[-1], coordinates[0]
+    kinds: list[Any] = [
+        RigidStop(last, at=signed(), restitution=sp.Symbol("r"), side=side, name="wall"),
+        SoftStop(first, at=signed(), stiffness=positive(), damping=s, side=other, name="pad"),
+        Friction(first, kinetic=u, static=u + s, velocity=signed(), name="belt"),
+        Slider(last, stiffness=positive(), limit=positive(), name="joint"),
+        Regions(sp.Symbol(first) + signed(), above=Terms(load={first: signed()}), name="step"),
+    ]
+    forcing = [Harmonic(sp.Symbol("w"), cosine={first: signed()})] if draw.random() < 0.4 else []
+    return oscillator(
+        f"random-{seed}", coordinates, mass, stiffness, damping,
+        load={last: signed()}, forcing=forcing, elements=draw.sample(kinds, draw.choice([1, 1, 2])),
+    )  # fmt: skip
+
+
+def check(document: Document, system: System, seed: int) -> int:
+    return SystemLaw(document, facts_of(system, seed)).check(SECTIONS)
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_what_the_document_of_a_system_says_is_true(name: str) -> None:
+    system = all_declarations()[name]
+    assert isinstance(system, System)
+    assert check(document_of(name)[0], system, 3) >= 15
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_what_the_document_of_a_random_system_says_is_true(seed: int) -> None:
+    system = random_system(seed)
+    assert check(describe_system(system), system, seed) >= 8
+
+
+def law_of(name: str) -> CycleLaw:
+    """The document of an itinerary of the gallery, and its orbit at the reference."""
+    itinerary = all_declarations()[name]
+    assert isinstance(itinerary, Itinerary)
+    solved = ns.solve(f"{GALLERY}/{name.replace('/', '.py:')}")
+    assert isinstance(solved, ComposedOrbit)
+    document, itinerary = describe_itinerary(itinerary), unfolded(itinerary)
+    system = itinerary.presented_system
+    spectrum, found = closed_flows(system, dict.fromkeys(p.configuration for p in itinerary.phases))
+    flows = without_numeric(spectrum, found)
+    naming, centres = naming_of(itinerary, spectrum, flows)
+    notation = naming.notation
+    taken = (*notation.constants, *notation.states, *notation.unknowns)
+    cycle = Cycle(itinerary, naming, letters_of(naming, taken), {})
+    known = {p.name: p.symbol for p in system.parameters}
+    given = drawn(system, 1)
+    given |= {known[n]: float(v) for n, v in solved.parameters.items()}
+    facts = Facts(system, naming, spectrum, centres, given)
+    return CycleLaw(document, facts, cycle, Orbit(cycle, facts, solved))
+
+
+ITINERARIES = [n for n in names(Itinerary) if (GALLERY / f"{n.partition('/')[0]}.py").exists()]
+
+
+@pytest.mark.parametrize("name", ITINERARIES)
+def test_what_the_document_of_an_itinerary_says_is_true_on_an_orbit(name: str) -> None:
+    assert law_of(name).whole() > 40
+
+
+def mistakes(latex: str) -> list[str]:
+    """A formula with one sign turned, one pair of brackets left out, or one index changed."""
+    found = []
+    for match in re.finditer(r"(?<![{(^])[+-](?!\})", latex):
+        other = {"+": "-", "-": "+"}[match[0]]
+        found.append(latex[: match.start()] + other + latex[match.end() :])
+    for match in re.finditer(r"\\left\(((?:(?!\\left|\\right|matrix|,).)*[+-].*?)\\right\)", latex):
+        found.append(latex[: match.start()] + match[1] + latex[match.end() :])
+    for match in re.finditer(r"_\{(\d)\}", latex):
+        changed = f"_{{{int(match[1]) % 2 + 1}}}"
+        found.append(latex[: match.start()] + changed + latex[match.end() :])
+    return found
+
+
+def spoiled(document: Document) -> list[tuple[str, str, Document]]:
+    """Each formula with each of its mistakes: the section, the mistake, the document."""
+    found, title = [], ""
+    for place, block in enumerate(document.blocks):
+        title = getattr(block, "text", title) if getattr(block, "level", 0) == 1 else title
+        changed: list[tuple[str, Any]] = []
+        if isinstance(block, Formula):
+            for i, line in enumerate(block.lines):
+                for wrong in mistakes(line.latex):
+                    lines = (*block.lines[:i], Line("", "", (wrong,)), *block.lines[i + 1 :])
+                    changed.append((wrong, replace(block, lines=lines)))
+        if isinstance(block, Table):
+            for i, row in enumerate(block.rows):
+                for j, cell in enumerate(row):
+                    for wrong in mistakes(cell) if re.search(r"\$.*[<>:=]", cell) else []:
+                        cells = (*row[:j], wrong, *row[j + 1 :])
+                        rows = (*block.rows[:i], cells, *block.rows[i + 1 :])
+                        changed.append((wrong, replace(block, rows=rows)))
+        for wrong, other in changed:
+            blocks = (*document.blocks[:place], other, *document.blocks[place + 1 :])
+            found.append((title, wrong, replace(document, blocks=blocks)))
+    return found
+
+
+def is_broken(law: SystemLaw, section: str) -> bool:
+    try:
+        law.check([section])
+    except (Broken, Unreadable):
+        return True
+    return False
+
+
+@pytest.mark.parametrize("name", ["mass_on_belt", "two_stops", "elastic-stop"])
+def test_a_mistake_in_a_formula_is_seen(name: str) -> None:
+    system = all_declarations()[name]
+    assert isinstance(system, System)
+    facts = facts_of(system, 1)
+    # a characteristic polynomial may be even
+    every = [s for s in spoiled(document_of(name)[0]) if r"\det" not in s[1]]
+    assert len(every) > 20
+    for section, wrong, document in random.Random(4).sample(every, 12):
+        assert is_broken(SystemLaw(document, facts), section), wrong

@@ -1,0 +1,259 @@
+"""The documents of the built-in orbits: complete, and equal to what the kernels compute."""
+
+import re
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive.chain import section_of, start_of
+from nonsmooth.derive.document.blocks import Formula, Table
+from nonsmooth.derive.document.markdown import to_markdown
+from nonsmooth.derive.equations import derive_equations
+from nonsmooth.derive.modal import TIME
+from nonsmooth.derive.symmetry import end_conditions
+from tests.documents import derived
+from tests.latex_reader import (
+    ORBITS,
+    REVERSIBLE,
+    Reader,
+    Written,
+    declared_as,
+    solved_of,
+    text_of,
+    value_of,
+    written_of,
+)
+
+
+@pytest.fixture(params=ORBITS)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def written(name: str) -> Written:
+    return written_of(name)
+
+
+VARIANTS = {
+    "from the second phase": lambda: declared_as("dry-friction/symmetric").rotated(1),
+    "from the third phase": lambda: declared_as("dry-friction/global-stick").rotated(2),
+    "behind the collision": lambda: declared_as("dry-friction/solution-ii").rotated(1),
+    "with full closure": lambda: replace(declared_as("elastic-stop/one-contact"), reversor={}),
+}
+
+
+GALLERY = ("mass_on_belt/stick-slip", "two_belts/both-stick", "two_belts/second-sticks")
+
+
+@pytest.mark.parametrize("name", [*VARIANTS, *GALLERY])
+def test_other_itineraries_have_documents_as_true(name: str) -> None:
+    written = Written(derive_equations(VARIANTS[name]())) if name in VARIANTS else derived(name)
+    assert written is not None
+    if name in GALLERY:
+        test_flows_show_what_the_kernels_compute(written)
+        test_one_letter_stands_for_one_thing(written)
+    test_formulas_show_what_the_kernels_compute(written)
+    test_every_stage_of_the_derivation_is_shown(written)
+    test_the_equations_are_all_there(written)
+    test_everything_is_named(written)
+
+
+def test_formulas_show_what_the_kernels_compute(written: Written) -> None:
+    numbers = written.drawn(7)
+    read, checked = written.reader(numbers), 0
+    for line in written.lines:
+        if not isinstance(line.shows, sp.Expr):
+            continue
+        text = text_of(line)
+        if line.shows.is_Matrix:
+            if not line.left.startswith(r"\Phi"):
+                assert read.matrix(text) == pytest.approx(value_of(line, numbers), rel=1e-11), text
+            continue
+        assert read(text) == pytest.approx(value_of(line, numbers), rel=1e-10, abs=1e-11), text
+        checked += 1
+    assert checked > 25 or len(written.equations.system.states) < 4
+
+
+def test_flows_show_what_the_kernels_compute(written: Written) -> None:
+    numbers = written.drawn(3) | {TIME: 0.7}
+    names: dict[str, Any] = {written.notation.symbol(s): v for s, v in numbers.items()}
+    half = len(written.equations.system.states) // 2
+    names["I"] = np.eye(half)
+    blocks: dict[str, np.ndarray] = {}
+    for line in written.lines:
+        definition = r"(P_\{\d+\}) = \\left\(\\begin\{matrix\}(.*?)\\end\{matrix\}\\right\)"
+        for letter, entries in re.findall(definition, line.latex):
+            names[letter] = Reader(names).matrix(rf"\begin{{matrix}}{entries}\end{{matrix}}")
+        for place in re.findall(r"\\Phi_\{(\d+)\}\^\{(\d)(\d)\}", line.left):
+            blocks["".join(place)] = Reader(names)(" ".join(line.pieces)) + np.zeros((half, half))
+    flows = {link.flow.configuration: link.flow for link in written.equations.chain.links}
+    assert len(blocks) == 4 * len(flows)
+    for number, flow in enumerate(flows.values(), start=1):
+        shown = np.block([[blocks[f"{number}{i}{j}"] for j in (1, 2)] for i in (1, 2)])
+        computed = np.array(flow.matrix().xreplace(numbers).tolist(), dtype=float)
+        assert shown == pytest.approx(computed, rel=1e-11, abs=1e-12)
+
+
+def test_projectors_are_projectors(written: Written) -> None:
+    numbers = written.drawn(4)
+    for link in written.equations.chain.links:
+        for function, matrix in zip(link.flow.basis, link.flow.matrices, strict=True):
+            if isinstance(function, sp.cos):
+                block = np.array(matrix[:2, :2].xreplace(numbers).tolist(), dtype=float)
+                assert block @ block == pytest.approx(block, abs=1e-12)
+
+
+def test_every_stage_of_the_derivation_is_shown(written: Written) -> None:
+    equations = written.equations
+    shown = {(line.subject, line.shows) for line in written.lines}
+    subjects = {subject for subject, _ in shown}
+    functions = written.notation.functions
+    for stage in (*equations.chain.stages, *equations.reduction.stages):
+        for symbol, expression in stage.assignments:
+            elsewhere = str(symbol).endswith("_reset") or expression in equations.chain.start.state
+            assert symbol in functions or elsewhere or (symbol, expression) in shown, symbol
+    flows = [link.flow for link in equations.chain.links]
+    used = {s for f in flows for e in (*f.basis, *f.matrices, *f.offsets) for s in e.free_symbols}
+    for symbol, expression in reversed(equations.spectrum.entries):
+        if symbol in used:
+            assert (symbol, expression) in shown
+            used |= expression.free_symbols
+    assert {u for u in equations.unknowns if u in equations.reduction.values} <= {
+        *subjects,
+        *equations.reduction.unknowns,
+        *(e.unknown for e in equations.reduction.eliminations),
+    }
+
+
+def test_the_equations_are_all_there(written: Written) -> None:
+    equations, document = written.equations, written.document
+    formulas = [b for b in document.section("The equations") if isinstance(b, Formula)]
+    assert [f.lines[0].shows for f in formulas] == equations.residual
+    reduced = [b for b in document.section("The reduction") if isinstance(b, Formula) and b.label]
+    left = [e for _, e in equations.reduction.equations]
+    assert [f.lines[0].shows for f in reduced] == ([] if left == equations.residual else left)
+    labels = [f.label for f in document.formulas if f.label]
+    assert labels == [str(i + 1) for i in range(len(labels))]
+
+
+def test_everything_is_named(written: Written) -> None:
+    equations, notation = written.equations, written.notation
+    text = to_markdown(written.document)
+    period = [equations.itinerary.period] if equations.itinerary.period else []
+    parameters = [*equations.itinerary.system.parameters, *period]
+    if equations.itinerary.presentation:
+        parameters += equations.itinerary.presentation.parameters
+    (table,) = (b for b in written.document.section("The system") if isinstance(b, Table))
+    assert {row[0] for row in table.rows} == {f"${notation.symbol(p.symbol)}$" for p in parameters}
+    (introduced,) = re.findall(
+        r"with \w+ coordinates?, (.*)", "\n".join(text.split("## The itinerary")[1].splitlines())
+    )[:1]
+    for unknown in (*equations.unknowns, *equations.vanishing):
+        assert f"${notation.symbol(unknown)}$" in introduced
+    for phase in equations.itinerary.phases:
+        assert f"*{phase.configuration}*" in text
+        assert f"*{phase.boundary}*" in text
+    for symbol, value in equations.required.items():
+        assert f"${notation.symbol(symbol)} = {value}$" in text
+    for symbol in equations.vanishing:
+        assert f"${notation.symbol(symbol)} = 0$" in text
+
+
+def test_one_letter_stands_for_one_thing(written: Written) -> None:
+    equations, notation = written.equations, written.notation
+    stages = (*equations.chain.stages, *equations.reduction.stages, *equations.stages)
+    symbols = {s for stage in (*stages, *equations.trace[0]) for s, _ in stage.assignments}
+    symbols |= {*equations.unknowns, *equations.vanishing, *notation.constants, *notation.states}
+    symbols -= {s for s, e in notation.functions.items() if not e.is_Function}
+    texts = [notation.symbol(s) for s in symbols]
+    assert len(set(texts)) == len(texts)
+    # matrices and vectors of every document, none of which may be a parameter or a state
+    letters = ["M", "K", "J", "E", "I", "P", "R_{1}", "S_{1}", "U_{1}", "f_{1}", "n_{1}", "d", "s"]
+    assert not {
+        *letters,
+        r"\ell",
+        r"\kappa",
+        r"\mathcal{R}",
+        r"\mathcal{M}",
+        r"\varepsilon_{1}",
+    } & set(texts)
+    assert "(R" not in to_markdown(written.document)
+
+
+@pytest.mark.parametrize("name", REVERSIBLE)
+def test_half_phase_conditions_are_the_residual_kernel(name: str) -> None:
+    written, orbit = written_of(name), solved_of(name)
+    equations, solved = written.equations, written.at(orbit)
+    # beside the orbit, where nothing vanishes
+    numbers = {
+        p.symbol: solved[p.symbol] for p in equations.system.parameters if p.symbol in solved
+    }
+    numbers |= {u: solved[u] + 0.1 + 0.03 * i for i, u in enumerate(equations.unknowns)}
+    for link in equations.chain.links:
+        numbers.setdefault(link.dwell, float(link.duration.xreplace(numbers)))
+    read = written.reader(written.complete(numbers))
+    formulas = [b for b in written.document.section("The equations") if isinstance(b, Formula)]
+    shown = [read(text_of(f.lines[0])) for f in formulas]
+    parameters = [orbit.values[n] for n in orbit.kernels.parameter_names]
+    spectrum, _ = orbit.kernels.spectrum(parameters)
+    unknowns = [numbers[u] for u in equations.unknowns]
+    kernel = np.array(orbit.kernels.evaluate("residual", parameters, spectrum, unknowns))
+    assert shown == pytest.approx(kernel, rel=1e-11, abs=1e-12)
+    assert np.abs(kernel).max() > 1e-2
+
+
+@pytest.mark.parametrize("name", REVERSIBLE)
+def test_the_symmetry_says_what_the_closure_leaves(name: str) -> None:
+    written = written_of(name)
+    section = written.document.section("The symmetry")
+    lines = [line for b in section if isinstance(b, Formula) for line in b.lines]
+    declared = declared_as(name)
+    presented = declared.presented_system
+    start = start_of(declared, presented, section_of(declared, presented))
+    conditions = [e for _, e in end_conditions(declared, presented, start) if e != 0]
+    inserted = {*written.equations.required, *written.equations.vanishing}
+    left = [line.shows for line in lines if line.latex.endswith("= 0,")]
+    assert left == [e for e in conditions if e.free_symbols & inserted]
+    assert (name == "rigid-stop/one-impact") == bool(left)
+
+
+@pytest.mark.parametrize("name", REVERSIBLE)
+def test_the_ends_of_the_phases_are_images_of_the_start(name: str) -> None:
+    written = written_of(name)
+    numbers = written.at(solved_of(name)) | {q: 0.0 for q in written.equations.vanishing}
+    for k, link in enumerate(written.equations.chain.links, start=1):
+        (line,) = (x for x in written.lines if re.match(rf"[XZ]\^{{\({k}\)}} = ", x.left))
+        computed = [float(s.xreplace(numbers)) for s in link.after]
+        assert value_of(line, numbers).ravel() == pytest.approx(computed, abs=1e-12)
+
+
+def test_the_start_of_the_rigid_stop_is_explicit() -> None:
+    name = "rigid-stop/one-impact"
+    written, equations = written_of(name), written_of(name).equations
+    for period in ("2*pi", "5", "8"):
+        orbit = ns.solve(name, {"T": period})
+        read = written.reader(written.at(orbit))
+        assert read(text_of(written.line("y(T)"))) == pytest.approx(orbit.unknowns["y"])
+        assert read(text_of(written.line("u(T)"))) == pytest.approx(orbit.unknowns["u"])
+    # D is the determinant of the two conditions at every period
+    numbers = written.at(solved_of(name))
+    given = {p.symbol: numbers[p.symbol] for p in equations.system.parameters}
+    (time,) = (s for s in given if str(s) == "T")
+    conditions = sp.Matrix(equations.residual).jacobian(equations.unknowns)
+    for value in np.linspace(0.5, 9, 12):
+        moved = written.complete(given | {time: float(value)})
+        shown = written.reader(moved)(text_of(written.line("D(T)")))
+        assert shown == pytest.approx(float(conditions.xreplace(moved).det()), abs=1e-12)
+
+
+def test_elimination_tells_each_unknown(written: Written) -> None:
+    text = to_markdown(written.document).split("## The reduction")[1].split("\n## ")[0]
+    for elimination in written.equations.reduction.eliminations:
+        assert written.notation.symbol(elimination.unknown) in text
+    for unknown in written.equations.reduction.unknowns:
+        assert f"${written.notation.symbol(unknown)}$" in text

@@ -1,0 +1,196 @@
+"""Documents of the built-in orbits: what they say of derivatives, stability and energy."""
+
+import re
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from nonsmooth.derive.document.blocks import Formula
+from nonsmooth.derive.document.markdown import to_markdown
+from nonsmooth.derive.energy import energy_of
+from nonsmooth.derive.modal import TIME
+from tests.latex_reader import (
+    CONSERVATIVE,
+    ORBITS,
+    REVERSIBLE,
+    Written,
+    solved_of,
+    text_of,
+    value_of,
+    written_of,
+)
+
+
+@pytest.fixture(params=ORBITS)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def written(name: str) -> Written:
+    return written_of(name)
+
+
+def test_saltation_matrices_are_those_of_the_kernel(name: str, written: Written) -> None:
+    orbit = solved_of(name)
+    numbers = written.at(orbit)
+    read, size = written.reader(numbers), len(written.equations.system.states)
+    kernel = np.array(orbit.evaluate("saltations"), dtype=float).reshape(-1, size, size)
+    resets = [np.array(k.reset.tolist(), dtype=float) for k in written.equations.chain.links]
+    shown: dict[int, np.ndarray] = {}
+    for line in written.lines:
+        for piece in line.pieces:
+            match = re.match(r"S_\{(\d+)\} = (I|R_\{\d+\})?", piece)
+            if match:
+                k = int(match[1])
+                alike = {"I": np.eye(size), f"R_{{{k}}}": resets[k - 1]}
+                shown[k] = alike[match[2]] if match[2] else read.matrix(piece)
+    assert sorted(shown) == list(range(1, len(kernel) + 1))
+    for k, matrix in shown.items():
+        assert matrix == pytest.approx(kernel[k - 1], abs=1e-9)
+
+
+def test_local_maps_as_written_give_the_poincare_jacobian(name: str, written: Written) -> None:
+    orbit = solved_of(name)
+    numbers = written.at(orbit)
+    read, chain = written.reader(numbers), written.equations.chain
+    size = len(written.equations.system.states)
+    text = "\n".join(
+        " ".join([line.left, line.relation, *line.pieces])
+        for formula in written.document.section("Derivatives and the Poincaré map")
+        if isinstance(formula, Formula)
+        for line in formula.lines
+    )
+    resets = {
+        int(k): np.diag([read(e) for e in entries.split(",")])
+        for k, entries in re.findall(r"R_\{(\d+)\} =\s+\\operatorname\{diag\}\((.*?)\)", text)
+    }
+    matrix = r"\s*\\left\((\\begin\{matrix\}.*?\\end\{matrix\})\\right\)"
+    normals = {int(k): read.matrix(m) for k, m in re.findall(rf"n_\{{(\d+)\}} ={matrix}", text)}
+    fields = {int(k): read.matrix(m).T for k, m in re.findall(rf"f_\{{(\d+)\}} ={matrix}", text)}
+    embedding = np.array(chain.section.embedding.tolist(), dtype=float)
+    product = embedding
+    for k, link in enumerate(chain.links, start=1):
+        transfer = np.array(link.transfer.xreplace(numbers).tolist(), dtype=float)
+        n, f = normals[k], fields[k]
+        local = np.eye(size) - f @ n / (n @ f)
+        product = resets.get(k, np.eye(size)) @ local @ transfer @ product
+    jacobian = product[list(chain.section.places), :]
+    assert jacobian == pytest.approx(np.array(orbit.evaluate("poincare_jacobian")), abs=1e-9)
+    # what is said of the monodromy matrix
+    monodromy = np.array(orbit.evaluate("monodromy"), dtype=float)
+    first = chain.links[0]
+    start = np.array([float(e.xreplace(numbers)) for e in first.flow.velocity(first.before)])
+    assert monodromy @ start == pytest.approx(start, abs=1e-9)
+    assert np.trace(monodromy) == pytest.approx(1 + np.trace(jacobian), abs=1e-9)
+
+
+@pytest.mark.parametrize("name", sorted(set(ORBITS) - set(REVERSIBLE)))
+def test_the_chain_rule_as_written_gives_the_jacobian(name: str) -> None:
+    written, orbit = written_of(name), solved_of(name)
+    numbers, equations = written.at(orbit), written.equations
+    assert r"U_{k} &= \Phi^{(k)} R_{k-1} U_{k-1} + f_{k} \varepsilon_{k}" in to_markdown(
+        written.document
+    )
+    chain, unknowns = equations.chain, equations.unknowns
+
+    def array(matrix: sp.Matrix) -> np.ndarray:
+        return np.array(matrix.xreplace(numbers).tolist(), dtype=float)
+
+    start = np.zeros((4, len(unknowns)))
+    start[:, : chain.start.dimension] = array(chain.start.embedding)
+    carried, rows = start, []
+    for link in chain.links:
+        own = np.array([[1.0 if u == link.dwell else 0.0 for u in unknowns]])
+        carried = array(link.transfer) @ carried + array(link.velocity) @ own
+        by_parameter = [
+            float(sp.diff(link.exit, u)) if str(u) in equations.itinerary.solved_for else 0.0
+            for u in unknowns
+        ]
+        rows.append((array(link.normal) @ carried)[0] + by_parameter)
+        carried = array(link.reset) @ carried
+    rows += list((carried - start)[list(chain.start.places), :])
+    assert np.array(rows) == pytest.approx(np.array(orbit.evaluate("jacobian")), abs=1e-9)
+
+
+@pytest.mark.parametrize("name", REVERSIBLE)
+def test_the_column_of_a_dwell_time_is_half_a_rate(name: str) -> None:
+    written, orbit = written_of(name), solved_of(name)
+    equations, numbers = written.equations, written.at(orbit)
+    jacobian = np.array(orbit.evaluate("jacobian"), dtype=float)
+    reversor = equations.itinerary.reversor
+    turned = [i for i, s in enumerate(equations.system.states) if s in reversor]
+    row = 0
+    for link in equations.chain.links:
+        half = [
+            float(f.xreplace({TIME: link.dwell / 2}).xreplace(numbers)) for f in link.flow.basis
+        ]
+        flow = link.flow.matrix(half) * link.before + link.flow.offset(half)
+        middle = flow.xreplace(numbers)
+        rates = [float(link.flow.velocity(middle)[i].xreplace(numbers)) for i in turned]
+        for rate in rates:
+            for column, unknown in enumerate(equations.unknowns):
+                if unknown not in equations.chain.start.coordinates:
+                    share = float(sp.diff(link.duration, unknown))
+                    assert abs(jacobian[row, column]) == pytest.approx(abs(rate * share / 2))
+            row += 1
+    assert row == 2 * len(equations.chain.links)
+
+
+def test_the_trace_as_written_is_that_of_the_kernel(name: str, written: Written) -> None:
+    orbit, equations = solved_of(name), written.equations
+    trace = float(orbit.evaluate("trace"))
+    numbers = written.at(orbit)
+    text = to_markdown(written.document)
+    if name in CONSERVATIVE:
+        line = written.line(r"\operatorname{tr} \mathcal{M}")
+        assert written.reader(numbers)(text_of(line)) - 1 == pytest.approx(trace, abs=1e-9)
+        pair = np.roots([1, -(trace - 1), 1])
+        assert np.abs(pair) == pytest.approx([1, 1])
+        assert r"$|\operatorname{tr} \mathcal{M} - 2| < 2$" in text
+    elif name == "dry-friction/global-stick":
+        symbols = {str(s): s for s in numbers}
+        own = {u: u for u in equations.reduction.unknowns}
+        numbers = written.run(
+            {**numbers, **{u: numbers[symbols[str(u)]] for u in own}}, equations.trace[0]
+        )
+        (line,) = (x for x in written.lines if x.shows == equations.trace[1])
+        assert written.reader(numbers)(text_of(line)) == pytest.approx(trace, abs=1e-9)
+        assert r"$|\operatorname{tr} J| < 1$" in text
+    elif name == "dry-friction/symmetric":
+        jacobian = np.array(orbit.evaluate("poincare_jacobian"))
+        inside = max(abs(np.linalg.eigvals(jacobian))) < 1
+        determinant = np.linalg.det(jacobian)
+        assert inside == (abs(trace) < 1 + determinant and determinant < 1)
+        assert r"|\operatorname{tr} J| < 1 + \det J,\qquad \det J < 1." in text
+        assert trace == pytest.approx(jacobian[0, 0] + jacobian[1, 1])
+    else:
+        assert np.linalg.matrix_rank(orbit.evaluate("poincare_jacobian"), tol=1e-9) == 1
+        assert r"$|\operatorname{tr} J| < 1$" in text
+        assert "one-sided" in text
+        assert "$t_{a} = 0$" in text
+
+
+@pytest.mark.parametrize("name", CONSERVATIVE)
+def test_energies_are_those_of_the_declaration(name: str) -> None:
+    written = written_of(name)
+    system, states = written.equations.system, written.equations.system.states
+    for configuration in {p.configuration for p in written.equations.itinerary.phases}:
+        line = written.line(rf"2 E_{{\text{{{configuration}}}}}")
+        known = energy_of(system.configuration(configuration).dynamics, states)
+        assert line.shows is not None
+        assert not sp.expand(line.shows - 2 * known).free_symbols & set(states)
+    changes = [line for line in written.lines if "}^{+} - E_" in line.left]
+    numbers = written.drawn(1)
+    at_orbit = {s: sp.Integer(1) for s in states[:1]} | dict(written.equations.required)
+    assert changes
+    for line in changes:
+        assert line.shows is not None
+        assert line.shows.xreplace(at_orbit) == 0
+        assert value_of(line, numbers) != 0
+
+
+@pytest.mark.parametrize("name", sorted(set(ORBITS) - set(CONSERVATIVE)))
+def test_only_conservative_orbits_have_an_energy(name: str) -> None:
+    assert not written_of(name).document.section("The energy")

@@ -1,0 +1,213 @@
+"""`nonsmooth generate`: the folder of a user's kernels, compiled or not."""
+
+from __future__ import annotations
+
+import json
+import math
+import shutil
+import sysconfig
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.orbits.solve import solve
+from tests.user_systems import DAMPED, KICKED, declare
+
+FILES = [
+    "PROVENANCE.json", "_kernels.c", "kicked.c", "kicked.h", "kicked.md", "kicked.py", "support.h",
+]  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder of the test's own, which is where the commands run."""
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def generated(*arguments: str) -> dict[str, Any]:
+    code, out, err = run("generate", *arguments, "--json")
+    assert code == 0, err
+    found: dict[str, Any] = json.loads(out)
+    return found
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_a_folder_holds_all_files_and_serves_every_command(place: Path) -> None:
+    declare(place)
+    told = generated("mine.py", "--out", "kernels")
+    assert told["system"] == "kicked"
+    assert told["orbits"] == [{"name": "loop", "derived": True}]
+    assert told["files"] == names(place / "kernels") == FILES
+    assert "Again: nonsmooth generate mine.py --out DIR" in (place / "kernels/kicked.h").read_text()
+    code, out, _ = run("solve", "kernels:loop", "k=1/4", "r=1/3", "--json")
+    found = json.loads(out)
+    assert code == 0
+    assert float(found["unknowns"]["v0"]) == pytest.approx(1.5, rel=1e-14)
+    assert float(found["period"]) == pytest.approx(2.5 * math.pi, rel=1e-14)
+    assert found["stability"] == "stable"
+    for system in ("mine.py", "kernels"):
+        start = ["--from", "x=0,v=2", "--in", "right", "--transitions", "2", "--json"]
+        code, out, _ = run("simulate", system, "k=1", "r=1/2", *start)
+        assert code == 0
+        assert float(json.loads(out)["times"][-1]) == pytest.approx(1.5 * math.pi, rel=1e-14)
+
+
+def test_a_second_run_changes_nothing_and_check_agrees(place: Path) -> None:
+    declare(place)
+    assert len(generated("mine.py", "--out", "kernels")["written"]) == len(FILES)
+    assert generated("mine.py", "--out", "kernels")["written"] == []
+    assert run("generate", "mine.py", "--out", "kernels", "--check")[0] == 0
+    declare(place, KICKED.replace("[[4]]", "[[9]]"))
+    code, out, err = run("generate", "mine.py", "--out", "kernels", "--check")
+    assert code == 1
+    assert "kicked.py (derived)" in out
+    assert err == "nonsmooth: kernels differs from mine.py: generate it again\n"
+    assert len(generated("mine.py", "--out", "kernels")["written"]) > 1
+    assert load_system("kernels").evaluate("fields", [1, 0.5])[3, 0] == -9
+
+
+def test_what_a_renamed_system_leaves_behind_goes(place: Path) -> None:
+    declare(place)
+    generated("mine.py", "--out", "kernels")
+    declare(place, KICKED.replace('"kicked",\n', '"pushed",\n'))
+    generated("mine.py", "--out", "kernels")
+    assert names(place / "kernels") == [name.replace("kicked", "pushed") for name in FILES]
+
+
+def test_a_damped_system_is_emitted_and_its_orbit_told(place: Path) -> None:
+    declare(place, DAMPED)
+    code, out, err = run("generate", "mine.py", "--out", "kernels")
+    assert code == 0
+    assert "kernels/damped.c written" in out
+    assert err.startswith("loop: composed numerically when it is asked for: ")
+    assert not load_orbit("kernels:loop").derived
+    told = generated("mine.py", "--out", "kernels")["orbits"]
+    assert told[0]["derived"] is False
+
+
+def test_a_foreign_folder_is_left_alone(place: Path) -> None:
+    declare(place)
+    other = place / "other"
+    other.mkdir()
+    (other / "thesis.tex").write_text("everything")
+    (place / "file").write_text("")
+    record = other / "PROVENANCE.json"
+    for content in (None, "{}", '{"command": "python scripts/regenerate.py", "files": {}}'):
+        if content is not None:
+            record.write_text(content)
+        code, _, err = run("generate", "mine.py", "--out", "other")
+        assert code == 2
+        assert err.startswith("nonsmooth: error: cannot write other: it holds other files")
+    assert names(other) == ["PROVENANCE.json", "thesis.tex"]
+    assert run("generate", "mine.py", "--out", "file")[0] == 2
+    generated("mine.py", "--out", "kernels")
+    (place / "kernels" / "pushed.py").write_text("mine")
+    declare(place, KICKED.replace('"kicked",\n', '"pushed",\n'))
+    code, _, err = run("generate", "mine.py", "--out", "kernels")
+    assert (code, (place / "kernels" / "pushed.py").read_text()) == (2, "mine")
+    assert "pushed.py: `nonsmooth generate` did not write it" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("none.py", "--out", "kernels"), "there is no file none.py"),
+        (("broken.py", "--out", "kernels"), "broken.py, line 1: NameError"),
+        (("mine.py", "--out", "kernels", "--check", "--compile"), "leave out --compile"),
+    ],
+)
+def test_wrong_input_is_one_line(place: Path, arguments: tuple[str, ...], message: str) -> None:
+    declare(place)
+    declare(place, "system = oscillator()\n", "broken.py")
+    code, out, err = run("generate", *arguments)
+    assert (code, out) == (2, "")
+    assert message in err
+    assert err.count("\n") == 1
+    assert not (place / "kernels").exists()
+
+
+def test_help_shows_an_example() -> None:
+    code, out, _ = run("generate", "--help")
+    assert code == 0
+    assert "nonsmooth generate my_oscillator.py --out my_kernels" in " ".join(out.split())
+    for command in ("solve", "verify", "simulate", "find", "sweep", "equations"):
+        assert "FILE.py" in run(command, "--help")[1], command
+
+
+def test_the_equations_of_a_file(place: Path) -> None:
+    declare(place)
+    code, out, _ = run("equations", "mine.py:loop", "--format", "markdown")
+    assert code == 0
+    assert "The orbit loop of the system kicked" in out
+    assert run("equations", "mine.py", "--format", "markdown")[0] == 0
+    code, _, err = run("equations", "mine.py:lop")
+    assert code == 2
+    assert "did you mean 'mine.py:loop'" in err
+
+
+# --- compiled ----------------------------------------------------------------------------
+
+compiler = pytest.mark.skipif(
+    shutil.which((sysconfig.get_config_var("CC") or "cc").split()[0]) is None,
+    reason="no C compiler",
+)
+
+
+@compiler
+def test_compiled_kernels_are_used_and_agree(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
+    declare(place)
+    told = generated("mine.py", "--out", "kernels", "--compile")
+    library = place / told["written"][-1]
+    assert names(place / "kernels") == sorted([*FILES, library.name])
+    orbit = load_orbit("kernels:loop")
+    assert orbit.system.compiled is not None
+    assert orbit.solver is not None
+    points = np.random.default_rng(5).uniform(0.2, 0.9, (7, 2))
+    compiled = [orbit.system.evaluate(kernel, points) for kernel in ("fields", "rows", "resets")]
+    found = solve("kernels:loop", {"k": 3})
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
+    plain = load_orbit("kernels:loop")
+    assert plain.system.compiled is None
+    for kernel, one in zip(("fields", "rows", "resets"), compiled, strict=True):
+        np.testing.assert_allclose(plain.system.evaluate(kernel, points), one, rtol=1e-15)
+    assert solve("kernels:loop", {"k": 3}).period == pytest.approx(found.period, rel=1e-15)
+    # of another derivation: not used, and gone with the next run
+    monkeypatch.delenv("NONSMOOTH_BACKEND")
+    content = library.read_bytes()
+    declare(place, KICKED.replace("[[4]]", "[[9]]"))
+    generated("mine.py", "--out", "kernels")
+    assert not library.exists()
+    library.write_bytes(content)
+    assert load_orbit("kernels:loop").system.compiled is None
+    library.write_bytes(b"no library")
+    assert load_orbit("kernels:loop").system.compiled is None
+
+
+def test_without_a_compiler_one_line_says_so(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("setuptools")
+    monkeypatch.setenv("CC", str(place / "no-compiler"))
+    declare(place, DAMPED)
+    code, out, err = run("generate", "mine.py", "--out", "kernels", "--compile")
+    assert (code, out) == (2, "")
+    assert "kernels: no compiled kernels: " in err
+    assert "no-compiler" in err
+    assert err.count("\n") == 1
+    assert load_system("kernels").compiled is None

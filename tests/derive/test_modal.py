@@ -1,0 +1,598 @@
+"""Flows: laws, matrix exponentials in three arithmetics, and eigenvalues of every kind."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+import scipy.linalg
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.entire import EntireDifference, EntirePair
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.kernels import flow_kernels, spectrum_kernel
+from nonsmooth.derive.modal import TIME, Flow, Spectrum, derive_flows
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate
+from nonsmooth.derive.system import Configuration, System
+from nonsmooth.derive.systems import dry_friction
+from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
+
+PROPERTY = settings(deadline=None, max_examples=25, derandomize=True)
+DIGITS = 50
+BITS = 200
+SMALL = Fraction(1, 10**9)
+
+
+def executed(kernel: Kernel) -> Callable[..., Any]:
+    """The function that the emitted source of a kernel defines."""
+    namespace: dict[str, Any] = {}
+    exec(python_kernel(kernel, None), namespace)
+    return namespace[kernel.name.replace("-", "_")]
+
+
+def mp_number(mp: Any, value: Fraction) -> Any:
+    return mp.mpf(value.numerator) / value.denominator
+
+
+class Remembering(Mpmath):
+    """mpmath that computes each entire function once for all the states it is applied to."""
+
+    def __init__(self, digits: int) -> None:
+        super().__init__(digits)
+        self.found: dict[Any, Any] = {}
+
+    def _entire(self, matrix: Any, k: int, t: Any) -> Any:
+        key = (k, t, tuple(map(tuple, matrix)))
+        if key not in self.found:
+            self.found[key] = super()._entire(matrix, k, t)
+        return self.found[key]
+
+
+def arb_number(value: Fraction) -> Any:
+    return flint.arb(value.numerator) / value.denominator
+
+
+@dataclass(frozen=True)
+class Case:
+    """A configuration and the numbers of its parameters."""
+
+    mass: Any
+    stiffness: Any
+    load: tuple[Any, ...] = ()
+    held: dict[int, Any] | None = None
+    parameters: tuple[Parameter, ...] = ()
+    values: tuple[Fraction, ...] = ()
+    complex_eigenvalues: bool = False
+
+    @property
+    def size(self) -> int:
+        return len(self.mass)
+
+    def system(self) -> System:
+        n = self.size
+        states = sp.symbols(f"x1:{n + 1} v1:{n + 1}", real=True)
+        held = {states[i]: v for i, v in (self.held or {}).items()}
+        dynamics = SecondOrder(self.mass, self.stiffness, self.load, held=held)
+        only = Configuration("only", dynamics, ())
+        return System("case", "", states, self.parameters, (only,))
+
+
+def anywhere(name: str) -> Parameter:
+    return Parameter(name, "", -sp.oo, sp.oo)
+
+
+A, B, C, D, K, G = (anywhere(n) for n in ("a", "b", "c", "d", "k", "g"))
+POSITIVE, PULL = Parameter("s", ""), Parameter("q", "")
+FREE = [[A.symbol, B.symbol], [C.symbol, D.symbol]]
+ONE, TWO, THREE = sp.eye(1).tolist(), sp.eye(2).tolist(), sp.eye(3).tolist()
+F = Fraction
+
+
+def free(*values: Any) -> Case:
+    """Two coordinates, every entry of the stiffness a parameter of any sign."""
+    loads = (G.symbol, 1)
+    numbers = tuple(F(v) for v in (*values, "0.7"))
+    return Case(TWO, FREE, loads, None, (A, B, C, D, G), numbers)
+
+
+CASES = {
+    "spring": Case(ONE, [[POSITIVE.symbol]], (1,), None, (POSITIVE,), (F(7, 3),)),
+    "spring-of-a-mass": Case(
+        [[PULL.symbol]], [[POSITIVE.symbol]], (1,), None, (POSITIVE, PULL), (F(2), F(3, 5))
+    ),
+    "no-spring": Case(ONE, [[0]], (G.symbol,), None, (G,), (F(-3, 2),)),
+    "spring-of-any-sign-0": Case(ONE, [[K.symbol]], (G.symbol,), None, (K, G), (F(0), F(2))),
+    "spring-of-any-sign-minus": Case(ONE, [[K.symbol]], (G.symbol,), None, (K, G), (F(-2), F(2))),
+    "spring-of-any-sign-small": Case(ONE, [[K.symbol]], (G.symbol,), None, (K, G), (SMALL, F(2))),
+    "all-held": Case(ONE, [[3]], (1,), {0: 2}),
+    "equal": Case(TWO, [[2, 0], [0, 2]], (1, -1)),
+    "equal-defective": Case(TWO, [[2, 1], [0, 2]], (1, -1)),
+    "nearly-equal": Case(TWO, [[2, 0], [0, 2 + sp.Rational(1, 10**9)]], (1, -1)),
+    "nearly-defective": Case(TWO, [[2, 1], [sp.Rational(1, 10**18), 2]], (1, -1)),
+    "negative": Case(TWO, [[-1, "0.3"], ["0.2", -2]], (1, 2)),
+    "complex": Case(TWO, [[1, 2], [-3, 1]], (1, 2)),
+    "one-of-each-sign": Case(TWO, [[1, 2], [3, 1]], (1, 2)),
+    "nonsymmetric": Case(TWO, [[3, 1], ["0.5", 2]], (1, 2)),
+    "singular": Case(TWO, [[1, -1], [-1, 1]], (1, 2)),
+    "nilpotent": Case(TWO, [[0, 1], [0, 0]], (1, 2)),
+    "nothing-but-load": Case(TWO, [[0, 0], [0, 0]], (1, 2)),
+    "coupled-masses": Case([[2, 1], [1, 3]], [[5, -1], [-1, 2]], (1, 2)),
+    "free-equal": free(2, 0, 0, 2),
+    "free-defective": free(2, 1, 0, 2),
+    "free-nearly-defective": free(2, 1, Fraction(1, 10**18), 2),
+    "free-complex": free(1, 2, -3, 1),
+    "free-positive": free(3, 1, "0.5", 2),
+    "free-zero": free(0, 0, 0, 0),
+    "held-without-stiffness": Case(TWO, [[0, 1], [2, 3]], (1, 2), {1: "0.5"}),
+    "held-first": Case(
+        [[2, 1], [1, 3]], [[5, -1], [-2, 2]], (1, 2), {0: PULL.symbol}, (PULL,), (F(3, 4),)
+    ),
+    "held-singular": Case(
+        THREE, [[1, -1, "0.5"], [-1, 1, 2], [0, 0, 1]], (1, 2, 3), {2: "0.5"}
+    ),
+    "held-defective": Case(THREE, [[1, 1, "0.5"], [0, 1, 2], [0, 0, 1]], (1, 2, 3), {2: -1}),
+    "three": Case(
+        THREE, [[3, -1, 0], [-1, 2, -1], [0, -1, POSITIVE.symbol]], (1, 0, 2), None,
+        (POSITIVE,), (F(5, 2),),
+    ),
+    "three-zero": Case(THREE, [[1, -1, 0], [-1, 2, -1], [0, -1, 1]], (1, 0, 2)),
+    "three-equal": Case(THREE, [[2, 0, 0], [0, 2, 0], [0, 0, 2]], (1, 0, 2)),
+    "three-defective": Case(THREE, [[2, 1, 0], [0, 2, 1], [0, 0, 2]], (1, 0, 2)),
+    "three-negative": Case(THREE, [[-1, 1, 0], [0, 2, 1], [0, 0, -3]], (1, 0, 2)),
+    "three-complex": Case(THREE, [[1, 2, 0], [-3, 1, 1], [0, 0, 2]], (1, 0, 2), None, (), (), True),
+}  # fmt: skip
+
+
+@cache
+def derived(name: str) -> tuple[System, Spectrum, Flow, Callable[..., Any]]:
+    system = CASES[name].system()
+    spectrum, flows = derive_flows(system)
+    (kernel,) = flow_kernels(system, spectrum, flows)
+    return system, spectrum, flows["only"], executed(kernel)
+
+
+def substitution(system: System, values: Sequence[Fraction]) -> dict[sp.Symbol, sp.Expr]:
+    return {
+        p.symbol: sp.Rational(v.numerator, v.denominator)
+        for p, v in zip(system.parameters, values, strict=True)
+    }
+
+
+@cache
+def spectral_numbers(name: str) -> list[Any]:
+    """Spectrum at the case's parameters, from the declaration alone, at many digits."""
+    system, spectrum, _, _ = derived(name)
+    values: dict[sp.Symbol, Any] = dict(substitution(system, CASES[name].values))
+    for symbol, expression in spectrum.entries:
+        values[symbol] = expression.subs(values)
+    numbers = {s: sp.N(values[s], 2 * DIGITS) for s, _ in spectrum.entries}
+    for group, matrix in spectrum.eigenvalues:
+        with mpmath.workdps(6 * DIGITS):  # a triple root costs two thirds of the digits
+            rows = sp.Matrix(matrix.subs(values)).tolist()
+            found = mpmath.eig(
+                mpmath.matrix([[mpmath.mpf(e.p) / e.q for e in r] for r in rows]), right=False
+            )
+            numbers |= dict(zip(group, found, strict=True))
+    return [numbers[s] for s in spectrum.symbols]
+
+
+def mp_spectrum(name: str, mp: Any) -> list[Any]:
+    return [
+        mp.mpf(str(s)) if isinstance(s, sp.Expr) else mp.mpmathify(s)
+        for s in spectral_numbers(name)
+    ]
+
+
+@cache
+def reference(name: str, time: Fraction, dps: int = 110) -> Any:
+    """The flow as the exponential of the augmented matrix (A b; 0 0), at many digits."""
+    system, _, flow, _ = derived(name)
+    size = len(system.states)
+    values = substitution(system, CASES[name].values)
+    matrix, offset = (m.subs(values) for m in flow.field)
+    with mpmath.workdps(dps):
+        augmented = mpmath.zeros(size + 1)
+        for i in range(size):
+            for j in range(size):
+                augmented[i, j] = mpmath.mpf(matrix[i, j].p) / matrix[i, j].q
+            augmented[i, size] = mpmath.mpf(offset[i].p) / offset[i].q
+        return mpmath.expm(augmented * mp_number(mpmath, time))
+
+
+def columns(
+    name: str, number: Callable[[Fraction], Any], spectrum: list[Any], t: Fraction, lib: Any
+) -> list[list[Any]]:
+    """Columns of Phi(t) and the offset, by the emitted source at unit states and at zero."""
+    system, _, _, function = derived(name)
+    parameters = [number(v) for v in CASES[name].values]
+    size = len(system.states)
+    ends = []
+    for column in range(size + 1):
+        state = [number(F(int(i == column))) for i in range(size)]
+        ends.append(list(function(parameters, spectrum, number(t), state, lib=lib)))
+    offset = ends[size]
+    return [[e - o for e, o in zip(end, offset, strict=True)] for end in ends[:size]] + [offset]
+
+
+def mp_flow(name: str, t: Fraction, lib: Mpmath) -> Any:
+    spectrum = mp_spectrum(name, lib.mp)
+    found = columns(name, lambda v: mp_number(lib.mp, v), spectrum, t, lib)
+    return lib.mp.matrix(found).T
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_flow_is_a_matrix_exponential_in_fifty_digits(name: str) -> None:
+    lib = Remembering(DIGITS + 10)
+    for t in (F(11, 4), F(-7, 5)):
+        found, expected = mp_flow(name, t, lib), reference(name, t)
+        size = expected.rows - 1
+        for i in range(size):
+            for j in range(size + 1):
+                difference = abs(found[i, j] - expected[i, j])
+                assert difference < mpmath.mpf(10) ** -DIGITS * (1 + abs(expected[i, j]))
+
+
+@pytest.mark.parametrize("name", [n for n, c in CASES.items() if not c.complex_eigenvalues])
+def test_the_flow_is_a_matrix_exponential_in_doubles(name: str) -> None:
+    spectrum = [float(mpmath.re(mpmath.mpmathify(s))) for s in spectral_numbers(name)]
+    if name == "three-defective":  # the numeric eigenvalues of a Jordan block are its weakness
+        spectrum = [2.0] * 3
+    system, _, flow, _ = derived(name)
+    values = substitution(system, CASES[name].values)
+    matrix, offset = (np.array(m.subs(values), dtype=float) for m in flow.field)
+    size = len(system.states)
+    augmented = np.zeros((size + 1, size + 1))
+    augmented[:size, :size], augmented[:size, size:] = matrix, offset
+    for t in (F(11, 4), F(-7, 5)):
+        found = np.array(columns(name, float, spectrum, t, FLOATS), dtype=float).T
+        expected = np.array(reference(name, t).tolist(), dtype=float)[:size]
+        scale = np.max(np.abs(expected))
+        np.testing.assert_allclose(found, expected, rtol=0, atol=2e-14 * scale)
+        np.testing.assert_allclose(
+            scipy.linalg.expm(float(t) * augmented)[:size], expected, rtol=0, atol=1e-12 * scale
+        )
+
+
+@pytest.mark.parametrize("name", [n for n, c in CASES.items() if not c.complex_eigenvalues])
+def test_balls_enclose_the_matrix_exponential(name: str) -> None:
+    system, spectrum, _, _ = derived(name)
+    lib = Balls()
+    with lib.working(BITS):
+        parameters = [arb_number(v) for v in CASES[name].values]
+        if spectrum.eigenvalues:
+            numbers = [
+                flint.arb(mpmath.nstr(mpmath.re(s), 150), "1e-90") for s in spectral_numbers(name)
+            ]
+        else:
+            # only the parameters of the spectrum, in its order
+            names = [p.name for p in system.parameters]
+            needed = [parameters[names.index(str(s))] for s in spectrum.parameters]
+            numbers = list(executed(spectrum_kernel(spectrum))(needed, lib=lib)[0])
+        for t in (F(0), F(11, 4)):
+            found, expected = columns(name, arb_number, numbers, t, lib), reference(name, t)
+            for j, column in enumerate(found):
+                for i, entry in enumerate(column):
+                    ball = flint.arb(entry)
+                    exact = flint.arb(mpmath.nstr(expected[i, j], 100), "1e-90")
+                    assert ball.overlaps(exact)
+                    assert ball.rad() < 1e-35
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_group_laws_of_the_flow(name: str) -> None:
+    lib = Remembering(DIGITS + 10)
+    s, t = F(2, 3), F(9, 7)
+    at_zero, at_s, at_t, at_both = (mp_flow(name, x, lib) for x in (F(0), s, t, s + t))
+    size = at_s.rows
+    identity, tiny = lib.mp.eye(size), lib.mp.mpf(10) ** -DIGITS
+    phi_s, phi_t, both = (m[:, :size] for m in (at_s, at_t, at_both))
+    scale = 1 + lib.mp.mnorm(both)
+    assert lib.mp.mnorm(at_zero[:, :size] - identity) < tiny
+    assert lib.mp.mnorm(at_zero[:, size]) < tiny
+    assert lib.mp.mnorm(both - phi_t * phi_s) < tiny * scale
+    # y(s + t) = Phi(t) y(s) + o(t) gives the law of the offsets
+    assert lib.mp.mnorm(at_both[:, size] - phi_t * at_s[:, size] - at_t[:, size]) < tiny * scale
+
+
+def evaluated(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, Any], lib: Any) -> list[Any]:
+    """Numbers of expressions, through the emitted source."""
+    symbols = tuple(sorted(values, key=str))
+    kernel = Kernel(
+        "probe", "", (Argument("inputs", (len(symbols),), symbols),),
+        (Output("results", (len(expressions),), tuple(expressions)),), (),
+    )  # fmt: skip
+    return list(executed(kernel)([values[s] for s in symbols], lib=lib))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_derivative_of_the_flow_is_the_vector_field(name: str) -> None:
+    system, spectrum, flow, _ = derived(name)
+    lib = Remembering(DIGITS + 10)
+    state = sp.Matrix(system.states)
+    end = flow.matrix() * state + flow.offset()
+    defects = list(end.diff(TIME) - flow.velocity(end))
+    source = random.Random(name)
+    values = {TIME: lib.mp.mpf(source.uniform(0.1, 3))}
+    values |= {s: lib.mp.mpf(source.uniform(-2, 2)) for s in system.states}
+    values |= {
+        p.symbol: mp_number(lib.mp, v)
+        for p, v in zip(system.parameters, CASES[name].values, strict=True)
+    }
+    numbers = mp_spectrum(name, lib.mp)
+    values |= dict(zip(spectrum.symbols, numbers, strict=True))
+    size = max(1, max(abs(e) for e in evaluated(list(end), values, lib)))
+    assert max(abs(d) for d in evaluated(defects, values, lib)) < size * lib.mp.mpf(10) ** -DIGITS
+
+
+SYMMETRIC = [
+    "spring", "no-spring", "equal", "nearly-equal", "singular", "coupled-masses",
+    "three", "three-zero", "three-equal",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SYMMETRIC)
+def test_symmetric_motions_conserve_their_energy(name: str) -> None:
+    lib = Remembering(DIGITS + 10)
+    system, _, _, _ = derived(name)
+    dynamics = system.configurations[0].dynamics
+    values = substitution(system, CASES[name].values)
+    n = CASES[name].size
+    mass, stiffness, load = (
+        lib.mp.matrix([[lib.mp.mpf(e.p) / e.q for e in row] for row in m.subs(values).tolist()])
+        for m in (dynamics.mass, dynamics.stiffness, dynamics.load)
+    )
+    start = lib.mp.matrix([lib.mp.mpf(i * i - 3) / 7 for i in range(2 * n)])
+
+    def energy(state: Any) -> Any:
+        x, v = state[:n], state[n:]
+        return (v.T * mass * v + x.T * stiffness * x)[0] / 2 - (load.T * x)[0]
+
+    flow = mp_flow(name, F(17, 5), lib)
+    end = flow[:, : 2 * n] * start + flow[:, 2 * n]
+    assert abs(energy(end) - energy(start)) < lib.mp.mpf(10) ** (3 - DIGITS)
+
+
+# --- the dry friction's nine configurations ---------------------------------------------
+
+unit = st.fractions(F(1, 20), F(19, 20), max_denominator=60)
+amounts = st.fractions(F(1, 20), F(3), max_denominator=60)
+dry_parameters = st.tuples(unit, *[amounts] * 6)
+
+
+@cache
+def dry_flows() -> tuple[Spectrum, dict[str, Flow], dict[str, Callable[..., Any]]]:
+    system = dry_friction.system
+    spectrum, flows = derive_flows(system)
+    kernels = flow_kernels(system, spectrum, flows)
+    return spectrum, flows, {n: executed(k) for n, k in zip(flows, kernels, strict=True)}
+
+
+@pytest.mark.parametrize("configuration", [c.name for c in dry_friction.system.configurations])
+@settings(PROPERTY, max_examples=4)
+@given(dry_parameters, amounts, st.tuples(*[amounts] * 4))
+def test_dry_friction_flows_in_three_arithmetics(
+    configuration: str, parameters: Any, time: Fraction, state: Any
+) -> None:
+    spectrum, flows, functions = dry_flows()
+    function, spectral = functions[configuration], executed(spectrum_kernel(spectrum))
+    names = [p.name for p in dry_friction.system.parameters]
+    places = [names.index(str(s)) for s in spectrum.parameters]
+    values = substitution(dry_friction.system, parameters)
+    matrix, offset = (m.subs(values) for m in flows[configuration].field)
+    lib, balls = Mpmath(DIGITS), Balls()
+    with mpmath.workdps(90):
+        rows = [[mpmath.mpf(e.p) / e.q for e in row] for row in matrix.row_join(offset).tolist()]
+        augmented = mpmath.matrix([*rows, [0] * 5])
+        begin = mpmath.matrix([*(mp_number(mpmath, s) for s in state), 1])
+        expected = list(mpmath.expm(augmented * mp_number(mpmath, time)) * begin)[:4]
+
+    def run(number: Callable[[Fraction], Any], arithmetic: Any) -> list[Any]:
+        p = [number(v) for v in parameters]
+        s, _ = spectral([p[i] for i in places], lib=arithmetic)
+        return list(function(p, s, number(time), [number(v) for v in state], lib=arithmetic))
+
+    for found, exact in zip(run(lambda v: mp_number(lib.mp, v), lib), expected, strict=True):
+        assert abs(found - exact) < mpmath.mpf(10) ** (5 - DIGITS) * (1 + abs(exact))
+    scale = max(1.0, max(abs(float(e)) for e in expected))
+    np.testing.assert_allclose(run(float, FLOATS), [float(e) for e in expected], atol=1e-12 * scale)
+    with balls.working(BITS):
+        for found, exact in zip(run(arb_number, balls), expected, strict=True):
+            assert found.overlaps(flint.arb(mpmath.nstr(exact, 85), "1e-75"))
+            assert found.rad() < 1e-40
+
+
+# --- entire functions -------------------------------------------------------------------
+
+
+def c_of(mp: Any, k: int, node: Any, t: Any) -> Any:
+    """c_k by its elementary form, for a node that is not zero."""
+    root = mp.sqrt(mp.mpc(node))
+    c0, c1 = mp.cos(root * t), mp.sin(root * t) / root
+    return (c0, c1, (1 - c0) / node, (t - c1) / node)[k]
+
+
+def test_divided_differences_of_distinct_nodes_are_those_of_the_elementary_functions() -> None:
+    lib = Mpmath(80)
+    mp, source = lib.mp, random.Random(3)
+    for k in range(4):
+        for count in (1, 2, 3, 4):
+            nodes = [mp.mpf(source.uniform(-4, 6)) for _ in range(count)]
+            t = mp.mpf(source.uniform(0.1, 4))
+            expected = mp.mpf(0)
+            for i, node in enumerate(nodes):
+                others = [node - other for j, other in enumerate(nodes) if j != i]
+                expected += c_of(mp, k, node, t) / mp.fprod(others)
+            found = lib.entire_difference(k, t, *nodes)
+            assert abs(found - expected) < mp.mpf(10) ** -60
+    assert lib.entire_difference(2, mp.mpf(3), mp.mpf(0)) == mp.mpf(9) / 2
+
+
+@pytest.mark.parametrize("d", ["2.25", "-1.5"])
+def test_pairs_are_the_mean_and_the_difference_at_both_eigenvalues(d: str) -> None:
+    lib = Mpmath(80)
+    mp, t, m = lib.mp, lib.mp.mpf("1.7"), lib.mp.mpf("0.6")
+    s = mp.sqrt(mp.mpc(d))
+    for k in range(4):
+        upper, lower = c_of(mp, k, m + s, t), c_of(mp, k, m - s, t)
+        for part, expected in enumerate(((upper + lower) / 2, (upper - lower) / (2 * s))):
+            found = lib.entire_pair(k, 0, part, t, m, mp.mpf(d))
+            assert abs(found - expected) < mp.mpf(10) ** -70
+
+
+def slope_of(mp: Any, function: Callable[[Any], Any], at: Any) -> Any:
+    """Central difference of fourth order; its error is some 1e-36 for a smooth function."""
+    h = mp.mpf(10) ** -9
+    near, far = function(at + h) - function(at - h), function(at + 2 * h) - function(at - 2 * h)
+    return (8 * near - far) / (12 * h)
+
+
+NODES = [(2,), (0,), (-3,), (2, 5), (2, 2), (0, 0), (3, 3, 3), (2, -1, 2)]
+
+
+@pytest.mark.parametrize("nodes", NODES, ids=str)
+@pytest.mark.parametrize("k", range(4))
+def test_derivatives_of_divided_differences(k: int, nodes: tuple[int, ...]) -> None:
+    lib = Mpmath(60)
+    mp = lib.mp
+    symbols = sp.symbols(f"l1:{len(nodes) + 1}", real=True)
+    expression = EntireDifference(k, TIME, *symbols)
+    values = {TIME: mp.mpf("1.3")} | {s: mp.mpf(n) for s, n in zip(symbols, nodes, strict=True)}
+    for symbol in (TIME, *symbols):
+        (found,) = evaluated([expression.diff(symbol)], values, lib)
+
+        def along(x: Any, symbol: sp.Symbol = symbol) -> Any:
+            t, *rest = ((values | {symbol: x})[s] for s in (TIME, *symbols))
+            return lib.entire_difference(k, t, *rest)
+
+        assert abs(found - slope_of(mp, along, values[symbol])) < mp.mpf(10) ** -30
+
+
+@pytest.mark.parametrize(
+    ("level", "d"), [(0, "1e-9"), (0, "0"), (0, "-3"), (1, "0"), (1, "2"), (2, "-3")]
+)
+def test_derivatives_of_pairs(level: int, d: str) -> None:
+    lib = Mpmath(60)
+    mp = lib.mp
+    m, spread = sp.symbols("m spread", real=True)
+    values = {TIME: mp.mpf("1.3"), m: mp.mpf("0.8"), spread: mp.mpf(d)}
+    for k in (range(4), (0, 3), (0,))[level]:
+        for part in (0, 1):
+            expression = EntirePair(k, level, part, TIME, m, spread)
+            for symbol in values:
+                (found,) = evaluated([expression.diff(symbol)], values, lib)
+
+                def along(x: Any, symbol: sp.Symbol = symbol, k: int = k, part: int = part) -> Any:
+                    point = values | {symbol: x}
+                    return lib.entire_pair(k, level, part, *point.values())
+
+                assert abs(found - slope_of(mp, along, values[symbol])) < mp.mpf(10) ** -30
+
+
+def test_at_zero_the_divided_differences_are_powers_of_time() -> None:
+    assert EntireDifference(1, TIME, 0) == TIME
+    assert EntireDifference(0, TIME, 0, 0) == -(TIME**2) / 2
+    assert EntireDifference(3, TIME, 0, 0, 0) == TIME**7 / sp.factorial(7)
+
+
+@pytest.mark.parametrize(
+    "name", ["free-equal", "free-defective", "free-complex", "free-positive", "free-zero"]
+)
+def test_total_derivatives_by_parameters_where_eigenvalues_meet(name: str) -> None:
+    system, spectrum, flow, _ = derived(name)
+    lib = Mpmath(60)
+    mp = lib.mp
+    end = flow.matrix() * sp.Matrix(system.states) + flow.offset()
+    names = [sp.Symbol(f"{s}_end", real=True) for s in system.states]
+    stages = [
+        Stage("spectrum", spectrum.entries),
+        Stage("end", tuple(zip(names, end, strict=True))),
+    ]
+    seeds = {p.name: {p.symbol: sp.Integer(1)} for p in system.parameters}
+    more, moving = differentiate(stages, seeds)
+    state = [mp.mpf(i * i - 2) / 3 for i in range(4)]
+    time = mp.mpf("1.3")
+    numbers = [mp_number(mp, v) for v in CASES[name].values]
+    symbols = tuple(p.symbol for p in system.parameters)
+    kernel = Kernel(
+        "sensitivity", "",
+        (Argument("inputs", (len(symbols) + 5,), (*symbols, TIME, *system.states)),),
+        tuple(
+            Output(f"by_{p.name}", (4,), tuple(sp.sympify(moving[p.name].get(n, 0)) for n in names))
+            for p in system.parameters
+        ),
+        (*stages, *more),
+    )  # fmt: skip
+    found = executed(kernel)([*numbers, time, *state], lib=lib)
+
+    def shot(values: list[Any]) -> Any:
+        a, b, c, d, g = values
+        matrix = mp.zeros(5)
+        matrix[0, 2] = matrix[1, 3] = 1
+        matrix[2, 0], matrix[2, 1], matrix[3, 0], matrix[3, 1] = -a, -b, -c, -d
+        matrix[2, 4], matrix[3, 4] = g, 1
+        return mp.expm(matrix * time) * mp.matrix([*state, 1])
+
+    for place, column in enumerate(found):
+
+        def along(x: Any, place: int = place) -> Any:
+            return shot([x if j == place else v for j, v in enumerate(numbers)])[:4]
+
+        slope = slope_of(mp, along, numbers[place])
+        assert mp.mnorm(mp.matrix(column) - slope) < mp.mpf(10) ** -30
+
+
+# --- names and refusals -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "names",
+    [("omega1", "gap1"), ("p1", "omega2"), ("t1", "t0"), ("h0", "mean1"), ("x0", "lambda1")],
+)
+def test_parameters_may_have_the_names_of_the_spectrum(names: tuple[str, str]) -> None:
+    first, second = Parameter(names[0], ""), Parameter(names[1], "")
+    k, g = first.symbol, second.symbol
+    states = sp.symbols("x y v w", real=True)
+    dynamics = SecondOrder(sp.eye(2), [[2 * k, -k], [-k, 3 * k]], (g, 0))
+    system = System("case", "", states, (first, second), (Configuration("only", dynamics, ()),))
+    spectrum, flows = derive_flows(system)
+    (kernel,) = flow_kernels(system, spectrum, flows)
+    numbers, _ = executed(spectrum_kernel(spectrum))([1.7], lib=FLOATS)
+    found = executed(kernel)([1.7, 0.6], numbers, 0.9, [1.0, 2.0, -1.0, 0.5], lib=FLOATS)
+    matrix = np.zeros((5, 5))
+    matrix[:2, 2:4] = np.eye(2)
+    matrix[2:4, :2] = -1.7 * np.array([[2, -1], [-1, 3]])
+    matrix[2, 4] = 0.6
+    expected = scipy.linalg.expm(0.9 * matrix) @ [1.0, 2.0, -1.0, 0.5, 1.0]
+    np.testing.assert_allclose(found, expected[:4], rtol=1e-13)
+
+
+def test_equal_frequencies_of_two_configurations_share_a_symbol() -> None:
+    spectrum, flows = derive_flows(dry_friction.system)
+    assert len({e for _, e in spectrum.entries}) == len(spectrum.entries)
+    assert flows["stick-slip"].matrices == flows["stick-overshoot"].matrices
+
+
+@pytest.mark.parametrize(
+    "dynamics",
+    [SecondOrder([[1]], [[1]], damping=[["0.1"]]), FirstOrder([[0, 1], [-1, 0]])],
+    ids=["damping", "first order"],
+)
+def test_what_has_no_closed_form_here_is_refused_by_name(dynamics: Any) -> None:
+    fine = Configuration("fine", SecondOrder([[1]], [[1]]), ())
+    states = sp.symbols("x v", real=True)
+    system = System("case", "", states, (), (fine, Configuration("murky", dynamics, ())))
+    with pytest.raises(DerivationError, match="configuration 'murky': the closed form covers"):
+        derive_flows(system)

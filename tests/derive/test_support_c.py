@@ -1,0 +1,322 @@
+"""The support of the generated C against ball arithmetic and its Python twin."""
+
+import ctypes
+import math
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+
+from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum, maximum
+from tests.places import CHECKOUT
+
+compiler = shutil.which("gcc") or shutil.which("cc")
+pytestmark = pytest.mark.skipif(compiler is None, reason="there is no C compiler")
+
+HEADER = CHECKOUT / "derive/codegen/support.h"
+FLAGS = "-std=c99 -Wall -Wextra -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math"
+DRIVER = """
+#include "support.h"
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+#define CLONED __attribute__((target_clones("avx2", "default")))
+#else
+#define CLONED
+#endif
+#define SINCOS                                                                                  \\
+    (int count, const double *restrict x, double *restrict sine, double *restrict cosine)
+#define MAXIMA                                                                                  \\
+    (int sums, int terms, const double *frequency, const double *coefficients, double duration, \\
+     const double *floor, double *maximum, double *time)
+void sincos_plain SINCOS
+{
+#pragma omp simd
+    for (int i = 0; i < count; ++i)
+        nonsmooth_sincos(x[i], &sine[i], &cosine[i]);
+}
+CLONED void sincos_cloned SINCOS
+{
+#pragma omp simd
+    for (int i = 0; i < count; ++i)
+        nonsmooth_sincos(x[i], &sine[i], &cosine[i]);
+}
+void maxima_plain MAXIMA
+{
+    nonsmooth_maxima(sums, terms, frequency, coefficients, duration, floor, maximum, time);
+}
+CLONED void maxima_cloned MAXIMA
+{
+    nonsmooth_maxima(sums, terms, frequency, coefficients, duration, floor, maximum, time);
+}
+double rounding(int terms, const double *frequency, const double *row, double duration)
+{
+    return nonsmooth_rounding(terms, frequency, row, duration);
+}
+"""
+
+
+def build(folder, name, *options):
+    source, library = folder / "driver.c", folder / f"{name}.so"
+    source.write_text(DRIVER)
+    command = [compiler, *FLAGS.split(), *options, "-I", HEADER.parent, "-shared", "-fPIC"]
+    run = subprocess.run(
+        [*command, source, "-o", library, "-lm"], capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    return ctypes.CDLL(str(library)), run.stderr
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("support")
+
+
+@pytest.fixture(scope="module")
+def vector(folder):
+    return build(folder, "vector", "-O3", "-fopenmp-simd")[0]
+
+
+@pytest.fixture(scope="module")
+def scalar(folder):
+    return build(folder, "scalar", "-O1", "-Wno-unknown-pragmas")[0]
+
+
+def pointer(array):
+    return array.ctypes.data_as(ctypes.c_void_p)
+
+
+def sine_and_cosine(function, points):
+    result = np.empty((2, len(points)))
+    function(len(points), pointer(points), pointer(result[0]), pointer(result[1]))
+    return result
+
+
+def maxima(function, frequency, rows, duration, floor):
+    frequency, rows, floor = (np.array(a, dtype=float, ndmin=1) for a in (frequency, rows, floor))
+    result = np.empty((2, len(floor)))
+    function(
+        len(floor),
+        len(frequency),
+        pointer(frequency),
+        pointer(rows),
+        ctypes.c_double(duration),
+        pointer(floor),
+        pointer(result[0]),
+        pointer(result[1]),
+    )
+    return result
+
+
+def as_sum(frequency, row):
+    count = len(frequency)
+    return TrigonometricSum(
+        row[0], row[1], tuple(row[2 : 2 + count]), tuple(row[2 + count :]), tuple(frequency)
+    )
+
+
+def bump_between_flat_ends():
+    """Make a sum with g = g' = 0 at both ends of a window of one cell, and g = 1 in its middle."""
+    end, w = 0.58, np.array([0.3, 1.0])
+
+    def values(t):
+        return [1, t, *np.cos(w * t), *np.sin(w * t)]
+
+    def slopes(t):
+        return [0, 1, *(-w * np.sin(w * t)), *(w * np.cos(w * t))]
+
+    rows = [values(0), values(end), slopes(0), slopes(end), values(end / 2), values(0.4 * end)]
+    return as_sum(w, np.linalg.solve(rows, [0, 0, 0, 0, 1, 0.9216])), end
+
+
+def points():
+    generator = np.random.default_rng(20)
+    multiples = np.arange(1, 63662) * (math.pi / 2)
+    edges = (np.arange(0, 63661, 3) + 0.5) * (math.pi / 2)
+    edges = np.concatenate([edges, np.nextafter(edges, 0), np.nextafter(edges, 1e9)])
+    beside = generator.choice(multiples, 4000)
+    small = np.ldexp(generator.uniform(1, 2, 20000), generator.integers(-1074, 0, 20000))
+    special = [0.0, 5e-324, 2.2e-308, 2.0**-1022, 1e5, math.pi / 4, 1.0]
+    positive = np.concatenate(
+        [
+            multiples,
+            np.nextafter(beside, 0),
+            np.nextafter(beside, 1e9),
+            edges,
+            small,
+            generator.uniform(0, 1e5, 40000),
+            generator.uniform(0, 7, 40000),
+            special,
+        ]
+    )
+    signs = np.where(np.arange(len(positive)) % 2, 1.0, -1.0)
+    return np.concatenate([signs * positive, -np.array(special), special])
+
+
+@pytest.fixture(scope="module")
+def balls():
+    """Points with their sines and cosines: the nearest doubles and what is left of them."""
+    x = points()
+    nearest, rest = np.empty((2, len(x))), np.empty((2, len(x)))
+    before, ctx.prec = ctx.prec, 160
+    try:
+        for i, t in enumerate(x.tolist()):
+            for row, value in enumerate(arb(t).sin_cos()):
+                nearest[row, i] = float(value)
+                rest[row, i] = float(value - arb(nearest[row, i]))
+    finally:
+        ctx.prec = before
+    return x, nearest, rest
+
+
+def test_sine_and_cosine_are_within_nine_tenths_of_an_ulp(vector, balls):
+    x, nearest, rest = balls
+    assert len(x) > 200000
+    error = sine_and_cosine(vector.sincos_plain, x) - nearest - rest
+    assert np.max(np.abs(error) / np.spacing(np.abs(nearest))) <= 0.9
+
+
+def test_the_sign_of_zero_is_kept_and_subnormals_are_exact(vector):
+    x = np.array([0.0, -0.0, 5e-324, -5e-324, 3e-310, -3e-310, 1e-300])
+    sine, cosine = sine_and_cosine(vector.sincos_plain, x)
+    assert sine.tobytes() == x.tobytes()
+    assert (cosine == 1).all()
+
+
+def test_outside_the_range_both_are_nan(vector):
+    x = np.array([np.nextafter(1e5, 2e5), -1.1e5, 1e300, math.inf, -math.inf, math.nan])
+    assert np.isnan(sine_and_cosine(vector.sincos_plain, x)).all()
+
+
+def test_every_build_gives_the_same_bits(scalar, vector):
+    x = points()
+    expected = sine_and_cosine(scalar.sincos_plain, x).tobytes()
+    assert sine_and_cosine(vector.sincos_plain, x).tobytes() == expected
+    assert sine_and_cosine(vector.sincos_cloned, x).tobytes() == expected
+    for case in cases(200):
+        expected = maxima(scalar.maxima_plain, *case).tobytes()
+        assert maxima(vector.maxima_plain, *case).tobytes() == expected
+        assert maxima(vector.maxima_cloned, *case).tobytes() == expected
+
+
+def test_loops_over_sincos_vectorise(folder):
+    version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True)
+    machine = subprocess.run([compiler, "-dumpmachine"], capture_output=True, text=True, check=True)
+    if "Free Software Foundation" not in version.stdout or "x86_64-linux" not in machine.stdout:
+        pytest.skip("the report is that of GCC on x86-64 Linux")
+    report = build(folder, "report", "-O3", "-fopenmp-simd", "-fopt-info-vec")[1]
+    loops = [line for line in report.splitlines() if "driver.c" in line and "loop vect" in line]
+    assert sum("16 byte" in line for line in loops) >= 2
+    assert any("32 byte" in line for line in loops)
+
+
+def cases(count):
+    """Draw frequencies, rows, duration and floors, with sums of very different size and drift."""
+    generator = np.random.default_rng(count)
+    for _ in range(count):
+        sums, terms = generator.integers(1, 5), generator.integers(0, 5)
+        frequency = generator.uniform(0.05, 3, terms)
+        rows = generator.normal(size=(sums, 2 + 2 * terms))
+        rows *= generator.choice([1, 1e-2, 1e-5, 0], rows.shape, p=[0.6, 0.2, 0.1, 0.1])
+        duration = generator.choice([0.0, 0.3, 3.0, 30.0]) * generator.uniform(0.5, 1.5)
+        yield frequency, rows, duration, generator.choice([-math.inf, 0, 0.5, 1e3], sums)
+
+
+def agree(vector, frequency, rows, duration, floor):
+    """Assert that C and Python agree, and return the maxima."""
+    values, times = maxima(vector.maxima_plain, frequency, rows, duration, floor)
+    for value, time, row, least in zip(values, times, np.atleast_2d(rows), floor, strict=True):
+        function = as_sum(frequency, row)
+        tolerance = function.rounding(duration)
+        expected = maximum(function, duration, float(least))
+        assert abs(value - expected.value) <= tolerance
+        assert math.isnan(time) == (value == least)
+        if value > least:
+            assert 0 <= time <= duration
+            assert abs(function(time) - value) <= tolerance
+    return values
+
+
+def test_maxima_are_those_of_python(vector):
+    for case in cases(500):
+        agree(vector, *case)
+
+
+def test_long_windows_keep_their_accuracy(vector):
+    """Slowly falling and rising sums, so that the first and the last of many cells decide."""
+    for drift in (-1e-3, 0.0, 1e-3):
+        agree(vector, [1.0, 2.3], [[0.0, drift, 1.0, 0.5, -0.3, 0.8]], 3000.0, [-math.inf])
+
+
+@pytest.mark.parametrize("exponent", range(6, 15))
+def test_grazing_peaks_are_found(vector, exponent):
+    peak = 10.0**-exponent
+    for at in np.random.default_rng(exponent).uniform(0.1, 2.9, 20):
+        row = [peak - 1.0, 0.0, math.cos(2 * at), math.sin(2 * at)]
+        (value,) = agree(vector, [2.0], [row], 3.0, [0.0])
+        assert abs(value - peak) <= as_sum([2.0], row).rounding(3.0)
+
+
+def test_flat_sums_end_and_are_right(vector):
+    rows = [[-3.0, 0.0, 4.0, -1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -0.0, 0.0, 0.0]]
+    agree(vector, [1.0, 2.0], rows, 7.0, [-math.inf, 0.0])
+    agree(vector, [1.0, 1.0], [[0.0, 0.0, 1.0, -1.0, 0.5, -0.5]], 1.0, [-math.inf])
+
+
+def test_a_bump_between_flat_ends_is_found(vector):
+    """The Hermite interpolant is zero: only the bound on its error tells of the bump."""
+    function, duration = bump_between_flat_ends()
+    row = [function.constant, function.slope, *function.cosine, *function.sine]
+    assert agree(vector, function.frequency, [row], duration, [0.99])[0] == pytest.approx(1)
+
+
+def test_an_exact_zero_at_the_end_is_no_violation(vector):
+    for end in np.random.default_rng(3).uniform(0.1, 3.0, 200):
+        row = [-math.sin(end / 2), 0.0, 0.0, 1.0]
+        tolerance = as_sum([0.5], row).rounding(end)
+        value, time = maxima(vector.maxima_plain, [0.5], [row], end, [tolerance])[:, 0]
+        assert value == tolerance
+        assert math.isnan(time)
+        assert abs(agree(vector, [0.5], [row], end, [-math.inf])[0]) <= tolerance
+
+
+def test_rounding_is_that_of_python(vector):
+    vector.rounding.restype = ctypes.c_double
+    for frequency, rows, duration, _ in cases(100):
+        for row in rows:
+            value = vector.rounding(
+                len(frequency), pointer(frequency), pointer(row), ctypes.c_double(duration)
+            )
+            assert value == pytest.approx(as_sum(frequency, row).rounding(duration), rel=1e-14)
+
+
+GOOD = ([1.0], [0.5, 0.1, 1.0, 1.0], 2.0, 0.0)
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf])
+@pytest.mark.parametrize("place", range(6))
+def test_data_that_are_not_numbers_give_nan(vector, place, bad):
+    """Only the sum that holds them; a frequency or the duration spoils every sum."""
+    frequency, row, duration, floor = GOOD
+    rows = np.array([row, row])
+    if place < 4:
+        rows[1, place] = bad
+    else:
+        frequency, duration = ([bad], duration) if place == 4 else (frequency, bad)
+    values, times = maxima(vector.maxima_plain, frequency, rows, duration, [floor, floor])
+    assert np.isnan([values[1], times[1]]).all()
+    assert math.isnan(values[0]) == (place >= 4)
+
+
+@pytest.mark.parametrize(
+    ("frequency", "duration", "floor"),
+    [(1.0, -1e-9, 0.0), (-1.0, 2.0, 0.0), (1.0, 1.001e5, 0.0), (1.0, 2.0, math.nan)],
+)
+def test_where_there_is_no_guarantee_there_is_nan(vector, frequency, duration, floor):
+    row = GOOD[1]
+    assert np.isnan(maxima(vector.maxima_plain, [frequency], [row], duration, [floor])).all()
+
+
+def test_more_terms_than_there_is_room_for_give_nan(vector):
+    row = [0.1] * 20
+    assert np.isnan(maxima(vector.maxima_plain, [1.0] * 9, [row], 1.0, [0.0])).all()

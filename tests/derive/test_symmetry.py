@@ -1,0 +1,296 @@
+"""Reversors and border collisions as declared: what is derived from them, what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.errors import DeclarationError, DerivationError
+from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
+from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.symmetry import half_phases
+from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from nonsmooth.runtime.orbits.refine import refine
+from nonsmooth.runtime.orbits.solve import solve
+from tests.derive.test_equations import MP, Derived
+
+X, V = sp.symbols("x v", real=True)
+z1, z2, v1, v2 = dry_friction.shifted.states
+x1, x2, w1, w2 = rigid_stop.states
+
+
+ORBITS = {
+    "one-impact": rigid_stop.one_impact,
+    "one-contact": elastic_stop.one_contact,
+    "symmetric": dry_friction.symmetric,
+    "solution-ii": dry_friction.solution_ii,
+}
+REVERSIBLE = ("one-impact", "one-contact", "symmetric")
+
+
+@cache
+def derived(name: str, rotation: int = 0) -> EquationSystem:
+    return derive_equations(ORBITS[name].rotated(rotation))
+
+
+# --- what is derived --------------------------------------------------------------------
+
+
+def bouncer(**options: Any) -> Itinerary:
+    """One mass on a spring in front of a wall at x = 1, with restitution r."""
+    r = Parameter("r", "restitution", upper=1, closed=True, upper_closed=True)
+    free = Configuration("free", SecondOrder([[1]], [[1]]), (Boundary("wall", X - 1),))
+    system = System(
+        "bouncer", "a spring and a wall", (X, V), (r,), (free,),
+        (Transition("free", {"wall"}, "free", (), {V: -r.symbol * V}),),
+    )  # fmt: skip
+    chosen = {"start": {"v": "u"}, "reversor": {V: -V}, "period": Parameter("T", "period")}
+    return Itinerary("loop", system, (Phase("free", "wall", "T"),), **(chosen | options))
+
+
+def test_half_of_a_period_in_closed_form() -> None:
+    """v(T/2) = u cos(T/2) - sin(T/2) = 0: the explicit solution is u = tan(T/2)."""
+    equations = derive_equations(bouncer())
+    assert [str(u) for u in equations.unknowns] == ["u"]
+    assert {str(s): value for s, value in equations.required.items()} == {"r": 1}
+    ((meaning, condition),) = equations.equations
+    assert meaning == "v vanishes halfway through free"
+    values = dict(a for stage in equations.stages for a in stage.assignments)
+    for _ in range(3):
+        condition = condition.xreplace(values)
+    u, period = equations.unknowns[0], sp.Symbol("T", positive=True)
+    assert sp.simplify(condition - (u * sp.cos(period / 2) - sp.sin(period / 2))) == 0
+    assert sp.simplify(sp.solve(condition, u)[0] - sp.tan(period / 2)) == 0
+
+
+def test_each_reversible_phase_gives_as_many_conditions_as_the_reversor_turns() -> None:
+    for name in REVERSIBLE:
+        phases = ORBITS[name].phases
+        for rotation in range(len(phases)):
+            equations = derived(name, rotation)
+            assert len(equations.equations) == len(equations.unknowns)
+            halves = [m for m, _ in equations.equations if "halfway" in m]
+            assert len(halves) == 2 * len(phases)
+            assert len({m for m, _ in equations.equations}) == len(equations.equations)
+
+
+def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
+    """Adding the named start's condition: chi (z2 - z1) = e2 at the symmetric orbit's start."""
+    equations = derived("symmetric")
+    assert [str(u) for u in equations.unknowns] == ["z10", "z20", "v10", "tau", "tau1"]
+    (end,) = (e for m, e in equations.equations if m == "second-breaks-forward ends slip-stick")
+    chi, excess = dry_friction.chi, sp.Symbol("e2", nonnegative=True)
+    z10, z20 = sp.symbols("z10 z20", real=True)
+    ratio = sp.cancel(end / (chi * (z20 - z10) - excess))
+    assert ratio.is_number
+    assert ratio != 0
+
+
+def test_halves_are_affine_in_the_start() -> None:
+    for name in REVERSIBLE:
+        equations = derived(name)
+        halves = half_phases(
+            equations.itinerary, equations.system, equations.flows, equations.chain.start
+        )
+        for _, condition in halves.equations:
+            for q in equations.chain.start.coordinates:
+                assert not sp.diff(condition, q).free_symbols & {*equations.chain.start.coordinates}
+
+
+def test_a_vanishing_dwell_time_is_no_unknown_and_its_parameter_is() -> None:
+    for rotation in range(4):
+        equations = derived("solution-ii", rotation)
+        names = [str(u) for u in equations.unknowns]
+        assert "ta" not in names
+        assert names[-1] == "e1"
+        assert "e1" not in {str(p) for p in equations.parameters}
+        (link,) = (k for k in equations.chain.links if str(k.dwell) == "ta")
+        assert link.duration == 0
+        assert link.transfer == sp.eye(4)
+
+
+def test_the_last_phase_completes_a_given_period() -> None:
+    for rotation, (last, other) in enumerate((("tau1", "tau"), ("tau", "tau1"))):
+        turned = elastic_stop.one_contact.rotated(rotation)
+        assert turned.duration(1) == sp.Symbol("T", positive=True) - sp.Symbol(other, positive=True)
+        equations = derived("one-contact", rotation)
+        names = [str(u) for u in equations.unknowns]
+        assert other in names
+        assert last not in names
+        assert "T" in {str(p) for p in equations.parameters}
+
+
+def test_a_reference_for_another_start_does_not_mislead() -> None:
+    """Guesses of other unknowns leave the choice of equations to their order."""
+    turned = elastic_stop.one_contact.rotated(1)
+    bare = replace(turned, reference=None)
+    first, second = derived("one-contact", 1).reduction, derive_equations(bare).reduction
+    assert first.unknowns == second.unknowns
+    assert len(first.equations) == len(second.equations) == 1
+
+
+# --- what is no reversor ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("reversor", "message"),
+    [
+        ({w1: 2 * w1}, "'one-impact': its reversor is no involution"),
+        ({w1: -w1 + 1, w2: -w2, x1: x1 + w1}, "'one-impact': its reversor is no involution"),
+        ({x1: x1 + 1}, "'one-impact': its reversor is no involution"),
+        ({x1: x2, x2: x1}, "'one-impact': configuration 'free' is not reversed by the map"),
+        ({w1: -w1}, "'one-impact': configuration 'free' is not reversed by the map"),
+        ({x1: -x1}, "'one-impact': configuration 'free' is not reversed by the map"),
+        ({w1: 1 - w1, w2: -w2}, "'one-impact': configuration 'free' is not reversed by the map"),
+    ],
+    ids=str,
+)
+def test_what_is_no_reversor_is_refused(reversor: Any, message: str) -> None:
+    itinerary = replace(rigid_stop.one_impact, reversor=reversor)
+    with pytest.raises(DerivationError, match=message) as caught:
+        derive_equations(itinerary)
+    assert "\n" not in str(caught.value)
+
+
+def test_damping_has_no_reversor() -> None:
+    loop = bouncer()
+    damped = Configuration(
+        "free", SecondOrder([[1]], [[1]], damping=[[sp.Rational(1, 5)]]), (Boundary("wall", X - 1),)
+    )
+    system = replace(loop.system, configurations=(damped,))
+    with pytest.raises(DerivationError, match="configuration 'free'"):
+        derive_equations(replace(loop, system=system))
+
+
+# --- declarations that are refused ------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("itinerary", "changes", "message"),
+    [
+        (rigid_stop.one_impact, {"start": {"x3": "y"}}, "start of 'x3', which is not declared"),
+        (
+            dry_friction.symmetric,
+            {"start": {"x1": "a"}},
+            "start of 'x1', which is not declared",  # the presentation calls it z1
+        ),
+        (
+            rigid_stop.one_impact,
+            {"reversor": {V: -V}},
+            "reversor of 'v', which is not declared",
+        ),
+        (
+            dry_friction.solution_ii,
+            {"vanishing": ("tb",)},
+            "vanishing dwell time 'tb', which is not declared",
+        ),
+        (
+            dry_friction.solution_ii,
+            {"solved_for": ("e3",)},
+            "parameter to solve for 'e3', which is not declared",
+        ),
+        (
+            dry_friction.solution_ii,
+            {"vanishing": ()},
+            "0 vanishing dwell times, but 1 parameters to solve for",
+        ),
+        (
+            dry_friction.solution_ii,
+            {"solved_for": ("e1", "e2")},
+            "1 vanishing dwell times, but 2 parameters to solve for",
+        ),
+        (
+            rigid_stop.one_impact,
+            {"start": {"x2": "y", "v1": "y"}},
+            "unknown 'y' is named twice",
+        ),
+        (rigid_stop.one_impact, {"start": {"x2": "T"}}, "'T' has the name of something else"),
+        (rigid_stop.one_impact, {"start": {"x2": "m1"}}, "'m1' has the name of something else"),
+        (rigid_stop.one_impact, {"start": {"x2": "v1"}}, "'v1' has the name of something else"),
+        (rigid_stop.one_impact, {"start": {"x2": "2y"}}, "unknown '2y' is not an identifier"),
+        (rigid_stop.one_impact, {"start": {"x2": "lambda"}}, "'lambda' is not an identifier"),
+        (
+            elastic_stop.one_contact,
+            {"period": Parameter("k3", "period")},
+            "period 'k3' has the name of something else",
+        ),
+        (
+            elastic_stop.one_contact,
+            {"period": Parameter("tau", "period")},
+            "period 'tau' has the name of something else",
+        ),
+        (
+            elastic_stop.one_contact,
+            {"phases": (Phase("contact", "first-leaves-stop", "tau"),) * 2},
+            "dwell time 'tau' is named twice",
+        ),
+    ],
+    ids=lambda value: str(value)[:50] if isinstance(value, str) else "",
+)
+def test_wrong_names_are_refused_by_name(
+    itinerary: Itinerary, changes: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(DeclarationError, match=message) as caught:
+        replace(itinerary, **changes)
+    assert str(caught.value).startswith(f"itinerary '{itinerary.name}': ")
+    assert "\n" not in str(caught.value)
+
+
+def test_a_vanishing_phase_is_named_once() -> None:
+    with pytest.raises(DeclarationError, match="named twice"):
+        replace(dry_friction.solution_ii, vanishing=("ta", "ta"), solved_for=("e1", "e2"))
+    with pytest.raises(DeclarationError, match="named twice"):
+        replace(dry_friction.solution_ii, vanishing=("ta", "tau"), solved_for=("e1", "e1"))
+
+
+@pytest.mark.parametrize("name", ["chi", "eta"])
+def test_a_parameter_of_the_flows_is_not_solved_for(name: str) -> None:
+    with pytest.raises(DerivationError, match=f"{name} changes the flows, so it cannot be solved"):
+        derive_equations(replace(dry_friction.solution_ii, solved_for=(name,)))
+
+
+@pytest.mark.parametrize("name", ["V", "e2"])
+def test_any_other_parameter_may_be_solved_for(name: str) -> None:
+    """The same border collision, found for another parameter at the e1 that belongs to it."""
+    found_for = Derived(replace(dry_friction.solution_ii, solved_for=(name,)))
+    assert str(found_for.orbit.unknowns[-1]) == name
+    orbit = refine(solve("dry-friction/solution-ii"), 40)
+    known = {n: MP.mpf(x) for n, x in orbit.values.items()}
+    guess = [known[str(u)] * (1 + MP.mpf(k) / 1000) for k, u in enumerate(found_for.orbit.unknowns)]
+    found = found_for.solved([known[n] for n in found_for.names], guess)
+    for symbol, value in zip(found_for.orbit.unknowns, found, strict=True):
+        assert abs(value - known[str(symbol)]) < MP.mpf(10) ** -37
+
+
+def test_more_equations_than_unknowns_are_refused() -> None:
+    """A given period fixes one time too many where energy is lost."""
+    with pytest.raises(DerivationError, match="equations for 3 unknowns"):
+        derive_equations(replace(rigid_stop.one_impact, reversor={}))
+
+
+def test_specialised_values_join_the_presentation() -> None:
+    shown = Presentation(rigid_stop.states, (0, 0, 0, 0), (), {rigid_stop.k2: 5 * rigid_stop.k1})
+    itinerary = replace(rigid_stop.one_impact, presentation=shown)
+    fixed = itinerary.specialised({rigid_stop.m2: sp.Integer(2)})
+    assert dict(fixed.presentation.substitution) == {
+        rigid_stop.k2: 5 * rigid_stop.k1,
+        rigid_stop.m2: 2,
+    }
+    equations = derive_equations(fixed)
+    assert [str(p) for p in equations.parameters] == ["m1", "k1", "T"]
+
+
+def test_a_reference_is_not_needed() -> None:
+    for name in REVERSIBLE:
+        bare, full = derive_equations(replace(ORBITS[name], reference=None)), derived(name)
+        assert bare.unknowns == full.unknowns
+        assert [e for _, e in bare.equations] == [e for _, e in full.equations]
+    cut = replace(elastic_stop.one_contact, reference=Reference({"m1": "1"}, {"tau": "2"}))
+    assert derive_equations(cut).reduction.unknowns == (sp.Symbol("tau", positive=True),)

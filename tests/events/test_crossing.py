@@ -1,0 +1,355 @@
+"""Laws of guaranteed maxima and first crossings, checked against ball arithmetic."""
+
+import math
+from dataclasses import astuple, replace
+
+import numpy as np
+import pytest
+from flint import arb
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum, first_crossing, maximum
+
+amplitudes = st.floats(-2, 2).map(lambda x: round(x, 6))
+laws = settings(deadline=None, derandomize=True, max_examples=200)
+
+
+@st.composite
+def sums(draw, least=0):
+    terms = draw(st.integers(least, 3))
+    rows = [
+        tuple(draw(st.lists(values, min_size=terms, max_size=terms)))
+        for values in (amplitudes, amplitudes, st.floats(0.05, 3))
+    ]
+    return TrigonometricSum(draw(amplitudes), draw(amplitudes), *rows)
+
+
+def ball(function, t):
+    value = arb(function.constant) + arb(function.slope) * t
+    for c, s, w in function.terms():
+        value += arb(c) * (arb(w) * t).cos() + arb(s) * (arb(w) * t).sin()
+    return value
+
+
+def stays_below(function, duration, bound, start=0.0):
+    """Prove g <= bound on the window: balls with a mean value form, subdivided where needed."""
+    slope = function.derivative()
+    curvature = slope.derivative()
+    waiting = [(arb(start), arb(duration))]
+    for _ in range(20000):
+        if not waiting:
+            return True
+        left, right = waiting.pop()
+        middle, half = arb(((left + right) / 2).mid()), arb(((right - left) / 2).abs_upper())
+        step = arb(0, half)
+        value = ball(function, middle) + ball(slope, middle) * step
+        value += ball(curvature, middle + step) * arb(half**2 / 4, half**2 / 4)
+        if value <= bound:
+            continue
+        if ball(function, middle) > bound:
+            return False
+        waiting += [(left, middle), (middle, right)]
+    raise AssertionError("undecided")
+
+
+def grazing(peak, frequency=2.0, at=0.83):
+    """A sum whose only maximum in one period is the peak, at a given time."""
+    cosine = (math.cos(frequency * at), math.sin(frequency * at))
+    return TrigonometricSum(-1.0 + peak, 0.0, (cosine[0],), (cosine[1],), (frequency,))
+
+
+@laws
+@given(sums(), st.floats(0, 8))
+def test_no_value_exceeds_the_maximum_and_it_is_attained(function, duration):
+    value, time = maximum(function, duration)
+    tolerance = function.rounding(duration)
+    assert stays_below(function, duration, arb(value) + arb(tolerance))
+    assert 0 <= time <= duration
+    assert abs(function(time) - value) <= tolerance
+
+
+@laws
+@given(sums(), st.floats(0, 8), st.floats(-3, 3))
+def test_the_floor_cuts_off_what_lies_below(function, duration, floor):
+    free, cut = maximum(function, duration), maximum(function, duration, floor)
+    assert cut.value == pytest.approx(
+        max(free.value, floor), rel=0, abs=function.rounding(duration)
+    )
+    assert math.isnan(cut.time) == (cut.value == floor)
+
+
+@laws
+@given(sums(), st.floats(0, 4), st.floats(0, 4))
+def test_a_longer_window_has_no_smaller_maximum(function, duration, more):
+    longer = maximum(function, duration + more).value
+    assert longer >= maximum(function, duration).value - function.rounding(duration + more)
+
+
+@laws
+@given(amplitudes, amplitudes, st.floats(0, 1e3))
+def test_a_linear_sum_is_largest_at_an_end(constant, slope, duration):
+    function = TrigonometricSum(constant, slope, (), (), ())
+    assert maximum(function, duration).value == max(function(0.0), function(duration))
+
+
+@laws
+@given(sums(), st.floats(0.1, 6))
+def test_an_exact_zero_at_either_end_is_no_violation(function, duration):
+    value = function(duration)
+    for end in (0.0, duration):
+        rate = function.derivative()(end)
+        # The drift makes the sum rise to zero at T, or fall from zero at 0.
+        drift = (1 if end else -1) * (function.curvature_bound() * duration + 0.1) - rate
+        shifted = replace(function, slope=function.slope + drift)
+        shifted = replace(shifted, constant=shifted.constant - shifted(end))
+        tolerance = shifted.rounding(duration)
+        assert math.isnan(maximum(shifted, duration, tolerance).time)
+        assert abs(maximum(shifted, duration).value) <= tolerance
+    assert math.isfinite(value)
+
+
+@pytest.mark.parametrize("exponent", range(6, 15))
+def test_a_peak_too_narrow_to_sample_is_found(exponent):
+    peak = 10.0**-exponent
+    generator = np.random.default_rng(exponent)
+    for at in generator.uniform(0.2, 2.0, 20):
+        function = grazing(peak, at=at)
+        tolerance = function.rounding(3.0)
+        above, below = maximum(function, 3.0, 0.0), maximum(grazing(-peak, at=at), 3.0, 0.0)
+        assert abs(above.value - peak) <= tolerance
+        assert abs(above.time - at) < 1e-6 if peak > tolerance else True
+        assert below.value <= tolerance
+        assert (below.value == 0) or peak <= tolerance
+
+
+def test_flat_maxima_end_and_are_right():
+    """Where second derivatives vanish, or terms cancel altogether, no Newton step helps."""
+    quartic = TrigonometricSum(-3.0, 0.0, (4.0, -1.0), (0.0, 0.0), (1.0, 2.0))  # -(1 - cos t)^2 * 2
+    assert abs(maximum(quartic, 7.0).value) <= quartic.rounding(7.0)
+    nothing = TrigonometricSum(0.0, 0.0, (1.0, -1.0), (0.5, -0.5), (1.0, 1.0))
+    assert abs(maximum(nothing, 1.0).value) <= nothing.rounding(1.0)
+    assert maximum(TrigonometricSum(1.5, 0.0, (), (), ()), 3.0) == (1.5, 0.0)
+
+
+def fitted(slope, duration):
+    """Fit a sum with three frequencies whose derivative follows a given one on the window."""
+    w, t = np.array([0.3, 0.6, 1.0]), np.linspace(0, duration, 60)[:, None]
+    rows = np.hstack([np.ones_like(t), -w * np.sin(w * t), w * np.cos(w * t)])
+    a = np.linalg.lstsq(rows, slope(t[:, 0] / duration), rcond=None)[0].tolist()
+    return TrigonometricSum(0.0, a[0], tuple(a[1:4]), tuple(a[4:]), tuple(w.tolist()))
+
+
+@pytest.mark.parametrize("late", [3, 4, 5])
+def test_a_skew_peak_does_not_mislead_newton(late):
+    """Within one cell g' first grows, and then falls steeply through zero."""
+    function = fitted(lambda s: 0.1 + s**late - 1.3 * s ** (late + 1), 0.58)
+    value, time = maximum(function, 0.58)
+    tolerance = function.rounding(0.58)
+    assert tolerance < 1e-6
+    assert 0.4 < time < 0.58
+    assert abs(function(time) - value) <= tolerance
+    assert stays_below(function, 0.58, arb(value) + arb(tolerance))
+
+
+def test_a_bump_between_flat_ends_is_found():
+    """Where g = g' = 0 at both ends of a cell, only the bound on its error tells of the bump."""
+    function = fitted(lambda s: s * (1 - s) * (1 - 2 * s), 0.58)
+    function = replace(function, constant=-function(0.0))
+    top = function(0.29)
+    found = maximum(function, 0.58, 0.99 * top)
+    assert found.value == pytest.approx(top, rel=1e-6)
+    assert found.time == pytest.approx(0.29, abs=1e-3)
+
+
+@pytest.mark.parametrize("scale", [1e-150, 1e-3, 1e6, 1e150])
+def test_units_do_not_matter(scale):
+    function = TrigonometricSum(-0.3, 0.1, (1.0, 0.4), (0.2, 0.7), (1.0, 2.6))
+    slow = replace(
+        function, slope=function.slope / scale, frequency=tuple(w / scale for w in (1.0, 2.6))
+    )
+    value, time = maximum(function, 5.0)
+    assert maximum(slow, 5.0 * scale) == pytest.approx((value, time * scale), rel=1e-7)
+    assert first_crossing(replace(slow, constant=-1.5), 5.0 * scale) == pytest.approx(
+        scale * first_crossing(replace(function, constant=-1.5), 5.0), rel=1e-13
+    )
+
+
+@laws
+@given(sums(least=1), st.floats(0.1, 8))
+def test_nothing_is_crossed_before_the_first_crossing(function, duration):
+    if function(0.0) >= -1e-3:
+        function = replace(function, constant=function.constant - function(0.0) - 1e-3)
+    time = first_crossing(function, duration)
+    error = function.rounding(duration)
+    if time is None:
+        assert stays_below(function, duration, arb(error))
+        return
+    assert 0 < time <= duration
+    assert stays_below(function, time, arb(error))
+    slope = abs(function.derivative()(time))
+    ulps = 4 * np.spacing(time) * slope
+    assert abs(function(time)) <= error + ulps
+    if slope**2 > 100 * error * function.curvature_bound():
+        assert abs(function(time)) <= function.rounding(time) / 8 + ulps
+
+
+@laws
+@given(sums(least=1), st.floats(0.1, 8))
+@example(TrigonometricSum(1.0, -1e-12, (-1.0,), (0.0,), (1.0,)), 1.0)
+@example(TrigonometricSum(-1.0, -1e-12, (1.0,), (0.0,), (1.0,)), 1.0)
+def test_a_start_on_the_boundary_is_judged_by_its_derivatives(function, duration):
+    function = replace(function, constant=function.constant - function(0.0))
+    slope = function.derivative()(0.0)
+    time = first_crossing(function, duration)
+    if slope > 1e-9:
+        assert time == 0.0
+    elif slope < -1e-9:
+        assert time is None or time > 0
+        # Until half of 2 |g'| / M nothing can have returned.
+        safe = -slope / function.curvature_bound() if function.curvature_bound() else duration
+        end = duration if time is None else time
+        assert time is None or time >= safe
+        assert stays_below(function, end, arb(function.rounding(duration)), min(safe, end))
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+@pytest.mark.parametrize("size", [1.0, 1e-4, 1e-11])
+def test_the_first_nonzero_derivative_decides(order, size):
+    """The start has derivatives 0, ..., 0, +-size; its next one would turn a weak fall."""
+    rates = np.array([0.7, 1.3, 1.9])
+    # Powers of the frequencies: rows for g, g', ... at 0 in terms of (a0, a1, c, s).
+    rows = np.zeros((order + 1, 8))
+    rows[0, 0], rows[1, 1] = 1, 1
+    for k in range(order + 1):
+        rows[k, (2 if k % 2 == 0 else 5) + np.arange(3)] = (1, 1, -1, -1)[k % 4] * rates**k
+    for sign in (1.0, -1.0):
+        target = np.zeros(order + 1)
+        target[order] = sign * size
+        a = np.linalg.lstsq(rows, target, rcond=None)[0]
+        function = TrigonometricSum(a[0], a[1], tuple(a[2:5]), tuple(a[5:]), tuple(rates))
+        time = first_crossing(function, 0.5)
+        assert time == (0.0 if sign > 0 else None)
+
+
+@pytest.mark.parametrize("drift", [1e-3, 1e-7, 1e-12])
+def test_a_weak_departure_returns_where_it_should(drift):
+    """With g = -d t + 1 - cos t the return is at t = 2 d (1 + d^2/3 + ...)."""
+    function = TrigonometricSum(1.0, -drift, (-1.0,), (0.0,), (1.0,))
+    expected = 2 * drift * (1 + drift**2 / 3)
+    assert first_crossing(function, 1.0) == pytest.approx(expected, rel=1e-11)
+    falling = TrigonometricSum(-1.0, -drift, (1.0,), (0.0,), (1.0,))
+    assert first_crossing(falling, 6.0) is None
+
+
+@pytest.mark.parametrize("exponent", range(6, 14))
+def test_a_crossing_too_brief_to_sample_is_found(exponent):
+    peak = 10.0**-exponent
+    function = grazing(peak)
+    half_width = math.acos(1 - peak) / 2 if exponent < 8 else math.sqrt(2 * peak) / 2
+    time = first_crossing(function, 3.0)
+    slope = math.sqrt(2 * peak) * 2
+    assert abs(time - (0.83 - half_width)) <= 2 * function.rounding(3.0) / slope
+    assert first_crossing(grazing(-peak), 3.0) is None
+
+
+def test_a_tangency_within_rounding_is_met_at_the_peak_or_not_at_all():
+    error = grazing(0.0).rounding(3.0)
+    generator = np.random.default_rng(8)
+    for depth, at in zip(np.linspace(0, 1.5, 1500), generator.uniform(0.2, 2, 1500), strict=True):
+        function = grazing(-depth * error, at=at)
+        time = first_crossing(function, 3.0)
+        assert abs(time - at) < 1e-6 if time is not None else depth > 0.2
+
+
+@laws
+@given(st.floats(0.01, 100), st.floats(0.01, 10))
+def test_a_linear_crossing_is_exact(constant, slope):
+    function = TrigonometricSum(-constant, slope, (), (), ())
+    time = constant / slope
+    assert first_crossing(function, 2 * time) == pytest.approx(time, rel=1e-15)
+    assert first_crossing(function, time / 2) is None
+    assert first_crossing(replace(function, slope=-slope), time) is None
+
+
+def test_a_crossing_at_the_very_end_counts():
+    function = TrigonometricSum(-math.sin(1.2), 0.0, (0.0,), (1.0,), (1.0,))
+    assert first_crossing(function, 1.2) == pytest.approx(1.2, rel=1e-14)
+    assert first_crossing(function, 1.2 - 1e-9) is None
+
+
+def test_a_sum_that_is_zero_or_a_window_that_is_empty_has_no_crossing():
+    assert first_crossing(TrigonometricSum(0.0, 0.0, (0.0,), (0.0,), (1.0,)), 5.0) is None
+    for constant in (-1.0, 0.0, 1.0):
+        assert first_crossing(TrigonometricSum(constant, 5.0, (), (), ()), 0.0) is None
+
+
+@laws
+@given(sums(), st.floats(0, 8))
+def test_derivatives_and_bounds_belong_to_the_function(function, t):
+    step = 1e-5
+    slope = function.derivative()
+    quotient = (function(t + step) - function(t - step)) / (2 * step)
+    assert slope(t) == pytest.approx(quotient, abs=1e-7)
+    assert abs(slope.derivative()(t)) <= function.curvature_bound() * (1 + 1e-14)
+    exact = ball(function, arb(t))
+    assert abs(arb(function(t)) - exact) <= arb(function.rounding(t))
+
+
+def test_arrays_are_evaluated_element_by_element():
+    function = TrigonometricSum(0.5, -0.2, (1.0, 2.0), (0.3, 0.1), (1.0, 1.7))
+    times = np.linspace(0, 9, 12).reshape(3, 4)
+    values = function(times)
+    assert values.shape == (3, 4)
+    np.testing.assert_allclose(values.ravel(), [function(t) for t in times.ravel().tolist()])
+
+
+sound = TrigonometricSum(1.0, 1.0, (1.0,), (1.0,), (1.0,))
+
+
+@pytest.mark.parametrize("field", range(5))
+@pytest.mark.parametrize("bad", [math.nan, math.inf])
+def test_numbers_must_be_finite(field, bad):
+    values = list(astuple(sound))
+    values[field] = bad if field < 2 else (bad,)
+    with pytest.raises(ValueError, match="finite"):
+        TrigonometricSum(*values)
+
+
+def test_lengths_and_frequencies_are_checked():
+    with pytest.raises(ValueError, match="equal lengths"):
+        TrigonometricSum(0.0, 0.0, (1.0,), (), (1.0,))
+    with pytest.raises(ValueError, match="not negative"):
+        TrigonometricSum(0.0, 0.0, (1.0,), (1.0,), (-1.0,))
+
+
+@pytest.mark.parametrize("duration", [math.nan, -1.0, math.inf, 1.001e5])
+def test_windows_without_a_guarantee_are_refused(duration):
+    with pytest.raises(ValueError, match="duration"):
+        maximum(sound, duration)
+    with pytest.raises(ValueError, match="duration"):
+        first_crossing(sound, duration)
+
+
+def test_a_floor_that_is_no_number_is_refused():
+    with pytest.raises(ValueError, match="floor"):
+        maximum(sound, 1.0, math.nan)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "noise", "expected"),
+    [
+        ((0, 0, (1.0,), (1e-9,), (2.0,)), 0.0, True),
+        ((-1, 0, (1.0,), (1e-9,), (2.0,)), 0.0, True),
+        ((-1, 0, (1.0,), (-1e-9,), (2.0,)), 0.0, False),
+        ((-1, 0, (1.0,), (0.0,), (2.0,)), 0.0, False),
+        ((-1, 0, (1.0,), (1e-15,), (2.0,)), 0.0, False),  # within the rounding of the slope
+        ((-1, 0, (1.0,), (1e-9,), (2.0,)), 1e-8, False),  # within the error of what is given
+        ((0, 1e-300, (), (), ()), 0.0, True),
+        ((0, 0, (), (), ()), 0.0, False),
+        ((0, -1, (0.0,), (1.0,), (1.5,)), 0.0, True),
+        ((0, -2, (0.0,), (1.0,), (1.5,)), 0.0, False),
+    ],
+)
+def test_a_sum_rises_where_its_slope_is_surely_positive(arguments, noise, expected):
+    assert TrigonometricSum(*arguments).rises(noise) is expected

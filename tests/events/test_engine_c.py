@@ -1,0 +1,92 @@
+"""The engine outside Python, under AddressSanitizer and UndefinedBehaviorSanitizer."""
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.simulation.starting import configuration_of
+from nonsmooth.runtime.simulation.stepping import run
+from tests.places import CHECKOUT
+
+SYSTEMS = {
+    "dry-friction": dict(
+        chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1
+    ),
+    "elastic-stop": dict(m1=1, m2=2, k1=1, k2=5, k3=40),
+    "rigid-stop": dict(m1=1, m2=2, k1=1, k2=5, r="0.6"),
+}
+
+compiler = shutil.which("cc")
+pytestmark = pytest.mark.skipif(compiler is None, reason="no C compiler")
+
+
+@pytest.fixture(scope="module")
+def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    program = tmp_path_factory.mktemp("engine") / "harness"
+    sources = [
+        CHECKOUT / "runtime" / "engine" / f"{name}.c"
+        for name in ("engine", "phase", "search", "tables")
+    ]
+    flags = ["-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
+    flags += ["-ffp-contract=off", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+    folders = [f"-I{CHECKOUT / 'runtime' / 'engine'}", f"-I{CHECKOUT / 'generated'}"]
+    files = [str(CHECKOUT / "tests" / "c" / "engine.c"), *map(str, sources)]
+    command = [str(compiler), *flags, *folders, *files, "-o", str(program), "-lm"]
+    subprocess.run(command, check=True)
+    return program
+
+
+def written(path: Path, system: PiecewiseLinear, states: np.ndarray, transitions: int) -> Path:
+    layout, numbers = layout_of(system.structure), numbers_of(system)
+    sizes = [layout.size, numbers.size, states.shape[1], len(states), transitions]
+    with path.open("wb") as file:
+        file.write(np.array(sizes, dtype=np.int64).tobytes())
+        file.write(layout.tobytes() + numbers.tobytes())
+        for state in states:
+            where = configuration_of(system, state)
+            file.write(np.array([where], dtype=np.int64).tobytes() + state.tobytes())
+    return path
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_the_engine_is_clean_and_follows_the_reference(
+    harness: Path, name: str, tmp_path: Path
+) -> None:
+    system = piecewise(name, SYSTEMS[name])
+    rng = np.random.default_rng(3)
+    states = rng.normal(size=(40, 4))
+    states[:, 0] = np.minimum(states[:, 0], 0.9) if "stop" in name else states[:, 0]
+    file = written(tmp_path / "motions", system, states, 12)
+    told = subprocess.run([harness, file], capture_output=True, text=True, check=False)
+    assert told.returncode == 0, told.stderr
+    lines = [line.split() for line in told.stdout.splitlines()]
+    assert len(lines) == len(states)
+    for state, (status, transitions, configuration, _, *end) in zip(states, lines, strict=True):
+        known = run(system, state, configuration_of(system, state), transitions=12)
+        assert (int(status), int(transitions)) == (known.status, len(known.times) - 1)
+        assert int(configuration) == known.configurations[-1]
+        np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=1e-6)
+
+
+def test_a_cut_or_foreign_layout_is_refused(harness: Path, tmp_path: Path) -> None:
+    system = piecewise("rigid-stop", SYSTEMS["rigid-stop"])
+    whole = written(tmp_path / "whole", system, np.zeros((1, 4)), 3).read_bytes()
+    cut, foreign = tmp_path / "cut", tmp_path / "foreign"
+    cut.write_bytes(whole[:-8])
+    damaged = bytearray(whole)
+    damaged[40 + 4 * 3 : 40 + 4 * 3 + 4] = (1000).to_bytes(4, "little")
+    foreign.write_bytes(bytes(damaged))
+    for path, told in ((cut, "cut"), (foreign, "foreign")):
+        found = subprocess.run(
+            [harness, path],
+            capture_output=True,
+            text=True,
+            check=False,
+            env={"ASAN_OPTIONS": "detect_leaks=0"},
+        )
+        assert (found.returncode, found.stderr.strip()) == (2, told)

@@ -1,0 +1,109 @@
+"""The compiled search for the first crossing, alone, on sums that are hard on it."""
+
+import math
+import sys
+
+import numpy as np
+import pytest
+
+from tests.places import CHECKOUT
+
+sys.path.append(str(CHECKOUT / "scripts"))
+
+from stressing import Ball, Sums, first_excess, undecided
+from stressing_search import FAMILIES, random_sums, search, verdicts
+
+from nonsmooth.runtime.simulation.engines import compiled_engine
+
+pytestmark = [
+    pytest.mark.compiled,
+    pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine"),
+]
+WAVES = ((2, False), (1, True), (1, True))
+
+
+def one(shape, exponents, values):
+    return Sums(shape, np.array([exponents]), np.array([values], dtype=float))
+
+
+def first(sums, until, reached=False):
+    times, found = search(sums, np.array([until]), reached)
+    return times[0] if found[0] else None
+
+
+@pytest.mark.parametrize("reached", [False, True], ids=["exceeded", "reached"])
+@pytest.mark.parametrize("family", FAMILIES)
+def test_no_zero_is_missed_and_none_invented(family: str, reached: bool) -> None:
+    rng = np.random.default_rng([*family.encode(), reached])
+    for _ in range(4):
+        sums, until = random_sums(rng, family, 100)
+        counts, told = verdicts(rng, sums, until, reached)
+        assert not told
+        assert counts["found"] + counts["none"] == 100
+
+
+def test_the_checks_see_a_missed_and_an_invented_zero(monkeypatch: pytest.MonkeyPatch) -> None:
+    import stressing_search
+
+    sums = one(((1, False), (1, True)), [[0, 0], [0, 1]], [-0.65, 0.6, 0.3])
+    rng, truth = np.random.default_rng(0), search(sums, np.array([9.0]), False)[0]
+    for time, what in ((9.0, "wrong: missed"), (0.9 * truth[0], "wrong: no zero")):
+        answer = np.array([time]), np.array([True])
+        monkeypatch.setattr(stressing_search, "search", lambda *_, answer=answer: answer)
+        counts, _ = verdicts(rng, sums, np.array([9.0]), False)
+        assert counts[what] == 1
+
+
+def test_balls_and_cells_agree_on_a_narrow_excess() -> None:
+    for depth in (1e-9, -1e-9):
+        sums = one(((1, False), (1, True)), [[0, 0], [0, 1]], [-1 + depth, 0, 1])
+        cells = undecided(sums, np.array([3.0]), np.array([1e-12]), 60)
+        ball = Ball(sums.shape, sums.exponents[0], sums.values[0])
+        where = first_excess(ball, 0.0, 3.0, 1e-12)
+        assert (len(cells) > 0) == (where is not None) == (depth > 0)
+        assert where is None or abs(where - math.pi / 2) < 1e-4
+
+
+def test_a_start_left_by_its_third_derivative_does_not_hang() -> None:
+    """A second derivative of 1e-54 keeps the third one from judging the start."""
+    tiny = 6.842277657836021e-49
+    exponents = [[0, 0], [0, 0.679871547194884], [0, 0.0011016937928567175]]
+    values = [-tiny, -4.989247614795384e-06, 0, 0, tiny, 0.004528706294929873]
+    for reached in (False, True):
+        assert first(one(WAVES, exponents, values), 3.0, reached) is None
+
+
+def test_a_start_left_over_many_cells_is_not_reached_again() -> None:
+    """Behind the first cell the sum is still zero within the rounding of its terms."""
+    slow = 3.5118422451879314e-06
+    exponents = [[0, 0], [0, 1.0301018655807783], [0, slow]]
+    level, rate = -1.4465519757866918e-06, 0.05341721470589871 * slow
+    values = [level, -rate, 0, 0, -level, 0.05341721470589871]
+    sums = one(WAVES, exponents, values)
+    assert first(sums, 30.0, reached=True) is None
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 4])
+def test_a_polynomial_that_falls_is_never_reached(degree: int) -> None:
+    values = [-1.0, *[0.0] * degree]
+    values[1], values[-1] = 0.3, -1.0
+    assert first(one(((degree + 1, False),), [[0, 0]], values), 1e30) is None
+
+
+@pytest.mark.parametrize(
+    ("depth", "reached", "expected"),
+    [
+        (1e-9, False, True),
+        (1e-9, True, True),
+        (0.0, True, True),
+        (0.0, False, False),
+        (-1e-9, True, False),
+    ],
+)
+def test_a_double_zero_counts_by_its_depth(depth: float, reached: bool, expected: bool) -> None:
+    """A maximum of sin t - 1 + depth."""
+    sums = one(((1, False), (1, True)), [[0, 0], [0, 1]], [-1 + depth, 0, 1])
+    time = first(sums, 4.0, reached)
+    assert (time is not None) == expected
+    if time is not None:
+        assert time == pytest.approx(math.pi / 2 - math.sqrt(2 * depth), abs=1e-7)

@@ -1,0 +1,306 @@
+"""Laws of quasi-polynomials and their first crossings, against 40 digits and fine samples."""
+
+import math
+from itertools import pairwise
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.events.first_crossing import first_crossing
+from nonsmooth.runtime.model.quasi_polynomials import UNIT, QuasiPolynomial
+
+HIGH = mp.MPContext()
+HIGH.dps = 40
+
+
+def exact(function, t, order=0):
+    """The value or a derivative in 40 digits."""
+    total = HIGH.mpf(0)
+    for exponent, p in zip(function.exponents, function.polynomials, strict=True):
+        p = [HIGH.mpmathify(complex(c)) for c in p]
+        exponent = HIGH.mpmathify(complex(exponent))
+        for _ in range(order):
+            raised = [exponent * c for c in p]
+            for k in range(1, len(p)):
+                raised[k - 1] += k * p[k]
+            p = raised
+        value = sum((c * HIGH.mpf(t) ** k for k, c in enumerate(p)), HIGH.mpf(0))
+        total += (value * HIGH.exp(exponent * t)).real
+    return total
+
+
+def sampled(function, times):
+    total = np.zeros_like(times)
+    for exponent, p in zip(function.exponents, function.polynomials, strict=True):
+        total += (np.polynomial.polynomial.polyval(times, p) * np.exp(exponent * times)).real
+    return total
+
+
+def brute(function, window):
+    """First rise to zero by fine samples; None where there is none, "close" where in doubt."""
+    count = int(60 * max(function.fastest, 1.0) * window) + 200
+    times = np.linspace(0.0, window, count)
+    values = sampled(function, times)
+    width = times[1]
+    bend = function.bound(2, 0.0, window) * width**2 / 8
+    doubtful = np.flatnonzero(np.maximum(values[:-1], values[1:]) + bend > 0)
+    for cell in doubtful:
+        if values[cell + 1] > 0 and values[cell] < 0 and abs(values[cell + 1]) > bend / 1e4:
+            return bisected(function, times[cell], times[cell + 1])
+        fine = np.linspace(times[cell], times[cell + 1], 2000)
+        inside = sampled(function, fine)
+        rising = np.flatnonzero(inside > 0)
+        if rising.size:
+            if max(inside) < 1e-11:
+                return "close"
+            return bisected(function, fine[max(rising[0] - 1, 0)], fine[rising[0]])
+        if max(inside) > -1e-11:
+            return "close"
+    return None
+
+
+def bisected(function, low, high):
+    low, high = HIGH.mpf(low), HIGH.mpf(high)
+    for _ in range(110):
+        middle = (low + high) / 2
+        if exact(function, middle) < 0:
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+def random_function(generator, kind):
+    count = generator.integers(1, 4)
+    speeds = generator.uniform(0.3, 3.0, count)
+    rates = np.zeros(count)
+    lengths = np.ones(count, int)
+    if kind == "ratio":
+        count = 2
+        speeds = np.array([1.0, 10 ** generator.uniform(1, 4)])
+        rates, lengths = np.zeros(2), np.ones(2, int)
+    elif kind == "cluster":
+        count = 3
+        speeds = 1.0 + np.array([0.0, 1.0, 2.0]) * 10 ** generator.uniform(-4, -1)
+        rates, lengths = np.zeros(3), np.ones(3, int)
+    elif kind == "decay":
+        rates = -generator.uniform(0.01, 1.0, count)
+    elif kind == "growth":
+        rates = generator.uniform(0.01, 0.4, count)
+    elif kind == "powers":
+        rates = -generator.uniform(0.05, 0.5, count)
+        lengths = generator.integers(1, 4, count)
+    polynomials = [generator.normal(size=n) + 1j * generator.normal(size=n) for n in lengths]
+    if kind == "cluster":  # huge amplitudes of a function of size 1
+        gap = speeds[1] - 1.0
+        polynomials = [np.array([c / gap**2]) for c in (1.0, -2.0, 1.0)]
+    exponents = [complex(a, b) for a, b in zip(rates, speeds, strict=True)]
+    drift = [complex(generator.normal() * 0.1)] if generator.random() < 0.4 else []
+    exponents.append(0j)
+    value = sum(p[0].real for p in polynomials)
+    size = min(sum(abs(p[0]) for p in polynomials), 3.0)
+    level = value + size * generator.uniform(0.02, 1.2)
+    polynomials.append(np.array([-level, *drift]))
+    return QuasiPolynomial(
+        tuple(exponents), tuple(tuple(complex(c) for c in p) for p in polynomials)
+    )
+
+
+KINDS = ("plain", "ratio", "cluster", "decay", "growth", "powers")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_first_crossing_is_the_first(kind):
+    generator = np.random.default_rng(KINDS.index(kind))
+    met = missed = 0
+    for _ in range(12 if kind == "ratio" else 60):
+        function = random_function(generator, kind)
+        window = generator.uniform(0.3, 12.0 if kind != "ratio" else 5.0)
+        expected = brute(function, window)
+        found = first_crossing(function, window)
+        if isinstance(expected, str):
+            continue
+        if expected is None:
+            assert found.time is None
+            missed += 1
+            continue
+        met += 1
+        slope = exact(function, expected, 1)
+        allowed = 4 * math.ulp(float(expected)) + function.rounding(float(expected)) / abs(slope)
+        assert found.time is not None
+        assert abs(found.time - expected) <= 1.5 * allowed
+        assert abs(found.time - expected) <= 1.5 * found.error
+        assert not found.tangent
+    assert met > 4
+    assert missed > 0
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_errors_and_bounds_hold(kind):
+    generator = np.random.default_rng(10 + KINDS.index(kind))
+    for _ in range(6):
+        function = random_function(generator, kind)
+        start, length = generator.uniform(0, 5), generator.uniform(0.01, 2)
+        slope = function.derivative()
+        for t in generator.uniform(start, start + length, 6):
+            value, first, second, error = function.jet(t)
+            assert abs(value - exact(function, t)) <= error
+            assert abs(first - exact(function, t, 1)) <= slope.rounding(t)
+            assert abs(slope(t) - first) <= 2 * slope.rounding(t)
+            assert abs(second - exact(function, t, 2)) <= slope.derivative().rounding(t)
+            for order in range(6):
+                assert abs(exact(function, t, order)) <= function.bound(order, start, length)
+            assert exact(function, t) <= function.ceiling(start)
+        values, errors = function.taylor(8)
+        for order in range(8):
+            assert abs(values[order] - exact(function, 0, order)) <= errors[order]
+            assert errors[order] <= 4 * UNIT * function.bound(order, 0.0, 0.0)
+
+
+def fourier(half, factor, odd):
+    """-(1 - cos t)^half (1 - factor (1 - cos t)), times sin t if odd: exact in doubles."""
+    wave = np.array([-0.5, 1.0, -0.5])  # 1 - cos t by powers of e^(it)
+    value = np.array([-1.0])
+    for _ in range(half):
+        value = np.convolve(value, wave)
+    value = np.convolve(value, np.array([0.0, 1.0, 0.0]) - factor * wave)
+    value = value.astype(complex)
+    if odd:
+        value = np.convolve(value, np.array([0.5j, 0, -0.5j]))  # sin t
+    middle = len(value) // 2
+    exponents = tuple(complex(0, k) for k in range(middle + 1))
+    coefficients = [value[middle]] + [2 * value[middle + k] for k in range(1, middle + 1)]
+    return QuasiPolynomial(exponents, tuple((complex(c),) for c in coefficients))
+
+
+@pytest.mark.parametrize("factor", [1.0, 3.0, 64.0, 4096.0, 2.0**20])
+@pytest.mark.parametrize(("half", "odd"), [(0, True), (1, False), (1, True), (2, False)])
+def test_a_start_at_zero_is_left_and_the_way_back_is_relative(half, odd, factor):
+    function = fourier(half, factor, odd)
+    values, errors = function.taylor(2 * half + odd + 1)
+    assert all(abs(v) <= e for v, e in pairwise((*values[:-1], 0.0)) if e == 0)
+    assert abs(values[-1]) > errors[-1]
+    expected = float(HIGH.acos(1 - 1 / HIGH.mpf(factor)))
+    found = first_crossing(function, 3.0)
+    # the coefficients of these derivatives round, absolutely: a small root feels it
+    assert found.time == pytest.approx(expected, rel=1e-13)
+    assert abs(found.time - expected) <= found.error + 4 * math.ulp(expected)
+
+
+@pytest.mark.parametrize("power", [-3, -6, -9, -11])
+def test_a_short_flight_keeps_its_digits(power):
+    velocity = 10.0**power
+    ball = QuasiPolynomial((0j,), ((0j, complex(-velocity), 0.5 + 0j),))
+    assert first_crossing(ball, math.inf).time == pytest.approx(2 * velocity, rel=1e-14)
+    # -v sin t + (1 - cos t): the root of tan(t/2) = v
+    swing = QuasiPolynomial((0j, 1j), ((1 + 0j,), (complex(-1, velocity),)))
+    assert first_crossing(swing, 3.0).time == pytest.approx(2 * math.atan(velocity), rel=1e-3)
+
+
+def test_a_start_that_rises_is_reached_at_once():
+    for function in (
+        QuasiPolynomial((0j, 1j), ((-1 + 0j,), (1 - 0.5j,))),
+        QuasiPolynomial((0j, 1j), ((1 + 0j,), (-1 + 0j,))),
+        QuasiPolynomial((0j,), ((0.25 + 0j,),)),
+    ):
+        assert first_crossing(function, 1.0).time == 0.0
+
+
+def test_zero_throughout_never_crosses():
+    pair = QuasiPolynomial((1j, -1j), ((0.3 + 0.7j,), (-0.3 + 0.7j,)))
+    found = first_crossing(pair, 50.0)
+    assert found.time is None
+    assert found.never
+    assert first_crossing(QuasiPolynomial((), ()), math.inf).never
+
+
+@pytest.mark.parametrize("at", [0.83, 1.7, 2.4])
+@pytest.mark.parametrize("rate", [0.0, -0.1, 0.1])
+def test_a_touch_is_reported_or_an_event_and_a_crossing_is_found(at, rate):
+    def touching(peak):
+        # -(1 - cos 2(t - a)) e^(rt) + peak e^(rt), by its terms
+        turn = complex(math.cos(2 * at), -math.sin(2 * at))
+        return QuasiPolynomial((complex(rate), complex(rate, 2)), ((-1 + peak + 0j,), (turn,)))
+
+    for peak in (0.0, 1e-15, -1e-15):
+        passed = first_crossing(touching(peak), 3.0)
+        assert passed.time is None
+        assert len(passed.touched) == 1
+        time, depth = passed.touched[0]
+        assert time == pytest.approx(at, abs=1e-7)
+        assert abs(depth) <= 2 * touching(peak).rounding(time)
+        event = first_crossing(touching(peak), 3.0, reached=True)
+        assert event.tangent
+        assert event.time == pytest.approx(at, abs=1e-7)
+        assert not event.touched
+    for peak in (1e-13, 1e-10, 1e-6):
+        found = first_crossing(touching(peak), 3.0)
+        assert found.time == pytest.approx(at - math.acos(1 - peak) / 2, abs=1.1 * found.error)
+        assert not found.tangent
+        assert not found.touched
+    for peak in (-1e-13, -1e-8):
+        for reached in (False, True):
+            found = first_crossing(touching(peak), 3.0, reached=reached)
+            assert found.time is None
+            assert not found.touched
+
+
+def test_a_touch_beside_a_later_crossing():
+    # -(1 - cos(t - 1)) touches at 1 and, with a drift from then on, would cross later
+    turn = complex(math.cos(1), -math.sin(1))
+    function = QuasiPolynomial((0j, 1j, 0.5j), ((-1 + 0j,), (turn,), (0j,)))
+    assert len(first_crossing(function, 6.0).touched) == 1
+    assert len(first_crossing(function, 8.0).touched) == 2
+    shape = np.polynomial.polynomial.polyfromroots([2.0, 2.0, 5.0])
+    cubic = QuasiPolynomial((0j,), (tuple(complex(c) for c in shape),))
+    found = first_crossing(cubic, math.inf)
+    assert found.time == pytest.approx(5.0, abs=found.error)
+    assert [t for t, _ in found.touched] == pytest.approx([2.0])
+    early = first_crossing(cubic, math.inf, reached=True)
+    assert early.tangent
+    assert early.time == pytest.approx(2.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_polynomials_find_their_first_root_or_prove_there_is_none(seed):
+    generator = np.random.default_rng(seed)
+    roots = np.sort(10 ** generator.uniform(-6, 6, 3))
+    shape = np.polynomial.polynomial.polyfromroots(roots)
+    rising = QuasiPolynomial((0j,), (tuple(complex(c) for c in shape),))
+    found = first_crossing(rising, math.inf)
+    slope = abs(exact(rising, roots[0], 1))
+    allowed = float(rising.rounding(roots[0]) / slope) + 8 * math.ulp(roots[0])
+    assert found.time == pytest.approx(roots[0], abs=allowed)
+    falling = np.polynomial.polynomial.polyfromroots([-roots[0], -roots[1], -roots[2]])
+    none = QuasiPolynomial((0j,), (tuple(complex(-c) for c in falling),))
+    assert first_crossing(none, math.inf) == (None, 0.0, False, (), True)
+
+
+def test_what_cannot_follow_is_proved():
+    decaying = QuasiPolynomial((0j, -0.5 + 3j), ((-1 + 0j,), (1.99j,)))
+    found = first_crossing(decaying, 1e4)
+    assert found.time is None
+    assert found.never
+    assert not first_crossing(QuasiPolynomial((1j,), ((-1 + 0j,),)), 1.0).never
+
+
+def test_windows_and_overflow():
+    wave = QuasiPolynomial((0j, 2j), ((-1.0 + 0j,), (0.9 + 0j,)))
+    with pytest.raises(InputError):
+        first_crossing(wave, math.inf)
+    with pytest.raises(InputError):
+        first_crossing(wave, -1.0)
+    at = math.pi / 4
+    half = QuasiPolynomial((2j,), ((-1 + 0j,),))
+    assert first_crossing(half, at * 0.999).time is None
+    assert first_crossing(half, at * 1.001).time == pytest.approx(at, rel=1e-15)
+    with pytest.raises(OverflowError):
+        first_crossing(QuasiPolynomial((1 + 0j,), ((-1 + 0j,),)), 1e4)
+
+
+def test_a_ceiling_passes_over_powers_that_do_not_occur():
+    function = QuasiPolynomial((0j, -0.1 + 1j), ((-2.0 + 0j, 0j, 0j), (1 + 0j, 0j)))
+    assert function.ceiling(0.0) == pytest.approx(-1)
+    assert function.ceiling(10.0) == pytest.approx(-2 + math.exp(-1))

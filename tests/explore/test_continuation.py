@@ -1,0 +1,223 @@
+"""Branches over one parameter: points, ends, events, against other routes to the same numbers."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+import nonsmooth
+from nonsmooth.runtime.core.matrices import exponentials
+from nonsmooth.runtime.events.trigonometric_sums import maximum
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
+from nonsmooth.runtime.explore.intervals import admissible_intervals
+from nonsmooth.runtime.orbits.admissible import boundary_sums
+from tests.certified import loop
+
+STICK = "dry-friction/global-stick"
+DATA = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+PHASES = [
+    ("stick-stick", "first-breaks-forward"),
+    ("slip-stick", "second-breaks-forward"),
+    ("slip-slip", "first-reaches-belt"),
+    ("stick-slip", "second-reaches-belt"),
+]
+
+
+@cache
+def stick(parameter: str = "V", lower: float = 0.8, upper: float = 1.3) -> Branch:
+    return nonsmooth.continue_orbit(nonsmooth.solve(STICK), parameter, (lower, upper))
+
+
+def composed() -> nonsmooth.ComposedOrbit:
+    return nonsmooth.compose("dry-friction", DATA, PHASES, [1, 2, 1.5, 3.3])
+
+
+@pytest.mark.parametrize(("parameter", "interval"), [("V", (0.8, 1.3)), ("eta", (0.5, 2.0))])
+def test_points_are_orbits(parameter: str, interval: tuple[float, float]) -> None:
+    branch = stick(parameter, *interval)
+    given = {name: float(value) for name, value in branch.orbit.given.items()}
+    places = np.random.default_rng(1).integers(1, len(branch) - 1, 6)
+    for place in places.tolist():
+        here = {**given, parameter: float(branch.parameter_values[place])}
+        orbit = nonsmooth.solve(STICK, here, branch.unknowns[place].tolist())
+        found = np.array(list(orbit.unknowns.values()))
+        np.testing.assert_allclose(branch.unknowns[place], found, rtol=0, atol=1e-12)
+        assert branch.trace[place] == pytest.approx(orbit.trace, abs=1e-11)
+        assert branch.period[place] == pytest.approx(orbit.period, abs=1e-12)
+        assert branch.stability[place] == orbit.stability.verdict
+    assert np.abs(np.diff(branch.parameter_values)).max() < 0.01 * np.diff(interval)[0] * 1.5
+
+
+def test_ends_are_admissibility_limits() -> None:
+    for parameter, interval in (("V", (0.8, 1.3)), ("eta", (0.5, 2.0)), ("e1", (1.0, 3.9))):
+        branch = stick(parameter, *interval)
+        (limits,) = admissible_intervals(STICK, parameter, *interval, points=200)
+        (event,) = [e for e in branch.events if e.kind == "vanishing-phase"]
+        end = limits.upper if branch.ends[1] == "ta goes to zero" else limits.lower
+        assert event.value == pytest.approx(end, abs=1e-11)
+        assert event.unknowns["ta"] == pytest.approx(0, abs=1e-13)
+        assert (event.configuration, event.boundary) == PHASES[0]
+
+
+def test_composed_and_derived_branches_agree() -> None:
+    orbit = composed()
+    branch = nonsmooth.continue_orbit(orbit, "V", (0.9, 1.3), step=0.03)
+    derived = stick()
+    places = [k for k in range(len(branch)) if branch.parameter_values[k] < 1.19]
+    period = np.interp(branch.parameter_values[places], derived.parameter_values, derived.period)
+    np.testing.assert_allclose(branch.period[places], period, atol=1e-4)
+    assert branch.events[-1].value == pytest.approx(derived.events[-1].value, abs=1e-12)
+    for place in places[::10]:
+        again = branch.orbit_at(place)
+        assert again.trace == pytest.approx(branch.trace[place], abs=1e-10)
+        np.testing.assert_allclose(again.dwell_times, branch.unknowns[place, :4], atol=1e-12)
+
+
+def test_derivatives_of_composed_equations() -> None:
+    for parameter in ("V", "chi", "eta", "ur2"):
+        curve = curve_of(composed(), parameter, 1.0)
+        _, jacobian = curve.equations(curve.first)
+        for column, unit in enumerate(np.eye(len(curve.first))):
+            difference = sum(
+                weight * curve.equations(curve.first + shift * 1e-3 * unit)[0]
+                for shift, weight in ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
+            )
+            np.testing.assert_allclose(jacobian[:, column], difference / 1e-3, atol=1e-9)
+
+
+def test_exponentials() -> None:
+    random = np.random.default_rng(3)
+    matrices = random.normal(size=(4, 5, 5)) * np.array([0.0, 0.1, 1.0, 6.0])[:, None, None]
+    found = exponentials(matrices)
+    for each, matrix in zip(found, matrices, strict=True):
+        exact = expm(matrix)
+        np.testing.assert_allclose(each, exact, rtol=0, atol=1e-12 * np.abs(exact).max())
+    assert np.isnan(exponentials(np.full((1, 2, 2), np.inf))).all()
+
+
+def test_grazing_names_the_boundary_that_is_touched() -> None:
+    orbit = nonsmooth.solve("dry-friction/symmetric")
+    branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8))
+    (event,) = [e for e in branch.events if e.kind == "grazing"]
+    assert (event.configuration, event.boundary) == ("slip-slip", "first-reaches-belt")
+    at = branch.orbit_at(event)
+    sums = {(b.phase, b.name): g for b, g in boundary_sums(at.kernels, at)}
+    function = sums[event.phase, event.boundary]
+    assert event.time is not None
+    assert abs(function(event.time)) < 1e-11
+    assert abs(function.derivative()(event.time)) < 1e-6
+    assert maximum(function, float(at.dwell_times["tau"])).value < 1e-9
+    limits = admissible_intervals("dry-friction/symmetric", "V", 0.5, 0.8, points=200)
+    assert min(abs(event.value - interval.lower) for interval in limits) < 1e-9
+    before, behind = math.floor(event.place), math.ceil(event.place)
+    assert branch.admissible[before] != branch.admissible[behind]
+
+
+def test_flip_of_a_conservative_orbit() -> None:
+    orbit = nonsmooth.solve("rigid-stop/one-impact")
+    branch = nonsmooth.continue_orbit(orbit, "T", (5.0, 6.5))
+    flips = [event for event in branch.events if event.kind == "flip"]
+    assert len(flips) == 2
+    for event in flips:
+        assert branch.orbit_at(event).trace == pytest.approx(-1, abs=1e-8)
+    between = (branch.parameter_values > flips[0].value) & (
+        branch.parameter_values < flips[1].value
+    )
+    assert {branch.stability[k] for k in np.flatnonzero(between)} == {"unstable"}
+
+
+def test_period_as_the_parameter() -> None:
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    orbit = nonsmooth.compose(
+        "rigid-stop", data, [("free", "first-reaches-stop")], [6.28], period="2*pi"
+    )
+    branch = nonsmooth.continue_orbit(orbit, "period", (5.1, 6.5))
+    derived = nonsmooth.continue_orbit(nonsmooth.solve("rigid-stop/one-impact"), "T", (5.1, 6.5))
+    assert [e.kind for e in branch.events] == [e.kind for e in derived.events]
+    assert [e.kind for e in branch.events].count("flip") == 2
+    for mine, theirs in zip(branch.events, derived.events, strict=True):
+        assert mine.value == pytest.approx(theirs.value, abs=1e-8)
+
+
+def test_border_collision_is_passed() -> None:
+    branch = stick()
+    (event,) = branch.events
+    found = [o for o in branch.next_itineraries(event) if float(o.parameters["V"]) > event.value]
+    (orbit,) = found
+    assert orbit.admissibility.verdict is True
+    # the first mass breaks before the second one has reached the belt
+    assert orbit.itinerary[0] == ("stick-slip", "first-breaks-forward")
+    back = nonsmooth.continue_orbit(orbit, "V", (1.19, 1.21), step=0.05)
+    (meeting,) = [e for e in back.events if e.kind == "vanishing-phase"]
+    assert meeting.value == pytest.approx(event.value, abs=1e-10)
+    motion = nonsmooth.simulate(
+        "dry-friction", orbit.parameters, orbit.states[0], "stick-slip", transitions=40
+    )
+    assert nonsmooth.itinerary_of(motion).itinerary[0][0] in {c for c, _ in orbit.itinerary}
+    assert motion.end == pytest.approx(10 * orbit.period, abs=1e-8)
+
+
+def test_stops_where_it_is_no_motion() -> None:
+    orbit = nonsmooth.solve("dry-friction/symmetric")
+    branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8), stop="admissible")
+    assert branch.ends[0].startswith("the orbit is no motion")
+    assert np.count_nonzero(~branch.admissible) == 1
+    (event,) = [e for e in branch.events if e.kind == "grazing"]
+    assert event.place < 1
+
+
+def test_a_short_branch_says_so() -> None:
+    branch = nonsmooth.continue_orbit(nonsmooth.solve(STICK), "V", (0.8, 1.3), points=3)
+    assert branch.ends == ("3 points", "3 points")
+    assert len(branch) == 7
+    assert branch.parameter_values[branch.start] == 1.0
+
+
+def test_resonance_ends_a_branch() -> None:
+    orbit = nonsmooth.solve("rigid-stop/one-impact")
+    branch = nonsmooth.continue_orbit(orbit, "T", (3.2, 6.5))
+    assert "resonance" in branch.ends[0]
+    assert np.isfinite(branch.unknowns).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "message"),
+    [
+        (("W", (0.8, 1.3)), {}, "unknown given parameter 'W'"),
+        (("V", (1.3, 0.8)), {}, "is empty"),
+        (("V", (2, 3)), {}, "is not in 2 to 3"),
+        (("V", (-1, 3)), {}, "V = -1 is outside its domain"),
+        (("V", 1), {}, "not two numbers"),
+        (("V", (0.8, 1.3)), {"step": 0}, "step = 0"),
+        (("V", (0.8, 1.3)), {"points": 0}, "points = 0"),
+        (("V", (0.8, 1.3)), {"stop": "now"}, "stop = 'now'"),
+    ],
+)
+def test_wrong_input(arguments: tuple, options: dict, message: str) -> None:
+    with pytest.raises(nonsmooth.InputError, match=message):
+        nonsmooth.continue_orbit(nonsmooth.solve(STICK), *arguments, **options)
+
+
+def test_no_orbit_to_follow() -> None:
+    with pytest.raises(nonsmooth.InputError, match="no orbit, such as"):
+        nonsmooth.continue_orbit("dry-friction/global-stick", "V", (0, 1))
+    with pytest.raises(nonsmooth.InputError, match="the period is determined"):
+        curve_of(composed(), "period", 1.0)
+    with pytest.raises(nonsmooth.InputError, match="no point 1000"):
+        stick().orbit_at(1000)
+    with pytest.raises(nonsmooth.InputError, match="unknown quantity 'tb'"):
+        stick().quantity("tb")
+
+
+def test_what_is_zero_all_along_is_no_event() -> None:
+    # each phase begins on the boundary that the other one reached: x = 0, whatever k is
+    whole = nonsmooth.continue_orbit(loop(), "k", (0.3, 1.5))
+    ((kind, value),) = [(event.kind, event.value) for event in whole.events]
+    # the orbit goes as far as 2/sqrt(k): a wall stands at 3
+    assert (kind, value) == ("grazing", pytest.approx(4 / 9, abs=1e-12))
+    assert nonsmooth.continue_orbit(loop(), "r", (0.3, 0.6)).events == ()

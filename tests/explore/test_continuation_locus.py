@@ -1,0 +1,149 @@
+"""Curves of events: their orbits, files, pictures, and the command that follows them."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth
+from tests.explore.test_continuation_forced import branch as impacts
+from tests.present.test_continuation_files import run
+
+SYMMETRIC = "dry-friction/symmetric"
+
+
+@cache
+def branch() -> nonsmooth.Branch:
+    return nonsmooth.continue_orbit(nonsmooth.solve(SYMMETRIC), "V", (0.6, 1.3))
+
+
+@cache
+def flips() -> nonsmooth.Locus:
+    (flip,) = (event for event in branch().events if event.kind == "flip")
+    return nonsmooth.continue_event(branch(), flip, "eta", (3.9, 4.1))
+
+
+@cache
+def composed_folds() -> nonsmooth.Locus:
+    (fold,) = (event for event in impacts().events if event.kind == "fold")
+    return nonsmooth.continue_event(impacts(), fold, "w", (2.7, 2.9), step=0.1)
+
+
+def same(first: nonsmooth.Locus, second: nonsmooth.Locus) -> None:
+    for name in ("values", "unknowns"):
+        np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
+    for name in ("name", "kind", "boundary", "parameters", "unknown_names", "ends", "start"):
+        assert getattr(first, name) == getattr(second, name)
+
+
+def test_orbits_of_a_curve_have_its_event() -> None:
+    for place in (0, flips().start, -1):
+        orbit = flips().orbit_at(place)
+        assert min(abs(orbit.stability.multipliers[k].real + 1) for k in (0, 1)) < 1e-9
+        given = {name: float(orbit.given[name]) for name in flips().parameters}
+        assert list(given.values()) == flips().values[place].tolist()
+        again = nonsmooth.solve(SYMMETRIC, given, list(orbit.unknowns.values()))
+        assert again.trace == pytest.approx(orbit.trace, abs=1e-8)
+    assert flips().values[flips().start].tolist() == [branch().events[-1].value, 4.0]
+    fold = composed_folds().orbit_at(0)
+    assert min(abs(fold.multipliers - 1)) < 1e-6
+    with pytest.raises(nonsmooth.InputError, match="no point 1000"):
+        flips().orbit_at(1000)
+
+
+def test_steps_are_told_and_checked() -> None:
+    told: list[int] = []
+    event = branch().events[-1]
+    nonsmooth.continue_event(branch(), event, "eta", (3.9, 4.1), step=0.1, progress=told.append)
+    assert told == list(range(1, len(told) + 1))
+    for wrong, message in (({"step": 0}, "step = 0"), ({"points": True}, "points = True")):
+        with pytest.raises(nonsmooth.InputError, match=message):
+            nonsmooth.continue_event(branch(), event, "eta", (3.9, 4.1), **wrong)
+
+
+@pytest.mark.parametrize("locus", [flips, composed_folds])
+def test_saved_and_read(tmp_path: Path, locus) -> None:
+    path = tmp_path / "locus.json"
+    locus().save(path)
+    read = nonsmooth.load_locus(path)
+    same(read, locus())
+    assert read.orbit_at(2).trace == locus().orbit_at(2).trace
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda text: text[:-40], "cut, or not JSON"),
+        (lambda text: text.replace('"start": ', '"start": 1'), "the checksum differs"),
+        (lambda text: text.replace("nonsmooth locus", "nonsmooth branch"), "not a saved curve"),
+        (lambda text: "[]", "not a saved curve"),
+        (lambda text: text.replace('"version": 1', '"version": 9', 1), "version 9"),
+    ],
+)
+def test_damaged_files_are_refused(tmp_path: Path, change, message: str) -> None:
+    path = tmp_path / "locus.json"
+    flips().save(path)
+    path.write_text(change(path.read_text()))
+    with pytest.raises(nonsmooth.InputError, match=message) as refusal:
+        nonsmooth.load_locus(path)
+    assert str(path) in str(refusal.value)
+
+
+def test_picture() -> None:
+    pytest.importorskip("matplotlib")
+    (axes,) = flips().plot().axes
+    curve, mark = axes.lines
+    np.testing.assert_array_equal(curve.get_xydata(), flips().values)
+    assert mark.get_xydata().tolist() == [flips().values[flips().start].tolist()]
+    assert (curve.get_label(), axes.get_xlabel()[:3]) == ("flip", "$V$")
+    assert flips().plot(axes) is axes
+    assert axes.lines[2].get_color() != curve.get_color()
+
+
+def test_command(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    saved, picture = tmp_path / "flips.json", tmp_path / "flips.png"
+    arguments = ("continue", SYMMETRIC, "V=0.6:1.3", "eta=3.9:4.1", "--follow", "flip")
+    code, out, _ = run(*arguments, "--save", str(saved), "--plot", str(picture))
+    assert code == 0
+    assert f"flip: {SYMMETRIC}" in out
+    assert "ends: end of the interval" in out
+    same(nonsmooth.load_locus(saved), flips())
+    drawn = tmp_path / "again.png"
+    assert run("plot", str(saved), "--out", str(drawn))[0] == 0
+    assert min(path.stat().st_size for path in (picture, drawn)) > 5000
+    code, _, err = run("plot", str(saved), "--kind", "phase")
+    assert (code, "a curve of events has one kind of picture" in err) == (2, True)
+    told = json.loads(run(*arguments, "--json")[1])
+    assert told["kind"] == "flip"
+    assert told["values"] == flips().values.tolist()
+    assert told["unknowns"]["tau"] == flips().unknowns[:, 3].tolist()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "fold"], "no fold on this branch; there is gra"),
+        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "flop"], "did you mean 'flip'"),
+        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "flip:2"], "no flip:2 on this branch"),
+        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "flip:x"], "no flip:x on this branch"),
+        (["V=0.6:1.3", "--follow", "flip"], "two parameters have to be a range"),
+        (["V=0.6:1.3", "W=4:5", "--follow", "flip"], "unknown given parameter 'W'"),
+        (["V=0.6:1.3", "eta=4:5", "--follow", "flip", "--beyond"], "--beyond is of a branch"),
+    ],
+)
+def test_wrong_commands(arguments: list[str], message: str) -> None:
+    code, _, err = run("continue", SYMMETRIC, *arguments)
+    assert code == 2
+    assert message in err
+
+
+def test_one_of_several_events() -> None:
+    rigid = ("continue", "rigid-stop/one-impact", "T=5:6.5", "k2=4.9:5.1", "--follow")
+    code, _, err = run(*rigid, "flip")
+    assert code == 2
+    assert "which flip, flip:1 ... flip:2? There is flip (T = " in err

@@ -1,0 +1,107 @@
+"""Two events between two points of a branch, and those that are touched but not passed.
+
+A stop at place + q^2 - d makes of each event that an impact oscillator has over the place of
+its stop a pair over q, at the square roots of d, that meets at d = 0.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from tests.explore.test_continuation_forced import R, W, branch, closed_forms
+
+START = -0.2  # of q
+
+
+@cache
+def system() -> System:
+    r, place, w, q, d = sp.symbols("r place w q d")
+    return oscillator(
+        "impact-oscillator-over-a-square",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[RigidStop("x", at=place + q**2 - d, restitution=r, name="wall")],
+        parameters=[
+            Parameter("place", "where the event is", lower=-sp.oo),
+            Parameter("w", "frequency of the forcing"),
+            Parameter("q", "followed", lower=-sp.oo),
+            Parameter("d", "how far from the event", lower=-sp.oo),
+        ],
+    )
+
+
+def pair(kind: str, d: float, step: float = 0.1) -> nonsmooth.Branch:
+    event = [event for event in branch().events if event.kind == kind][-1]
+    place = {"flip": closed_forms()[1], "fold": closed_forms()[0]}.get(kind, event.value)
+    sigma = branch().parameter_values
+    near = np.flatnonzero(abs(np.arange(len(sigma)) - event.place) < 30)
+    k = int(near[np.argmin(abs(sigma[near] - place - START**2))])
+    guess = branch().orbit_at(k)
+    data = {"r": R, "w": W, "place": repr(float(place)), "q": START, "d": d}
+    orbit = nonsmooth.compose(
+        system(), data, guess.itinerary, guess.dwell_times.tolist(), guess.states[0].tolist()
+    )
+    return nonsmooth.continue_orbit(orbit, "q", (-0.25, 0.25), step=step)
+
+
+@pytest.mark.parametrize("kind", ["flip", "grazing"])
+@pytest.mark.parametrize("d", [1e-4, 1e-7, 1e-10])
+def test_two_events_within_a_step(kind: str, d: float) -> None:
+    found = pair(kind, d)
+    root = math.sqrt(d)
+    assert [event.kind for event in found.events] == [kind, kind]
+    # both multipliers, or both maxima, are where they were: an error e shifts q by e / (2 q)
+    for event, wanted in zip(found.events, (-root, root), strict=True):
+        assert event.value == pytest.approx(wanted, abs=1e-13 / root)
+        assert not event.touching
+        orbit = found.orbit_at(event)
+        if kind == "flip":
+            assert min(abs(orbit.multipliers + 1)) < 1e-9
+    if d < 1e-4:
+        values = found.parameter_values
+        assert not ((values > -root) & (values < root)).any()
+
+
+@pytest.mark.parametrize("kind", ["flip", "grazing"])
+def test_what_is_touched(kind: str) -> None:
+    (event,) = pair(kind, 0).events
+    assert (event.kind, event.touching) == (kind, True)
+    assert event.value == pytest.approx(0, abs=1e-7)
+    assert event.text.endswith("touched and not passed")
+
+
+@pytest.mark.parametrize("kind", ["flip", "grazing"])
+def test_what_is_not_reached(kind: str) -> None:
+    for d in (-1e-8, -1e-4):
+        assert pair(kind, d).events == ()
+
+
+def test_a_branch_point_opens_into_a_fold() -> None:
+    """Where two folds meet two branches cross: q^2 - d is a multiple of (y - y0)^2."""
+    (crossing,) = pair("fold", 0, 0.02).events
+    assert crossing.kind == "branch-point"
+    assert crossing.value == pytest.approx(0, abs=1e-6)
+    assert pair("fold", -1e-4, 0.02).events == ()
+    folded = pair("fold", 1e-4, 0.01)
+    (fold,) = folded.events
+    assert (fold.kind, fold.value) == ("fold", pytest.approx(-1e-2, abs=1e-11))
+    assert folded.parameter_values.max() <= fold.value + 1e-12
+
+
+def test_events_do_not_depend_on_the_steps() -> None:
+    orbit = nonsmooth.solve("dry-friction/symmetric")
+    fine = nonsmooth.continue_orbit(orbit, "V", (0.3, 1.3), step=0.005)
+    coarse = nonsmooth.continue_orbit(orbit, "V", (0.3, 1.3), step=0.1)
+    assert len(coarse) < len(fine) / 4
+    assert [e.kind for e in coarse.events] == [e.kind for e in fine.events]
+    for one, other in zip(coarse.events, fine.events, strict=True):
+        assert one.value == pytest.approx(other.value, abs=1e-11)

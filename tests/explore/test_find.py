@@ -1,0 +1,384 @@
+"""Periodic orbits that live in a system: the known ones are found, and what is found is one."""
+
+import hashlib
+import json
+from functools import cache
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.finding import primitive
+from nonsmooth.runtime.explore.finding.find import find_orbits, label_names, start_box
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.present.files.found import load_found
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.recurrence import Candidate, canonical
+from nonsmooth.runtime.simulation.simulate import simulate
+
+# the engine in Python takes minutes for these starts; test_cli_motions has a short one
+pytestmark = pytest.mark.compiled
+
+A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+B = {
+    **{"chi": "0.4", "eta": 4, "V": "0.6773"},
+    **{"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": 1},
+}
+STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
+
+
+@cache
+def found(name):
+    data, starts = {"A": (A, 800), "B": (B, 120)}[name]
+    return find_orbits("dry-friction", data, starts, transitions=1500, seed=1)
+
+
+def by_period(name, period):
+    (orbit,) = (o for o in found(name).orbits if abs(o.period - period) < 1e-3)
+    return orbit
+
+
+# --- what is known to live there
+
+
+def test_the_global_stick_orbit_attracts_nearly_all():
+    orbit = by_period("A", 7.8686)
+    assert orbit.period == pytest.approx(7.868625596740777, abs=1e-12)
+    assert orbit.verdict == "stable"
+    assert orbit.share > 0.98
+    assert found("A").orbits[0] is orbit
+    kernels = solve("dry-friction/global-stick")
+    dwell = sorted(orbit.orbit.dwell_times.tolist())
+    np.testing.assert_allclose(dwell, sorted(kernels.dwell_times.values()), atol=1e-12)
+    assert orbit.orbit.trace == pytest.approx(kernels.trace, abs=1e-10)
+
+
+def test_a_second_attractor_of_less_than_one_percent_is_found():
+    orbit = by_period("A", 15.1006)
+    assert orbit.verdict == "stable"
+    assert 0 < orbit.share < 0.015
+    multipliers = orbit.orbit.multipliers
+    np.testing.assert_allclose(multipliers.real, -0.711, atol=5e-4)
+    np.testing.assert_allclose(np.abs(multipliers.imag), 0.565, atol=5e-4)
+    assert orbit.starts == (found("A").labels == found("A").orbits.index(orbit)).sum()
+
+
+def test_a_planted_attractor_is_found_from_a_box():
+    target = by_period("A", 15.1006).orbit.states[0]
+    box = {n: (x - 1e-3, x + 1e-3) for n, x in zip(("x1", "x2", "v1", "v2"), target, strict=True)}
+    near = find_orbits("dry-friction", A, 20, transitions=800, box=box)
+    (orbit,) = (o for o in near.orbits if o.starts)
+    assert orbit.period == pytest.approx(15.100643125310262, abs=1e-10)
+    assert orbit.share == 1
+    assert (np.abs(near.starts - target) <= 1e-3).all()
+    np.testing.assert_allclose(near.box.mean(axis=1), target, atol=1e-12)
+
+
+def test_two_attractors_and_two_unstable_orbits():
+    stable = [o for o in found("B").orbits if o.verdict == "stable"]
+    unstable = [o for o in found("B").orbits if o.verdict == "unstable"]
+    assert sorted(round(o.period, 4) for o in stable) == [9.5987, 19.4095]
+    assert {4.8960, 12.5353} <= {round(o.period, 4) for o in unstable}
+    assert all(o.starts > 10 for o in stable)
+    assert all(o.starts == 0 == o.share for o in unstable)
+    symmetric = solve("dry-friction/symmetric")
+    orbit = by_period("B", 4.8960).orbit
+    # the kernels hold half of a symmetric orbit's phases, or all of them: the period decides
+    assert sum(symmetric.dwell_times.values()) == pytest.approx(orbit.period, abs=1e-11)
+    assert orbit.trace == pytest.approx(symmetric.trace, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["A", "B"])
+def test_shares_sum_to_one_and_orbits_are_in_order(name):
+    result = found(name)
+    assert sum(o.share for o in result.orbits) + sum(result.outcomes.values()) == (
+        pytest.approx(1, abs=1e-12)
+    )
+    assert [o.starts for o in result.orbits] == sorted((o.starts for o in result.orbits), reverse=1)
+    counts = [(result.labels == i).sum() for i in range(len(result.orbits))]
+    assert counts == [o.starts for o in result.orbits]
+    assert set(result.labels.tolist()) <= {*range(len(result.orbits)), *Outcome}
+    names = label_names(result)
+    assert [names[i] for i, o in enumerate(result.orbits) if o.starts] == [
+        f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(result.orbits) if o.starts
+    ]
+
+
+@pytest.mark.parametrize("name", ["A", "B"])
+def test_orbits_are_admissible_prime_and_different(name):
+    seen = []
+    for entry in found(name).orbits:
+        orbit = entry.orbit
+        assert orbit.converged
+        assert orbit.residual < 1e-11
+        assert orbit.admissibility.verdict is True
+        assert (orbit.dwell_times > 0).all()
+        assert canonical(entry.itinerary) == 0
+        count = len(entry.itinerary)
+        for length in (n for n in range(1, count) if count % n == 0):
+            turns = orbit.dwell_times.reshape(-1, length)
+            assert np.ptp(turns, axis=0).max() > 1e-6, "it goes around more than once"
+        key = (entry.itinerary, *orbit.dwell_times.round(6).tolist())
+        assert key not in seen
+        seen.append(key)
+
+
+@pytest.mark.parametrize("name", ["A", "B"])
+def test_simulation_stays_on_each_orbit(name):
+    for entry in found(name).orbits:
+        orbit, count = entry.orbit, len(entry.itinerary)
+        data = {n: str(v) for n, v in orbit.parameters.items()}
+        motion = simulate(
+            "dry-friction", data, orbit.states[0], entry.itinerary[0][0], transitions=count
+        )
+        assert list(motion.configurations[:-1]) == [c for c, _ in entry.itinerary]
+        assert list(motion.boundaries[1:]) == [(b,) for _, b in entry.itinerary]
+        np.testing.assert_allclose(np.diff(motion.times), orbit.dwell_times, rtol=0, atol=1e-10)
+        np.testing.assert_allclose(motion.states[-1], orbit.states[0], rtol=0, atol=1e-10)
+
+
+def test_labels_are_where_the_starts_lead():
+    result = found("B")
+    for place in range(0, len(result.starts), 11):
+        orbit = result.orbits[result.labels[place]].orbit
+        motion = simulate("dry-friction", B, result.starts[place], transitions=1500)
+        lasted = motion.times[-1] - motion.times[-1 - len(orbit.itinerary)]
+        assert lasted == pytest.approx(orbit.period, rel=1e-6)
+
+
+def test_a_doubled_orbit_is_the_same_from_either_turn(monkeypatch):
+    turn = (("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward"))
+
+    states = np.random.default_rng(2).normal(size=(4, 4))
+    orbit = SimpleNamespace(
+        itinerary=turn * 2,
+        dwell_times=np.array([1, 2, 1.5, 2.5]),
+        states_up_to_shift=states,
+        period=7.0,
+        cycle=SimpleNamespace(uninterrupted=False),
+    )
+    monkeypatch.setattr(primitive, "orbit_scale", lambda orbit: np.ones(4))
+    _same = primitive.same_orbit
+
+    def doubled(*dwell, state=states[2]):
+        return Candidate(turn * 2, np.array(dwell), state, 0.0)
+
+    assert _same(orbit, doubled(1.5, 2.5, 1, 2))
+    assert _same(orbit, doubled(1, 2, 1.5, 2.5, state=states[0]))
+    assert not _same(orbit, doubled(1.5, 2.5, 1, 2, state=-states[2]))
+    assert not _same(orbit, doubled(2, 1.5, 2.5, 1))
+    assert not _same(orbit, Candidate(turn, np.array([1, 2]), states[0], 0))
+
+
+# --- seeds, boxes, engines
+
+
+def test_equal_seeds_give_equal_results():
+    one, same, other = (
+        find_orbits("dry-friction", B, 30, transitions=600, seed=seed, threads=threads)
+        for seed, threads in ((4, 1), (4, 2), (5, 1))
+    )
+    np.testing.assert_array_equal(one.starts, same.starts)
+    np.testing.assert_array_equal(one.labels, same.labels)
+    assert [o.period for o in one.orbits] == [o.period for o in same.orbits]
+    assert not np.array_equal(one.starts, other.starts)
+    assert {round(o.period, 8) for o in one.orbits if o.verdict == "stable"} == {
+        round(o.period, 8) for o in other.orbits if o.verdict == "stable"
+    }
+
+
+@pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
+def test_both_engines_find_the_same(monkeypatch):
+    results = []
+    for backend in ("c", "numpy"):
+        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+        results.append(find_orbits("dry-friction", B, 4, transitions=130, seed=2))
+    for result in results:
+        assert {round(o.period, 6) for o in result.orbits if o.starts} <= {9.598694, 19.409498}
+    np.testing.assert_array_equal(results[0].starts, results[1].starts)
+    np.testing.assert_array_equal(results[0].labels, results[1].labels)
+
+
+def test_a_box_reaches_twice_as_far_as_any_boundary():
+    point = piecewise("rigid-stop", STOP | {"r": 1})
+    limits = start_box(point, {"v2": (-0.5, 0.25)})
+    assert limits[0].tolist() == [-2, 2]  # the stop is at 1
+    assert limits[3].tolist() == [-0.5, 0.25]
+    assert (limits[:, 0] < limits[:, 1]).all()
+    friction = start_box(piecewise("dry-friction", A))
+    assert friction[2].tolist() == [-2, 2]  # the belt's velocity is 1
+    # f1 = x1 - chi x2 reaches ur1 at x1 = ur1, x2 = ur1/chi
+    assert friction[1, 1] == pytest.approx(2 * 4.0195 / 0.5)
+
+
+def test_progress_is_told_in_words():
+    told = []
+    find_orbits("dry-friction", A, 5, transitions=200, progress=told.append)
+    assert told[0] == "following 5 starts"
+    assert len(told) == 3
+
+
+def test_impacts_that_lose_energy_end():
+    result = find_orbits(
+        "rigid-stop", STOP | {"r": "0.5"}, 8, transitions=3000, box={"x1": (-1, 1)}
+    )
+    assert not any(o.starts for o in result.orbits)
+    # without damping it goes on below the stop, as one of a family of motions
+    assert result.share(Outcome.FAMILY) > 0.5
+    assert sum(result.outcomes.values()) == pytest.approx(1)
+    place = int(np.flatnonzero(result.labels == Outcome.FAMILY)[0])
+    motion = simulate("rigid-stop", STOP | {"r": "0.5"}, result.starts[place], transitions=10_000)
+    assert motion.status.name == "QUIET"
+    # it goes on for ever without the stop: x1 keeps below 1
+    later = simulate("rigid-stop", STOP | {"r": "0.5"}, motion.states[-1], until=500)
+    assert later(np.linspace(1, 500, 3000))[:, 0].max() < 1 + 1e-9
+
+
+def test_starts_inside_the_stop_are_drawn_again():
+    result = find_orbits("elastic-stop", STOP | {"k3": 1}, 30, transitions=100, box={"x1": (0, 3)})
+    assert len(result.starts) == 30
+    assert np.unique(result.labels).tolist() != []
+    rigid = find_orbits("rigid-stop", STOP | {"r": 1}, 10, transitions=20, box={"x1": (-0.5, 2)})
+    assert len(rigid.starts) == 10
+    assert (rigid.starts[:, 0] <= 1).all()
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"system": "dry-frictoin"}, "did you mean"),
+        ({"parameters": {}}, "needs a value"),
+        ({"parameters": A | {"us1": 9}}, "does not hold"),
+        ({"n": 0}, "n = 0"),
+        ({"n": 2.5}, "n = 2.5"),
+        ({"transitions": 1}, "transitions = 1"),
+        ({"threads": 0}, "threads = 0"),
+        ({"seed": -1}, "seed = -1"),
+        ({"seed": "luck"}, "seed = 'luck'"),
+        ({"box": {"z1": (0, 1)}}, "unknown state 'z1'"),
+        ({"box": {"x1": (1, 0)}}, "no interval"),
+        ({"box": {"x1": (0, np.inf)}}, "no interval"),
+        ({"box": {"x1": 1}}, "no pair of numbers"),
+        ({"box": {"x1": (1, 2, 3)}}, "no pair of numbers"),
+        ({"box": {"x1": ("a", "b")}}, "no pair of numbers"),
+        (
+            {"system": "rigid-stop", "parameters": STOP | {"r": 1}, "box": {"x1": (2, 3)}},
+            "give another box",
+        ),
+    ],
+)
+def test_bad_input(changes, match):
+    arguments = {"system": "dry-friction", "parameters": A, "n": 5, "transitions": 20}
+    with pytest.raises(InputError, match=match):
+        find_orbits(**(arguments | changes))
+
+
+# --- files
+
+
+@pytest.fixture(scope="module")
+def saved(tmp_path_factory):
+    path = tmp_path_factory.mktemp("found") / "found.json"
+    found("B").save(path)
+    return path
+
+
+def test_what_is_saved_comes_back(saved, tmp_path):
+    wanted, loaded = found("B"), load_found(saved)
+    np.testing.assert_array_equal(loaded.starts, wanted.starts)
+    np.testing.assert_array_equal(loaded.labels, wanted.labels)
+    np.testing.assert_array_equal(loaded.box, wanted.box)
+    assert (loaded.system, loaded.names) == (wanted.system, wanted.names)
+    assert loaded.transitions == wanted.transitions
+    assert {n: v.text for n, v in loaded.parameters.items()} == {
+        n: v.text for n, v in wanted.parameters.items()
+    }
+    for one, other in zip(loaded.orbits, wanted.orbits, strict=True):
+        assert (one.itinerary, one.starts, one.share) == (
+            other.itinerary,
+            other.starts,
+            other.share,
+        )
+        np.testing.assert_allclose(one.orbit.dwell_times, other.orbit.dwell_times, rtol=1e-11)
+        assert one.verdict == other.verdict
+    again = tmp_path / "again.json"
+    loaded.save(again)
+    assert load_found(again).orbits[0].period == pytest.approx(wanted.orbits[0].period, rel=1e-12)
+
+
+def signed(content):
+    """A file with its checksum made right again."""
+    covered = {name: entry for name, entry in content.items() if name != "sha256"}
+    digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
+    return json.dumps(covered | {"sha256": digest})
+
+
+def edited(text, edit):
+    content = json.loads(text)
+    edit(content)
+    return content
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.99])
+def test_cut_files_are_refused(saved, tmp_path, share):
+    text = saved.read_text()
+    path = tmp_path / "cut.json"
+    path.write_text(text[: int(share * len(text))])
+    with pytest.raises(InputError, match=r"cut\.json: cut, or not JSON"):
+        load_found(path)
+
+
+def test_edited_and_foreign_files_are_refused(saved, tmp_path):
+    text, path = saved.read_text(), tmp_path / "file.json"
+    cases = [
+        (text.replace('"starts": 120', '"starts": 121', 1), "edited or damaged"),
+        (text.replace("nonsmooth found orbits", "nonsmooth orbit"), "not a file of found orbits"),
+        ("[1, 2]", "not a file of found orbits"),
+        ("{}", "not a file of found orbits"),
+        ("\x00" * 50, "not JSON"),
+        (signed(edited(text, lambda c: c.update(version=99))), "version 99"),
+        (signed(edited(text, lambda c: c.update(system="none"))), "unknown system 'none'"),
+        (signed(edited(text, lambda c: c["parameters"].update(chi="0.41"))), "is none of the"),
+    ]
+    for content, match in cases:
+        path.write_text(content)
+        with pytest.raises(InputError, match=match) as problem:
+            load_found(path)
+        assert str(path) in str(problem.value)
+    with pytest.raises(InputError, match=r"absent\.json: cannot be read"):
+        load_found(tmp_path / "absent.json")
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(InputError, match="not JSON"):
+        load_found(path)
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        lambda c: c.pop("labels"),
+        lambda c: c.pop("orbits"),
+        lambda c: c.update(orbits=3),
+        lambda c: c.update(labels=["a"]),
+        lambda c: c.update(labels=c["labels"][:-1]),
+        lambda c: c.update(labels=[99] * len(c["labels"])),
+        lambda c: c.update(start_states=[["0", "0"]]),
+        lambda c: c["orbits"][0].update(share="most"),
+        lambda c: c["orbits"][0]["start"].pop("x1"),
+        lambda c: c["box"].pop("x1"),
+        lambda c: c.update(parameters=[]),
+    ],
+)
+def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
+    path = tmp_path / "nonsense.json"
+    path.write_text(signed(edited(saved.read_text(), edit)))
+    with pytest.raises(InputError, match=r"nonsense\.json"):
+        load_found(path)
+
+
+def test_a_file_that_cannot_be_written_is_named(tmp_path):
+    for target in (tmp_path, tmp_path / "none" / "found.json"):
+        with pytest.raises(InputError, match="cannot write"):
+            found("B").save(target)

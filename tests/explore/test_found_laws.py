@@ -1,0 +1,428 @@
+"""What is found is primitive, listed once, and closes; every start ends in a named outcome."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.finding import outcomes
+from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth.runtime.explore.finding.mirrors import mirrors
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.explore.finding.primitive import orbit_scale
+from nonsmooth.runtime.explore.finding.settled import (
+    EQUILIBRIUM,
+    PERIODIC,
+    UNINTERRUPTED,
+    settled,
+)
+from nonsmooth.runtime.explore.finding.stretching import Stretching
+from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.simulation.simulate import simulate_many
+
+pytestmark = pytest.mark.compiled
+
+
+@cache
+def stopped():
+    """A damped mass under harmonic forcing strikes a stop."""
+    zeta = Parameter("zeta", "damping", lower=-sp.oo)
+    r = Parameter("r", "restitution", sp.Integer(0), sp.Integer(1), closed=True, upper_closed=True)
+    omega, gap = Parameter("Omega", "frequency"), Parameter("gap", "place", lower=-sp.oo)
+    return oscillator(
+        "forced-impact",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[2 * zeta.symbol]],
+        forcing=[Harmonic(omega.symbol, cosine=[1])],
+        elements=[RigidStop("x", at=gap.symbol, restitution=r.symbol, name="stop")],
+        parameters=[zeta, omega, gap, r],
+    )
+
+
+@cache
+def between():
+    """The same between two stops, at equal distances."""
+    omega, gap = Parameter("Omega", ""), Parameter("gap", "")
+    r = Parameter("r", "", sp.Integer(0), sp.Integer(1))
+    return oscillator(
+        "between-stops",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[sp.Rational(1, 10)]],
+        forcing=[Harmonic(omega.symbol, cosine=[1])],
+        elements=[
+            RigidStop("x", at=gap.symbol, restitution=r.symbol, name="right"),
+            RigidStop("x", at=-gap.symbol, restitution=r.symbol, side="lower", name="left"),
+        ],
+        parameters=[omega, gap, r],
+    )
+
+
+@cache
+def rubbing(forcings=1):
+    """A damped mass under one or two forces rubs on the ground."""
+    mu, force = Parameter("mu", "friction"), Parameter("F", "amplitude", lower=-sp.oo)
+    w = [Parameter(f"w{k}", "frequency") for k in range(1, forcings + 1)]
+    return oscillator(
+        "rubbing",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[sp.Rational(1, 5)]],
+        forcing=[Harmonic(each.symbol, cosine=[force.symbol]) for each in w],
+        elements=[Friction("x", mu.symbol, name="ground")],
+        parameters=[mu, force, *w],
+    )
+
+
+@cache
+def on_belt():
+    """A mass on a moving belt, without forcing."""
+    mu, c, speed = (
+        Parameter("mu", ""),
+        Parameter("c", "", lower=-sp.oo),
+        Parameter("V", "", lower=-sp.oo),
+    )
+    return oscillator(
+        "on-belt",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[c.symbol]],
+        elements=[Friction("x", mu.symbol, velocity=speed.symbol, name="belt")],
+        parameters=[mu, c, speed],
+    )
+
+
+def found_at(system, data, n=12, **options):
+    return find_orbits(system, data, n, transitions=400, **options)
+
+
+def stroboscopic(orbit, turns):
+    """States at the beginning of each forcing period, the first one's phase being zero."""
+    motion = orbit.trajectory(2)
+    _, sine = orbit.cycle.structure.forcing[0]
+    cosine = orbit.cycle.structure.forcing[0][0]
+    start = orbit.states[0]
+    speed = 2 * np.pi * turns / orbit.period
+    first = (-np.arctan2(start[sine], start[cosine]) % (2 * np.pi)) / speed
+    return motion(first + np.arange(turns) * orbit.period / turns)
+
+
+# --- the law of what is listed
+
+CASES = [
+    *((stopped, seed) for seed in range(3)),
+    *((between, seed) for seed in range(2)),
+    (rubbing, 0),
+]
+
+
+def drawn(build, seed):
+    rng = np.random.default_rng([seed, len(build.__name__)])
+    if build is stopped:
+        low, high = np.array([0.02, 1.5, -0.1, 0.5]), np.array([0.1, 3.0, 0.3, 0.9])
+        names = ("zeta", "Omega", "gap", "r")
+    elif build is between:
+        low, high = np.array([0.8, 0.4, 0.5]), np.array([2.0, 1.5, 0.9])
+        names = ("Omega", "gap", "r")
+    else:
+        low, high = np.array([0.1, 1.0, 0.6]), np.array([0.8, 3.0, 1.6])
+        names = ("mu", "F", "w1")
+    values = rng.uniform(low, high).round(3).tolist()
+    # a stop where the spring is not stretched makes a position that is zero by declaration
+    return dict(zip(names, values, strict=True)) | (
+        {"gap": 0} if seed == 0 and build is stopped else {}
+    )
+
+
+@cache
+def law(build, seed):
+    data = drawn(build, seed)
+    return data, found_at(build(), data)
+
+
+@pytest.mark.parametrize(("build", "seed"), CASES)
+def test_each_orbit_closes_and_is_primitive(build, seed):
+    _, found = law(build, seed)
+    assert found.orbits
+    for entry in found.orbits:
+        orbit, (turns,) = entry.orbit, entry.forcing_periods
+        speed = float(orbit.parameters["w1" if build is rubbing else "Omega"])
+        assert entry.period * speed / (2 * np.pi) == pytest.approx(turns, abs=1e-9)
+        scale = orbit_scale(orbit)
+        if turns <= 4:
+            motion = ns.simulate(
+                build(), orbit.parameters, orbit.states[0], orbit.itinerary[0][0],
+                until=0.999999 * entry.period,
+            )  # fmt: skip
+            missed = np.abs(motion.states[-1] - orbit.states[len(motion.times) - 1]) / scale
+            assert len(motion.times) == len(orbit.itinerary)
+            assert missed.max() < 1e-6
+        points = stroboscopic(orbit, turns)
+        for turn in range(1, turns):
+            assert (np.abs(points[turn] - points[0]) / scale).max() > 1e-6
+
+
+@pytest.mark.parametrize(("build", "seed"), CASES)
+def test_no_motion_is_listed_twice(build, seed):
+    _, found = law(build, seed)
+    known = []
+    for entry in found.orbits:
+        (turns,) = entry.forcing_periods
+        points, scale = stroboscopic(entry.orbit, turns), orbit_scale(entry.orbit)
+        for other in known:
+            apart = np.abs(other[:, None] - points[None]) / scale
+            assert apart.max(axis=2).min() > 1e-7, "another orbit passes through the same state"
+        known.append(points)
+
+
+@pytest.mark.parametrize(("build", "seed"), CASES)
+def test_shares_add_up(build, seed):
+    _, found = law(build, seed)
+    shares = [entry.share for entry in (*found.orbits, *found.equilibria)]
+    assert sum(shares) + sum(found.outcomes.values()) == pytest.approx(1, abs=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_multipliers_are_those_of_one_turn(seed):
+    """By Liouville: damping shrinks areas by e^(-2 zeta T), each impact by r^2."""
+    data, found = law(stopped, seed)
+    for entry in found.orbits:
+        impacts = len(entry.itinerary) * (not entry.orbit.cycle.uninterrupted)
+        area = np.exp(-2 * data["zeta"] * entry.period) * data["r"] ** (2 * impacts)
+        largest = np.abs(entry.orbit.multipliers).max()
+        assert np.prod(entry.orbit.multipliers) == pytest.approx(area, abs=1e-9 * max(1, largest))
+
+
+@pytest.mark.parametrize("zeta", ["0", "1e-14", "1e-6"])
+def test_more_digits_confirm_a_verdict(zeta):
+    data = {"zeta": zeta, "r": "1", "Omega": "2.6", "gap": "0.5"}
+    found = find_orbits(stopped(), data, 15, transitions=300, seed=1)
+    regular = [entry.orbit for entry in found.orbits if entry.verdict != "unstable"]
+    assert len(regular) > 4
+    verdicts = {orbit.stability.verdict for orbit in regular}
+    assert verdicts <= {"neutral" if zeta == "0" else "stable", "undecided"}
+    assert (verdicts == {"undecided"}) == (zeta == "1e-14")
+    for orbit in sorted(regular, key=lambda orbit: len(orbit.itinerary))[:3]:
+        truth = orbit.refined(40).stability
+        assert truth.verdict == ("neutral" if zeta == "0" else "stable")
+        assert abs(truth.margin - orbit.stability.margin) < 1e-12
+
+
+def test_a_position_that_is_zero_by_declaration_is_no_return():
+    data = {"zeta": "0.05", "Omega": "2.6", "gap": 0, "r": "0.8"}
+    found = found_at(stopped(), data, 20)
+    attracting = [entry for entry in found.orbits if entry.starts]
+    assert sorted(entry.forcing_periods for entry in attracting) == [(1,), (3,)]
+    assert sum(entry.share for entry in attracting) == 1
+    for start in found.starts[:3]:
+        motion = ns.simulate(stopped(), data, start, transitions=600)
+        assert len(ns.itinerary_of(motion).itinerary) in (1, 3)
+
+
+def test_a_velocity_that_is_zero_by_declaration_is_no_return():
+    (entry,) = found_at(rubbing(), {"mu": "1/2", "w1": "1.1", "F": 2}, 8).orbits
+    assert entry.period == pytest.approx(5.711986642890532, abs=1e-9)
+    assert (entry.share, entry.forcing_periods, entry.mirror) == (1, (1,), 0)
+
+    def half(start):
+        """Half a period by DOP853: x' < 0 from rest, against friction 1/2."""
+        x, t = start
+        sol = solve_ivp(
+            lambda t, y: [y[1], 2 * np.cos(1.1 * t) - y[1] / 5 - y[0] + 0.5],
+            (t, t + 6), [x, -1e-14], method="DOP853", rtol=1e-12, atol=1e-13,
+            events=lambda t, y: y[1] if t > start[1] + 1e-3 else -1.0,
+        )  # fmt: skip
+        return sol.y_events[0][0][0], sol.t_events[0][0]
+
+    place = [boundary for _, boundary in entry.itinerary].index("ground-reaches-belt")
+    now = entry.orbit
+    down = next(k for k in range(2) if now.piecewise.fields[now.cycle.configurations[k]][1, -1] > 0)
+    x, _, c, s = now.states[down]
+    assert place in (0, 1)
+    end, when = half((x, np.arctan2(s, c) / 1.1))
+    assert end == pytest.approx(-x, abs=1e-8)
+    assert when - np.arctan2(s, c) / 1.1 == pytest.approx(np.pi / 1.1, abs=1e-8)
+
+
+# --- motions that reach no boundary
+
+
+def response(zeta, omega):
+    return 1 / (1 - omega**2 + 2j * zeta * omega)
+
+
+def test_the_linear_response_is_an_orbit():
+    data = {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}
+    found = found_at(stopped(), data, 4)
+    (entry,) = found.orbits
+    assert (entry.share, entry.forcing_periods, entry.verdict) == (1, (1,), "stable")
+    assert entry.itinerary == (("free", "forcing-phase"),)
+    # x = Re g e^(i Omega t), x' = Re i Omega g e^(i Omega t)
+    gain = response(0.05, 2.6)
+    np.testing.assert_allclose(
+        entry.orbit.states[0], [gain.real, -2.6 * gain.imag, 1, 0], atol=1e-13
+    )
+    wanted = np.linalg.eigvals(expm(np.array([[0, 1], [-1, -0.1]]) * 2 * np.pi / 2.6))
+    np.testing.assert_allclose(
+        np.sort_complex(entry.orbit.multipliers), np.sort_complex(wanted), atol=1e-12
+    )
+    times = np.linspace(0, entry.period, 7)
+    angles = np.exp(2.6j * times)
+    np.testing.assert_allclose(
+        entry.orbit.trajectory()(times)[:, 0], (gain * angles).real, atol=1e-12
+    )
+
+
+def test_grazing_ends_it():
+    data = {"zeta": "0.05", "Omega": "2.6", "gap": "0.3", "r": "0.8"}
+    orbit = ns.compose(stopped(), data, [("free", "forcing-phase")], [2 * np.pi / 2.6])
+    branch = ns.continue_orbit(orbit, "Omega", (2, 2.7))
+    assert {event.kind for event in branch.events} == {"grazing"}
+    for event in branch.events:
+        assert abs(response(0.05, event.value)) == pytest.approx(0.3, abs=1e-11)
+    assert len(branch.events) == 1
+    between_them = np.abs(response(0.05, branch.parameter_values)) > 0.3
+    np.testing.assert_array_equal(branch.admissible, ~between_them)
+    (event,) = ns.continue_orbit(orbit, "gap", (0.1, 0.4)).events
+    assert event.value == pytest.approx(abs(response(0.05, 2.6)), abs=1e-12)
+
+
+def test_several_forcings_and_their_common_period():
+    data = {"mu": "1/100", "F": 1, "w1": "3/2", "w2": 1}
+    steady = stopped()
+    with pytest.raises(InputError, match="no forcing"):
+        ns.compose(on_belt(), {"mu": 1, "c": 0, "V": 1}, [("slip", "forcing-phase")], [1])
+    phases = [("free", "forcing-phase"), ("free", "stop-reaches-stop")]
+    with pytest.raises(InputError, match="unknown boundary"):
+        ns.compose(steady, {"zeta": 0, "Omega": 2, "gap": 1, "r": 1}, phases, [1, 1])
+    found = found_at(rubbing(2), data, 6)
+    assert {(3, 2)} == {entry.forcing_periods for entry in found.orbits if entry.starts}
+    lost = found_at(rubbing(2), data | {"w2": "2**(1/2)"}, 6)
+    assert lost.share(Outcome.INCOMMENSURATE) == 1
+
+
+# --- what is not periodic
+
+
+def test_an_equilibrium_has_eigenvalues():
+    found = found_at(on_belt(), {"mu": "1/2", "c": "1/5", "V": 3})
+    (entry,) = (e for e in found.equilibria if e.starts)
+    known = entry.equilibrium
+    assert (entry.share, known.configuration, known.verdict) == (1, "slip", "stable")
+    np.testing.assert_allclose(known.state, [0.5, 0], atol=1e-14)  # x = mu
+    roots = np.roots([1, 0.2, 1])
+    np.testing.assert_allclose(np.sort_complex(known.eigenvalues), np.sort_complex(roots))
+    assert not found.outcomes
+
+
+def test_steady_sliding_that_is_unstable_is_listed():
+    found = found_at(on_belt(), {"mu": "1/2", "c": "-1/50", "V": 3})
+    (entry,) = found.equilibria
+    assert (entry.starts, entry.equilibrium.verdict) == (0, "unstable")
+    # what the belt does not catch grows: friction does not grow with the speed
+    assert 0 < found.share(Outcome.DIVERGENT) < 1
+    assert found.orbits[0].share + found.share(Outcome.DIVERGENT) == 1
+
+
+@pytest.mark.parametrize(
+    ("system", "data", "outcome"),
+    [
+        (on_belt, {"mu": "1/2", "c": "1/5", "V": 0}, Outcome.RESTING),
+        (stopped, {"zeta": "0.05", "Omega": "2.8", "gap": 0, "r": "0.8"}, Outcome.CHAOTIC),
+    ],
+)
+def test_outcomes_have_names(system, data, outcome):
+    box = {"x": (-1, 1), "v": (-1, 1)}
+    assert found_at(system(), data, 4, box=box).share(outcome) == 1
+
+
+def test_a_long_transient_is_no_chaos(monkeypatch):
+    kernels, data = kernels_of("rigid-stop"), {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
+    # it strikes the stop nearly a thousand times more, gently, and then never again
+    start = [[1.0, 0.22202226193837551, -0.0003265565473231795, 9.956807746317763e-05]]
+    motions = simulate_many(kernels, data, start, transitions=20, keep=20)
+    attractors = outcomes.attractors_of(kernels, piecewise(kernels, data), ())
+    labels = attractors.labels(motions)
+    assert labels.tolist() == [Outcome.UNCLASSIFIED]
+    grown = Stretching(np.array([1e-4]), np.array([1e-6]), np.array([False]))
+    monkeypatch.setattr(outcomes, "stretching", lambda *given: grown)
+    assert attractors.measured(motions, labels).tolist() == [Outcome.FAMILY]
+
+
+def test_one_motion_at_each_point_is_named_alike():
+    kernels = kernels_of(stopped())
+    points = {"zeta": 0.05, "Omega": np.array([2.6, 2.8, 2.6]), "gap": np.array([0, 0, 3.0])}
+    data = {**points, "r": 0.8}
+    motions = simulate_many(kernels, data, [-0.5, 0, 1, 0], transitions=600, keep=65)
+    told = settled(kernels, data, motions)
+    assert told.outcomes.tolist() == [PERIODIC, Outcome.CHAOTIC, UNINTERRUPTED]
+    assert told.periods[2] == pytest.approx(2 * np.pi / 2.6)
+    assert told.lengths.tolist()[1:] == [0, 0]
+    belt = kernels_of(on_belt())
+    data = {"mu": 0.5, "c": 0.2, "V": 3.0}
+    motions = simulate_many(belt, data, [0.1, 0], transitions=600, keep=65)
+    assert int(settled(belt, data, motions).outcomes) == EQUILIBRIUM
+
+
+# --- mirror images
+
+
+def test_mirror_images_are_marked():
+    data = {"Omega": "1.5", "gap": "0.5", "r": "0.8"}
+    found = found_at(between(), data, 20)
+    (symmetry,) = mirrors(piecewise(between(), data))
+    assert symmetry.matrix.diagonal().tolist() == [-1, -1, -1, -1]
+    pairs = [(k, e) for k, e in enumerate(found.orbits) if e.mirror not in (None, k)]
+    assert pairs
+    for place, entry in pairs:
+        other = found.orbits[entry.mirror]
+        assert entry.mirror < place
+        assert entry.period == pytest.approx(other.period, rel=1e-12)
+        swapped = {"left-reaches-stop": "right-reaches-stop"}
+        swapped |= {b: a for a, b in swapped.items()}
+        assert sorted(swapped[b] for _, b in entry.itinerary) == sorted(
+            b for _, b in other.itinerary
+        )
+    assert not mirrors(piecewise(stopped(), {"zeta": 0, "Omega": 2, "gap": 1, "r": 1}))
+
+
+def test_files_and_words(tmp_path):
+    from nonsmooth.runtime.present.files.found import found_json, load_found
+
+    for system, data in (
+        (stopped(), {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}),
+        (on_belt(), {"mu": "1/2", "c": "1/5", "V": 3}),
+    ):
+        found = found_at(system, data, 5)
+        found.save(tmp_path / "found.json")
+        again = load_found(tmp_path / "found.json")
+        told, wanted = found_json(again), found_json(found)
+        for one, other in zip(told.pop("orbits"), wanted.pop("orbits"), strict=True):
+            assert float(one["period"]) == pytest.approx(float(other["period"]), rel=1e-13)
+            assert one["itinerary"][0]["boundary"] == other["itinerary"][0]["boundary"]
+            assert (one["forcing_periods"], one["symmetric"]) == ([1], False)
+        assert told == wanted
+        np.testing.assert_array_equal(again.labels, found.labels)
+
+
+def test_a_motion_without_contact_is_proved_and_checked(tmp_path):
+    data = {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}
+    phases = [("free", "forcing-phase")]
+    certificate = ns.certify(ns.compose(stopped(), data, phases, [2 * np.pi / 2.6]))
+    assert set(certificate.claims.values()) == {"proved"}
+    certificate.save(tmp_path / "proof.json")
+    assert ns.check_certificate(tmp_path / "proof.json").claims == certificate.claims
+    beyond = ns.compose(stopped(), data | {"gap": "0.1"}, phases, [2 * np.pi / 2.6])
+    assert ns.certify(beyond).claims["admissibility"] == "refuted"

@@ -1,0 +1,125 @@
+"""Intervals of a parameter: ends to the last bit, and resonances by another determinant."""
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.intervals import admissible_intervals, singular_values
+from nonsmooth.runtime.model.kernels import backend
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.orbits.solve import solve
+
+RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
+STICK, BORDER = "dry-friction/global-stick", "dry-friction/solution-ii"
+POINTS = 2000 if backend() == "c" else 200
+
+
+def halfway(period):
+    """Determinant of the velocities halfway, by the start's y and u, at the paper's data."""
+    matrix = np.zeros((4, 4))
+    matrix[:2, 2:] = np.eye(2)
+    matrix[2:, :2] = -np.array([[1.0, -1], [-1, 6]]) / np.array([[1.0], [2]])
+    return float(np.linalg.det(expm(matrix * period / 2)[2:, 1:3]))
+
+
+@pytest.mark.parametrize(
+    ("name", "parameter", "lower", "upper"),
+    [
+        (RIGID, "T", 3, 8),
+        (RIGID, "m1", 0.2, 6),
+        (ELASTIC, "T", 5, 8),
+        (ELASTIC, "k3", 0.1, 50),
+        (STICK, "e1", 2, 4),
+        (STICK, "eta", 0.3, 2),
+        ("dry-friction/symmetric", "V", 0.2, 1.5),
+        (BORDER, "V", 0.5, 1.5),
+    ],
+)
+def test_ends_are_where_admissibility_changes(name, parameter, lower, upper):
+    found = admissible_intervals(name, parameter, lower, upper, points=POINTS)
+    assert found
+    assert [i.lower for i in found] == sorted(i.lower for i in found)
+    for interval in found:
+        assert interval.lower <= interval.upper
+        for end, reason, outward in (
+            (interval.lower, interval.below, -np.inf),
+            (interval.upper, interval.above, np.inf),
+        ):
+            beyond = np.nextafter(end, outward)
+            inside = solve_many(name, **{parameter: np.array([end, beyond])}).admissible
+            assert inside[0]
+            if reason:
+                assert not inside[1]
+                assert lower < end < upper
+        middle = (interval.lower + interval.upper) / 2
+        assert solve(name, {parameter: middle}).admissibility.verdict is not False
+    grid = np.linspace(lower, upper, 301)
+    ends = np.array([[i.lower, i.upper] for i in found])
+    within = ((grid[:, None] >= ends[:, 0]) & (grid[:, None] <= ends[:, 1])).any(axis=1)
+    judged = solve_many(name, **{parameter: grid}).admissible
+    # an interval or a gap narrower than the grid of the search is not seen
+    assert np.mean(within == judged) > 0.99
+
+
+def test_the_rigid_orbit_lives_between_resonance_and_grazing():
+    found = admissible_intervals(RIGID, "T", 3, 8, points=POINTS)
+    first, second, *_ = found
+    assert first.below == second.below == "the equations are singular"
+    assert first.lower == pytest.approx(3.1842000168868, abs=1e-9)
+    assert second.lower == pytest.approx(3.8810023476154, abs=1e-9)
+    assert "first-reaches-stop is crossed in free" in first.above
+    # the ends at which u vanishes, by solving for it
+    for interval, guess in ((first, 3.5), (found[-1], 7.1)):
+        grazing = solve(RIGID, {}, {"y": 0.2, "T": guess}, unknown=["T"], given={"u": 0})
+        assert solve(RIGID, {"T": interval.upper}).unknowns["u"] == pytest.approx(0, abs=1e-12)
+        if grazing.values["T"] == pytest.approx(interval.upper, abs=0.1):
+            assert interval.upper == pytest.approx(grazing.values["T"], abs=1e-12)
+
+
+def test_singular_values_are_the_zeros_of_another_determinant():
+    found = singular_values(RIGID, "T", 0.5, 30, points=POINTS)
+    assert len(found) == 12
+    for period in found:
+        below, above = halfway(period * (1 - 1e-9)), halfway(period * (1 + 1e-9))
+        assert below * above < 0
+    grid = np.linspace(0.5, 30, 20001)
+    signs = np.sign([halfway(period) for period in grid[::10]])
+    assert np.count_nonzero(np.diff(signs)) == len(found)
+    stiff = singular_values(RIGID, "k1", 0.2, 20, {"T": "7.001"}, points=POINTS)
+    assert solve_many(RIGID, k1=list(stiff), T=7.001).status.tolist() == [5] * len(stiff)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("rigid-stop/two-impacts", "T", 3, 8), "did you mean 'rigid-stop/one-impact'"),
+        ((RIGID, "k3", 3, 8), "unknown parameter 'k3'"),
+        ((RIGID, "r", 0, 1), "unknown parameter 'r'"),
+        ((RIGID, "T", 8, 3), "the range of T, 8 to 3, is empty"),
+        ((RIGID, "T", 3, 3), "is empty"),
+        ((RIGID, "T", 3, np.inf), "is empty"),
+        ((RIGID, "T", np.nan, 3), "is empty"),
+        ((RIGID, "T", 3, 8, {"m1": -1}), "m1 = -1 is outside its domain"),
+        ((RIGID, "T", 3, 8, {"m3": 1}), "unknown parameter 'm3'"),
+    ],
+)
+def test_wrong_input_is_named_on_one_line(arguments, message):
+    for ask in (admissible_intervals, singular_values):
+        with pytest.raises(InputError, match=message) as caught:
+            ask(*arguments)
+        assert "\n" not in str(caught.value)
+
+
+def test_too_few_points_and_orbits_that_are_not_explicit():
+    with pytest.raises(InputError, match="points = 1: a grid has two at least"):
+        admissible_intervals(RIGID, "T", 3, 8, points=1)
+    with pytest.raises(InputError, match="is not explicit: its unknowns tau move"):
+        singular_values(ELASTIC, "T", 3, 8)
+
+
+def test_the_whole_range_may_be_admissible_or_nothing():
+    (whole,) = admissible_intervals(RIGID, "T", 5, 6, points=50)
+    assert (whole.below, whole.above) == ("", "")
+    assert 5 < whole.lower < whole.upper < 6
+    assert admissible_intervals(RIGID, "T", 7.5, 9, points=50) == ()

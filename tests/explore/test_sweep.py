@@ -1,0 +1,250 @@
+"""Diagrams and maps by brute force, against orbits and against single motions."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.cli.display_motions import show_sweep
+from nonsmooth.runtime.cli.report_motions import sweep_json
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.explore.finding.sweep import basins, sweep
+from nonsmooth.runtime.orbits.compose import compose_many
+from nonsmooth.runtime.simulation.simulate import simulate
+
+STICK = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+TWO = {
+    **{"chi": "0.4", "eta": 4, "V": "0.6773"},
+    **{"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": 1},
+}
+ITINERARY = [
+    ("stick-stick", "first-breaks-forward"),
+    ("slip-stick", "second-breaks-forward"),
+    ("slip-slip", "first-reaches-belt"),
+    ("stick-slip", "second-reaches-belt"),
+]
+STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
+REST = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
+
+
+def swept(**changes):
+    arguments = {
+        "system": "dry-friction",
+        "parameters": STICK,
+        "name": "V",
+        "values": np.linspace(0.95, 1.05, 5),
+        "start": REST,
+        "state": "x1",
+        "configuration": "slip-stick",
+        "transient": 4000,
+        "samples": 40,
+    }
+    return sweep(**(arguments | changes))
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("place", range(4))
+def test_along_the_branch_a_sweep_gives_the_orbit(place):
+    diagram = swept(configuration=ITINERARY[place][0])
+    branch = compose_many(
+        "dry-friction", ITINERARY, STICK | {"V": diagram.values}, [1.02, 2.0, 1.57, 3.28],
+        multipliers=True,
+    )  # fmt: skip
+    assert branch.converged.all()
+    sizes = np.abs(branch.multipliers).max(axis=-1)
+    assert (sizes < 0.999).any()
+    for row, states, size in zip(diagram.samples, branch.states, sizes, strict=True):
+        taken = row[np.isfinite(row)]
+        assert taken.size == 10  # one in four transitions
+        if size < 0.99:
+            np.testing.assert_allclose(taken, states[place, 0], rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def test_a_sweep_is_its_single_motions(backend, monkeypatch):
+    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+    diagram = swept(transient=15, samples=9, follow=False)
+    assert diagram.samples.shape == (5, 9)
+    for value, row in zip(diagram.values, diagram.samples, strict=True):
+        motion = simulate("dry-friction", STICK | {"V": value}, REST, transitions=24)
+        wanted = [
+            state[0]
+            for name, state in zip(motion.configurations[16:], motion.states[16:], strict=True)
+            if name == "slip-stick"
+        ]
+        assert wanted
+        np.testing.assert_allclose(row[np.isfinite(row)], wanted, rtol=0, atol=1e-10)
+
+
+def test_following_continues_from_chunk_to_chunk():
+    values, told = np.linspace(0.9, 1.1, 66), []
+    diagram = swept(values=values, transient=5, samples=9, progress=told.append)
+    assert told == [64, 66]
+    before = simulate("dry-friction", STICK | {"V": values[63]}, REST, transitions=14)
+    for place in (64, 65):
+        motion = simulate(
+            "dry-friction", STICK | {"V": values[place]}, before.states[-1], transitions=14
+        )
+        wanted = np.where(
+            np.array(motion.configurations[6:]) == "slip-stick", motion.states[6:, 0], np.nan
+        )
+        np.testing.assert_allclose(diagram.samples[place], wanted, rtol=0, atol=1e-11)
+    anew = swept(values=values, transient=5, samples=9, follow=False)
+    np.testing.assert_array_equal(anew.samples[:64], diagram.samples[:64])
+    assert not np.array_equal(anew.samples[64:], diagram.samples[64:], equal_nan=True)
+
+
+@pytest.mark.compiled
+def test_what_comes_to_rest_leaves_no_points():
+    # the stop takes all the energy: after a few impacts no boundary is reached
+    start = {"x1": 0, "x2": 0, "v1": 2, "v2": 0}
+    data = {"m1": 1, "m2": 2, "k2": 5, "r": "0.5"}
+    diagram = sweep(
+        "rigid-stop", data, "k1", [0.9, 1.0], start, state="v1", configuration="free",
+        transient=10_000, samples=10_000,
+    )  # fmt: skip
+    assert not np.isfinite(diagram.samples).any()
+    short = sweep(
+        "rigid-stop", data, "k1", [0.9, 1.0], start, state="v1", configuration="free",
+        transient=0, samples=3,
+    )  # fmt: skip
+    assert np.isfinite(short.samples).any()
+
+
+def test_a_value_outside_the_domain_is_a_gap():
+    diagram = swept(values=[-1.0, 1.0], transient=100)
+    assert np.isnan(diagram.samples[0]).all()
+    assert np.isfinite(diagram.samples[1]).any()
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"state": "z1"}, "unknown state 'z1'"),
+        ({"configuration": "stick"}, "unknown configuration 'stick'"),
+        ({"name": "W"}, "unknown parameter 'W'"),
+        ({"name": "eta"}, "eta is both given and swept"),
+        ({"values": []}, "values of V"),
+        ({"values": [1, np.nan]}, "values of V"),
+        ({"values": [[1, 2]]}, "values of V"),
+        ({"values": "many"}, "values of V"),
+        ({"values": [-2, -1]}, "for no value of V"),
+        ({"transient": -1}, "transient = -1"),
+        ({"samples": 0}, "samples = 0"),
+        ({"start": {"x1": 0}}, "needs a value for"),
+        ({"parameters": {"chi": "0.5"}}, "needs a value for"),
+        ({"threads": 0}, "threads = 0"),
+    ],
+)
+def test_bad_sweeps(changes, match):
+    with pytest.raises(InputError, match=match):
+        swept(**({"transient": 10} | changes))
+
+
+def test_a_start_inside_the_stop_is_told():
+    with pytest.raises(InputError, match="for no value of r"):
+        sweep(
+            "rigid-stop", STOP, "r", [0.5, 0.6], REST | {"x1": 2}, state="x2",
+            configuration="free", transient=10,
+        )  # fmt: skip
+
+
+# --- basins
+
+
+@cache
+def found():
+    return find_orbits("dry-friction", TWO, 60, transitions=1000)
+
+
+@pytest.mark.compiled
+def test_labels_agree_with_following_single_starts():
+    told = []
+    plane = basins(
+        found(), ("x1", -2.0, 2.0, 7), ("v2", -1.0, 0.5, 5), {"x2": "1/2"}, progress=told.append
+    )
+    assert told[-1] == 5
+    assert plane.labels.shape == (5, 7)
+    assert plane.start.tolist() == [0, 0.5, 0, 0]
+    assert len(set(plane.labels.ravel().tolist())) == 2
+    for row, column in np.ndindex(5, 7):
+        start = [plane.x_values[column], 0.5, 0.0, plane.y_values[row]]
+        orbit = found().orbits[plane.labels[row, column]].orbit
+        motion = simulate("dry-friction", TWO, start, transitions=1500)
+        phases = len(orbit.itinerary)
+        lasted = motion.times[-1] - motion.times[-1 - phases]
+        assert lasted == pytest.approx(orbit.period, rel=1e-6)
+
+
+@pytest.mark.compiled  # thousands of motions
+def test_axes_may_be_any_two_states():
+    one = basins(found(), ("x1", -2.0, 2.0, 4), ("v2", -1.0, 0.5, 3))
+    other = basins(found(), ("v2", -1.0, 0.5, 3), ("x1", -2.0, 2.0, 4))
+    np.testing.assert_array_equal(one.labels, other.labels.T)
+
+
+def test_equilibria_and_no_configuration_have_labels():
+    quiet = find_orbits("rigid-stop", STOP | {"r": 1}, 4, transitions=50, box={"x1": (-0.9, 0.9)})
+    plane = basins(quiet, ("x1", 0.0, 2.0, 3), ("v1", 0.0, 0.1, 2))
+    assert (plane.labels[:, 2] == Outcome.ILLEGAL).all()
+    assert plane.labels[0, 0] == len(quiet.orbits)  # the equilibrium
+    labels = set(plane.labels.ravel().tolist())
+    assert labels <= {Outcome.ILLEGAL, *range(len(quiet.orbits) + 1), *Outcome}
+    assert plane.labels[1, 0] == Outcome.FAMILY
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "start", "match"),
+    [
+        (("z1", 0, 1, 3), ("x2", 0, 1, 3), {}, "unknown state 'z1'"),
+        (("x1", 0, 1, 3), ("x1", 0, 1, 3), {}, "both axes are x1"),
+        (("x1", 1, 0, 3), ("x2", 0, 1, 3), {}, "no interval"),
+        (("x1", 0, np.inf, 3), ("x2", 0, 1, 3), {}, "no interval"),
+        (("x1", 0, 1, 1), ("x2", 0, 1, 3), {}, "count of x1 = 1"),
+        (("x1", 0, 1, 2.5), ("x2", 0, 1, 3), {}, "count of x1"),
+        (("x1", 0, 1, 10**4), ("x2", 0, 1, 10**4), {}, "more than"),
+        (("x1", 0, 1, 3), ("x2", 0, 1, 3), {"q": 1}, "unknown state 'q'"),
+        (("x1", 0, 1, 3), ("x2", 0, 1, 3), {"v1": "fast"}, "v1"),
+    ],
+)
+def test_bad_planes(x, y, start, match):
+    with pytest.raises(InputError, match=match):
+        basins(found(), x, y, start)
+
+
+@pytest.mark.parametrize("phase", [0.0, 2.0, 4.0])
+def test_a_stroboscope_goes_on_from_a_mass_that_rests_on_a_stop(phase):
+    """Impacts accumulate; the stop that is swept reaches the resting mass or leaves it behind."""
+    gap, w = Parameter("gap", "place", lower=-sp.oo), sp.Rational(1, 2)
+    system = oscillator(
+        "resting",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[[sp.Rational(1, 10)]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[RigidStop("x", at=gap.symbol, restitution=sp.Rational(1, 5))],
+        parameters=[gap],
+    )
+    places, start = np.linspace(0, -0.4, 3), {"x": -1, "v": 0}
+    given = {"state": "x", "phase": phase, "transient": 30, "samples": 4}
+    diagram = sweep(system, {}, "gap", places, start, **given)
+    assert (diagram.outcomes >= 0).all()
+    alone = sweep(system, {}, "gap", places, start, follow=False, **given)
+    np.testing.assert_allclose(diagram.samples, alone.samples, rtol=0, atol=1e-9)
+
+
+def test_values_that_an_interrupted_sweep_has_not_looked_at_have_no_outcome(capsys):
+    whole = swept(transient=100)
+    left = whole.outcomes.copy()
+    left[3:] = int(Outcome.UNCLASSIFIED)
+    show_sweep(replace(whole, outcomes=left, done=3))
+    counts = [line.split(": ")[1] for line in capsys.readouterr().out.splitlines()[1:]]
+    assert sum(int(text.split()[0]) for text in counts) == 3
+    told = sweep_json(replace(whole, outcomes=left, done=3))["outcomes"]
+    assert [text is None for text in told] == [False] * 3 + [True] * 2

@@ -1,0 +1,514 @@
+"""The door to the kernels, the flows behind it, and the parameters before it."""
+
+import os
+import subprocess
+import sys
+from fractions import Fraction
+from itertools import product
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.linalg import expm
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model import kernels
+from nonsmooth.runtime.model.kernels import (
+    backend,
+    load_orbit,
+    load_system,
+    orbit_names,
+    system_names,
+)
+from nonsmooth.runtime.model.parameters import check_arrays, default_parameters, resolve
+from nonsmooth.runtime.orbits.solve import solve
+
+SYSTEM, ORBIT = "dry-friction", "dry-friction/global-stick"
+PHYSICAL = ("chi", "eta", "V", "us1", "ur1", "us2", "ur2")
+MOTIONS = ("slip", "stick", "overshoot")
+CONFIGURATIONS = tuple("-".join(pair) for pair in product(MOTIONS, MOTIONS))
+
+
+# --- the backend
+
+
+def run(code, chosen):
+    environment = {n: v for n, v in os.environ.items() if n != "NONSMOOTH_BACKEND"}
+    if chosen is not None:
+        environment["NONSMOOTH_BACKEND"] = chosen
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", code],
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+SHOW = """
+from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
+from nonsmooth.runtime.orbits.solve import solve
+for name in orbit_names():
+    orbit = solve(name)
+    print(backend(), load_orbit(orbit.name).solver is not None, orbit.status,
+          orbit.admissibility.verdict, orbit.stability.verdict, repr(orbit.trace),
+          *(repr(x) for x in orbit.unknowns.values()),
+          *(repr(orbit.sensitivity(parameter).trace) for parameter in orbit.given),
+          *(repr(float(x)) for x in orbit.saltations.flat),
+          *(repr(float(x)) for x in orbit.motion()(1)))
+"""
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("chosen", [None, "", "c"])
+def test_c_is_the_backend_when_it_is_built(chosen):
+    done = run(SHOW, chosen)
+    assert done.returncode == 0
+    lines = [line.split() for line in done.stdout.splitlines()]
+    assert [line[:2] for line in lines] == [["c", "True"]] * len(orbit_names())
+
+
+def test_numpy_can_be_asked_for_and_does_all_that_c_does():
+    plain, best = run(SHOW, "numpy"), run(SHOW, None)
+    assert plain.returncode == best.returncode == 0, plain.stderr
+    assert len(plain.stdout.splitlines()) == len(orbit_names())
+    for line, other in zip(plain.stdout.splitlines(), best.stdout.splitlines(), strict=True):
+        found, expected = line.split(), other.split()
+        assert found[:2] == ["numpy", "False"]
+        assert found[2:5] == expected[2:5]
+        numbers, others = (np.array(list(map(float, words[5:]))) for words in (found, expected))
+        assert_allclose(numbers, others, rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("chosen", ["nonsense", "C", " numpy", "numpy,c", "1"])
+def test_another_backend_is_an_input_error(chosen):
+    done = run("from nonsmooth.runtime.model.kernels import backend; backend()", chosen)
+    assert done.returncode != 0
+    last = done.stderr.strip().splitlines()[-1]
+    assert "InputError" in last
+    assert repr(chosen) in last
+    assert "numpy" in last
+
+
+def test_asking_for_c_that_is_not_there_names_the_remedy():
+    code = (
+        "import sys; sys.modules['nonsmooth.generated._kernels'] = None\n"
+        "from nonsmooth.runtime.model.kernels import backend; print(backend())"
+    )
+    absent, asked = run(code, None), run(code, "c")
+    assert absent.stdout.strip() == "numpy"
+    assert "InputError" in asked.stderr
+    assert "not built" in asked.stderr.strip().splitlines()[-1]
+    assert "install" in asked.stderr.strip().splitlines()[-1]
+
+
+# --- names
+
+
+def test_names_are_listed_and_loaded():
+    assert system_names() == ("rigid-stop", "elastic-stop", "dry-friction")
+    assert orbit_names() == (
+        "rigid-stop/one-impact",
+        "elastic-stop/one-contact",
+        "dry-friction/symmetric",
+        "dry-friction/global-stick",
+        "dry-friction/solution-ii",
+    )
+    for name in orbit_names():
+        assert load_orbit(name).name == name
+        assert load_orbit(name) is load_orbit(name)
+    assert load_system(SYSTEM).configurations == tuple(load_system(SYSTEM).table["configurations"])
+    assert set(load_system(SYSTEM).configurations) == set(CONFIGURATIONS)
+
+
+@pytest.mark.parametrize("name", ["dry-frction", "Dry-Friction", "dry friction", "dry-friction/"])
+def test_an_unknown_system_is_answered_with_the_nearest(name):
+    with pytest.raises(InputError, match=f"unknown system '{name}'; did you mean '{SYSTEM}'"):
+        load_system(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["dry-friction/globalstick", "dry-friction", "dry-friction/global-stick/", "dry/stick"]
+)
+def test_an_unknown_orbit_is_answered_with_those_that_exist(name):
+    with pytest.raises(InputError, match=f"unknown orbit '{name}'.*{ORBIT}") as caught:
+        load_orbit(name)
+    assert "\n" not in str(caught.value)
+
+
+def test_an_unknown_configuration_is_answered_with_the_nearest():
+    with pytest.raises(InputError, match="'slip-stuck'; did you mean 'slip-stick'"):
+        load_system(SYSTEM).flow("slip-stuck", np.ones(7) / 2, 1.0, np.ones(4))
+
+
+@pytest.mark.parametrize(
+    ("parameters", "state"), [(np.ones(6) / 2, np.ones(4)), (np.ones(7) / 2, np.ones(3))]
+)
+def test_arrays_of_a_wrong_length_are_refused(parameters, state):
+    with pytest.raises(ValueError, match=r"7|4"):
+        load_system(SYSTEM).flow("slip-slip", parameters, 1.0, state)
+
+
+# --- generated files that are not what was generated
+
+
+@pytest.fixture
+def generated(tmp_path, monkeypatch):
+    """A copy of the generated files that the door reads instead."""
+    for name in ("PROVENANCE.json", "dry_friction.py"):
+        source = kernels.files("nonsmooth.generated").joinpath(name)
+        (tmp_path / name).write_bytes(source.read_bytes())
+    monkeypatch.setattr(kernels, "files", lambda package: tmp_path)
+    caches = (kernels._provenance, kernels._system, kernels._orbit)
+    for cache in caches:
+        cache.cache_clear()
+    yield tmp_path
+    for cache in caches:
+        cache.cache_clear()
+
+
+def test_an_untouched_copy_loads(generated):
+    assert load_orbit(ORBIT).name == ORBIT
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"systems": 3, "files": {}}', None])
+def test_a_cut_or_foreign_provenance_is_named_with_the_remedy(generated, text):
+    path = generated / "PROVENANCE.json"
+    path.unlink() if text is None else path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=r"PROVENANCE\.json is missing, cut or foreign: .*install"):
+        load_orbit(ORBIT)
+
+
+def test_an_edited_or_cut_kernel_file_is_named_with_the_remedy(generated):
+    path = generated / "dry_friction.py"
+    whole = path.read_bytes()
+    for content in (whole + b"\n", whole[:-100], b""):
+        path.write_bytes(content)
+        with pytest.raises(InputError, match=r"dry_friction\.py is not the file .* regenerate"):
+            load_orbit(ORBIT)
+
+
+# --- flows
+
+
+def generator(configuration, values):
+    """Of (x, v, 1)' = A (x, v, 1), from Sec. 3: friction pulls forward a mass that slips."""
+    chi, eta = values["chi"], values["eta"]
+    matrix = np.zeros((5, 5))
+    first, second = configuration.split("-")
+    direction = {"slip": 1, "overshoot": -1}
+    matrix[:2, 2:4] = np.eye(2)
+    if first != "stick":
+        matrix[2, [0, 1, 4]] = -1, chi, direction[first] * values["us1"]
+    if second != "stick":
+        matrix[3, [0, 1, 4]] = chi * eta, -chi * eta, direction[second] * eta * values["us2"]
+    return matrix
+
+
+def held(configuration, state, speed):
+    """The state with the belt's velocity where a mass sticks."""
+    state = state.copy()
+    for mass, motion in enumerate(configuration.split("-")):
+        if motion == "stick":
+            state[2 + mass] = speed
+    return state
+
+
+def draws(seed, count):
+    random = np.random.default_rng(seed)
+    for _ in range(count):
+        values = dict(zip(PHYSICAL, random.uniform(0.2, 1.5, 7), strict=True))
+        values["chi"] = random.uniform(0.05, 0.95)
+        values["eta"] = np.exp(random.uniform(-3, 3))
+        yield values, random.uniform(-2, 2, 4), random.uniform(0, 8), random.uniform(0, 8)
+
+
+@pytest.mark.parametrize("configuration", CONFIGURATIONS)
+def test_flows_are_matrix_exponentials(configuration):
+    system = load_system(SYSTEM)
+    for values, state, time, _ in draws(31, 20):
+        parameters = np.array([values[n] for n in PHYSICAL])
+        state = held(configuration, state, values["V"])
+        expected = expm(generator(configuration, values) * time) @ [*state, 1]
+        found = system.flow(configuration, parameters, time, state)
+        assert_allclose(found, expected[:4], rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("configuration", CONFIGURATIONS)
+def test_flows_form_a_group(configuration):
+    system = load_system(SYSTEM)
+    for values, state, first, second in draws(32, 20):
+        parameters = np.array([values[n] for n in PHYSICAL])
+        state = held(configuration, state, values["V"])
+
+        def flow(time, start, parameters=parameters):
+            return system.flow(configuration, parameters, time, start)
+
+        assert_allclose(flow(0.0, state), state, atol=1e-14)
+        assert_allclose(flow(second, flow(first, state)), flow(first + second, state), atol=1e-10)
+        assert_allclose(flow(-first, flow(first, state)), state, atol=1e-10)
+
+
+def stop_generator(configuration, values):
+    """Of (x, v, 1)' = A (x, v, 1), from Eqs. (1) and (4) with k1 + k2 in the corner."""
+    mass = np.array([values["m1"], values["m2"]])
+    k1, k2 = values["k1"], values["k2"]
+    stop = values["k3"] if configuration == "contact" else 0.0
+    matrix = np.zeros((5, 5))
+    matrix[:2, 2:4] = np.eye(2)
+    matrix[2:4, :2] = -np.array([[k1 + stop, -k1], [-k1, k1 + k2]]) / mass[:, None]
+    matrix[2, 4] = stop / mass[0]
+    return matrix
+
+
+@pytest.mark.parametrize(
+    ("system", "configuration"),
+    [("rigid-stop", "free"), ("elastic-stop", "free"), ("elastic-stop", "contact")],
+)
+def test_flows_of_the_stop_are_matrix_exponentials(system, configuration):
+    loaded, random = load_system(system), np.random.default_rng(35)
+    assert configuration in loaded.configurations
+    names = [p.name for p in loaded.parameters]
+    for _ in range(20):
+        values = dict(zip(names, np.exp(random.uniform(-2, 2, len(names))), strict=True))
+        state, first, second = random.uniform(-2, 2, 4), *random.uniform(0, 6, 2)
+        parameters = np.array(list(values.values()))
+        generated = expm(stop_generator(configuration, values) * first) @ [*state, 1]
+        found = loaded.flow(configuration, parameters, first, state)
+        assert_allclose(found, generated[:4], rtol=1e-10, atol=1e-10)
+        again = loaded.flow(configuration, parameters, second, found)
+        both = loaded.flow(configuration, parameters, first + second, state)
+        assert_allclose(again, both, rtol=1e-9, atol=1e-9)
+        assert_allclose(
+            loaded.flow(configuration, parameters, -first, found), state, rtol=1e-9, atol=1e-9
+        )
+
+
+def test_flows_broadcast():
+    system, (values, state, _, _) = load_system(SYSTEM), next(draws(33, 1))
+    parameters = np.array([values[n] for n in PHYSICAL])
+    times = np.linspace(0, 3, 7)
+    together = system.flow("slip-slip", parameters, times, state)
+    assert together.shape == (7, 4)
+    for time, row in zip(times, together, strict=True):
+        assert_allclose(system.flow("slip-slip", parameters, time, state), row, atol=1e-15)
+    stacked = system.flow("slip-slip", np.stack([parameters] * 3)[:, None], times, state)
+    assert stacked.shape == (3, 7, 4)
+    assert_allclose(stacked, np.broadcast_to(together, (3, 7, 4)), atol=1e-15)
+
+
+def test_energy_is_conserved_where_friction_is_constant():
+    """v1^2/2 + v2^2/(2 eta) + elastic energy - the constant forces' work."""
+    system = load_system(SYSTEM)
+    for values, state, first, second in draws(34, 20):
+        parameters = np.array([values[n] for n in PHYSICAL])
+        chi = values["chi"]
+        states = system.flow("slip-slip", parameters, np.linspace(first, second, 9), state)
+        x1, x2, v1, v2 = states.T
+        energy = v1**2 / 2 + v2**2 / (2 * values["eta"])
+        energy += x1**2 / 2 - chi * x1 * x2 + chi * x2**2 / 2
+        energy -= values["us1"] * x1 + values["us2"] * x2
+        assert_allclose(energy, energy[0], rtol=1e-11, atol=1e-11)
+
+
+# --- parameters
+
+E1 = Fraction("3.0195")
+
+
+@pytest.mark.parametrize(
+    ("given", "e1", "us1"),
+    [
+        ({}, E1, None),
+        ({"e1": 3}, 3, None),
+        ({"us1": 1}, E1, 1),
+        ({"ur1": 5}, E1, 5 - E1),
+        ({"us1": 1, "ur1": 4}, 3, 1),
+        ({"e1": 3, "us1": "0.1"}, 3, Fraction(1, 10)),
+        ({"e1": 3, "ur1": 4}, 3, 1),
+        ({"e1": 3, "us1": 1, "ur1": 4}, 3, 1),
+        ({"us1": "1/4", "ur1": "1/3"}, Fraction(1, 12), Fraction(1, 4)),
+        ({"us1": 0.1, "ur1": 0.3, "e1": 0.2}, Fraction(1, 5), Fraction(1, 10)),
+        ({"us1": 1, "ur1": 1}, 0, 1),
+        ({"us1": "0." + "3" * 700, "e1": "1." + "7" * 700}, None, None),
+        ({"us1": "0." + "3" * 700, "ur1": "1." + "7" * 700}, None, None),
+        ({"e1": "0." + "3" * 700, "ur1": "1." + "7" * 700}, None, None),
+    ],
+    ids=lambda value: str(value)[:40],
+)
+def test_of_three_forces_two_give_the_third(given, e1, us1):
+    point = resolve(load_orbit(ORBIT), given)
+    if e1 is not None:
+        assert point.values["e1"].exact == e1
+        assert ("us1" in point.opened) == (us1 is not None)
+        assert us1 is None or point.opened["us1"].exact == us1
+    else:
+        exact = {n: Fraction(text) for n, text in given.items()}
+        exact.setdefault("e1", exact.get("ur1", 0) - exact.get("us1", 0))
+        exact.setdefault("us1", exact.get("ur1", 0) - exact["e1"])
+        assert point.values["e1"].exact == exact["e1"]
+        assert point.opened["us1"].exact == exact["us1"]
+    assert point.values["e2"].exact == Fraction("0.4831")
+    assert "us2" not in point.opened
+
+
+def test_irrational_forces_are_compared_with_many_digits():
+    door = load_orbit(ORBIT)
+    given = {"us1": "pi/4", "ur1": "pi/3"}
+    derived = resolve(door, given).values["e1"]
+    assert abs(derived.ball(300) - as_value("pi/12").ball(300)) < 1e-80
+    resolve(door, given | {"e1": "pi/12"})
+    with pytest.raises(InputError, match="contradicts"):
+        resolve(door, given | {"e1": "pi/12 + 1e-60"})
+
+
+@pytest.mark.parametrize(
+    ("given", "without", "named"),
+    [
+        ({"e1": 3, "us1": 1, "ur1": 4.5}, (), r"e1 = 3 contradicts ur1 - us1 = 3\.5"),
+        ({"e2": "0.3", "us2": 0.1, "ur2": 0.3}, (), "e2 = 0.3 contradicts"),
+        ({"us1": 1, "ur1": 0.5}, (), r"e1 = ur1 - us1 is -0\.5"),
+        ({"ur1": 1}, (), "us1 = -4039/2000 is outside its domain"),
+        ({"us1": 0}, (), r"us1 = 0 is outside its domain \(0, oo\)"),
+        ({"ur2": -1}, (), "ur2|us2"),
+        ({"chi": 0}, (), r"chi = 0 is outside its domain \(0, 1\)"),
+        ({"chi": 1}, (), "chi = 1 is outside"),
+        ({"chi": "1 - 1e-300"}, (), "chi"),
+        ({"eta": -1}, (), r"eta = -1 is outside its domain \(0, oo\)"),
+        ({"eta": 0.0}, (), "eta = 0.0 is outside"),
+        ({"V": "0"}, (), "V = 0 is outside"),
+        ({"e1": -1e-300}, (), r"e1 = -1e-300 is outside its domain \[0, oo\)"),
+        ({"V": float("nan")}, (), "parameter V: .*not finite"),
+        ({"V": float("-inf")}, (), "parameter V: .*not finite"),
+        ({"V": "1/0"}, (), "parameter V: '1/0'.*zero"),
+        ({"V": "__import__('os')"}, (), "parameter V"),
+        ({"V": True}, (), "parameter V: True"),
+        ({"V": None}, (), "parameter V: None"),
+        ({"V": 1j}, (), "parameter V"),
+        ({"V": [1.0]}, (), "parameter V"),
+        ({"v": 1}, (), "unknown parameter 'v'; did you mean 'V'"),
+        ({"u1": 1}, (), "did you mean 'u[rs]1'"),
+        ({"ta": 1}, (), "unknown parameter 'ta'.*known: chi, eta, V, e1, e2, us1, us2, ur1, ur2"),
+        ({3: 1}, (), "unknown parameter '3'"),
+        ({"e1": 3}, ("e1",), "e1 is both given and to be solved for"),
+        ({"us1": 1, "ur1": 4}, ("e1",), "e1 is to be solved for, but ur1, us1 fix it"),
+        ({"ur1": 4}, ("e1",), "ur1 decides nothing while e1 is to be solved for: give us1"),
+    ],
+    ids=lambda value: str(value)[:40],
+)
+def test_wrong_parameters_are_named_on_one_line(given, without, named):
+    with pytest.raises(InputError, match=named) as caught:
+        resolve(load_orbit(ORBIT), given, without)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
+@pytest.mark.parametrize("parameter", ["m1", "m2", "k1", "k2", "T"])
+@pytest.mark.parametrize("value", ["0", -1, float("nan"), "1e400", True])
+def test_a_stop_takes_positive_numbers(name, parameter, value):
+    with pytest.raises(InputError, match=f"{parameter}") as caught:
+        resolve(load_orbit(name), {parameter: value})
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("value", ["0", 0, -3, "1/0", "-1e-300"])
+def test_the_stiffness_of_the_stop_is_positive(value):
+    with pytest.raises(InputError, match="k3"):
+        resolve(load_orbit("elastic-stop/one-contact"), {"k3": value})
+
+
+@pytest.mark.parametrize("value", ["-1e-300", "1 + 1e-15", "1.2", -1, "inf"])
+def test_restitution_outside_its_domain_is_wrong_input(value):
+    with pytest.raises(InputError, match="r"):
+        resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+
+
+@pytest.mark.parametrize("value", ["0", 0, 0.5, "1 - 1e-15", "1/3"])
+def test_restitution_that_loses_energy_has_no_orbit(value):
+    with pytest.raises(NoConvergence, match="exists only for r = 1: with r = ") as caught:
+        resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("value", [1, "1", 1.0, "3/3", Fraction(1)])
+def test_the_required_value_may_be_said(value):
+    point = resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+    assert list(point.values) == ["m1", "m2", "k1", "k2", "T"]
+
+
+def test_forces_without_influence_are_checked_and_left():
+    door = load_orbit("dry-friction/symmetric")
+    plain = resolve(door, {})
+    for given in ({"us1": 1}, {"ur1": 2}, {"e1": 3}, {"us1": 1, "ur1": 2, "e1": 1}):
+        assert resolve(door, given) == plain
+    for given, part in (
+        ({"us1": 0}, "us1 = 0 is outside its domain"),
+        ({"ur1": -1}, "ur1 = -1 is outside its domain"),
+        ({"e1": -1}, "e1 = -1 is outside its domain"),
+        ({"us1": 2, "ur1": 1}, "e1 = ur1 - us1 is -1.0"),
+        ({"us1": 1, "ur1": 2, "e1": 3}, "e1 = 3 contradicts ur1 - us1"),
+        ({"us3": 1}, "unknown parameter 'us3'"),
+    ):
+        with pytest.raises(InputError, match=part):
+            resolve(door, given)
+
+
+@pytest.mark.parametrize(
+    ("given", "named"),
+    [
+        ({"e1": 3}, r"e1 is an unknown of dry-friction/solution-ii: .*--given e1=3\)"),
+        ({"us1": 1, "ur1": 3}, "e1 is to be solved for, but ur1, us1 fix it"),
+        ({"ur1": 3}, "ur1 decides nothing while e1 is to be solved for: give us1 instead"),
+        ({"ta": 0}, "unknown parameter 'ta'"),
+    ],
+)
+def test_what_a_border_collision_solves_for_is_not_given(given, named):
+    with pytest.raises(InputError, match=named):
+        resolve(load_orbit("dry-friction/solution-ii"), given)
+
+
+def test_what_is_solved_for_takes_no_value():
+    point = resolve(load_orbit(ORBIT), {"us1": 1}, ["e1"])
+    assert list(point.values) == ["chi", "eta", "V", "e2"]
+    assert point.opened["us1"].exact == 1
+
+
+def test_a_force_given_beside_an_exchange_decides():
+    for us2, verdict in ((0.5, False), (2, True)):
+        orbit = solve(
+            ORBIT,
+            {"us1": 1, "us2": us2},
+            unknown=("e1", "e2"),
+            given={"ta": 1, "tau": 2},
+        )
+        assert orbit.admissibility.verdict is verdict
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_has_defaults_and_a_guess(name):
+    door = load_orbit(name)
+    point = resolve(door, {})
+    assert tuple(point.values) == door.parameter_names
+    assert {n: v.text for n, v in point.values.items()} == default_parameters(door)
+    assert set(door.table["reference"]["guess"]) == set(door.unknowns)
+    assert tuple(check_arrays(door, {})) == door.parameter_names
+    tables = (*door.parameters, *door.open_parameters, *door.other_parameters)
+    assert len({p.name for p in tables}) == len(tables)
+    assert {p.name for p in door.system.parameters} <= {p.name for p in tables}
+
+
+def test_parameters_keep_the_kernels_order_and_the_defaults():
+    door = load_orbit(ORBIT)
+    given = {"e2": 0.5, "V": 1.1, "chi": "1/3"}
+    assert tuple(resolve(door, given).values) == door.parameter_names
+    assert {n: v.text for n, v in resolve(door, {}).values.items()} == default_parameters(door)
+    arrays = check_arrays(door, {"eta": [1, 2]})
+    assert tuple(arrays) == door.parameter_names
+    assert all(a.dtype == float for a in arrays.values())
+    assert float(arrays["e1"]) == 3.0195
+
+
+def test_the_default_backend_of_this_run():
+    assert backend() in ("c", "numpy")
+    assert (load_orbit(ORBIT).solver is not None) == (backend() == "c")

@@ -1,0 +1,445 @@
+"""A user's own declaration: loaded from a file, a folder, or Python, and cached."""
+
+from __future__ import annotations
+
+import math
+import os
+import subprocess
+import sys
+import traceback
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from nonsmooth.derive.codegen import emit
+from nonsmooth.derive.codegen.emit import emit_package, emit_system
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.systems import dry_friction, rigid_stop
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
+from nonsmooth.runtime.model.loading import caching
+from nonsmooth.runtime.model.loading import load as loading
+from nonsmooth.runtime.model.loading.declared import Declared, declaration_in
+from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.simulation.simulate import simulate
+from tests.user_systems import DAMPED, KICKED, declare
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A cache folder of the test's own, and a process that knows nothing yet."""
+    folder = tmp_path / "cache"
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(folder))
+    forget(monkeypatch)
+    return folder
+
+
+def forget(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in a new process."""
+    monkeypatch.setattr(loading, "_MODULES", {})
+    monkeypatch.setattr(loading, "_FILES", {})
+    loading._file.cache_clear()
+
+
+@pytest.fixture
+def derivations(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Names of the systems that are derived, one entry for each time."""
+    names: list[str] = []
+    derive = emit.emit_python
+
+    def counted(system: Any, orbits: Any, source: str) -> str:
+        names.append(system.name)
+        return derive(system, orbits, source)
+
+    monkeypatch.setattr(emit, "emit_python", counted)
+    return names
+
+
+def read(path: Path) -> Declared:
+    return declaration_in(path)
+
+
+def write_emitted(folder: Path, path: Path) -> Path:
+    """The folder that `nonsmooth generate` would write."""
+    declared: Any = read(path)
+    folder.mkdir()
+    emitted = emit_system(declared.system, declared.orbits, path.name)
+    for name, text in emit_package([emitted], "nonsmooth generate").items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+# --- the same system, whatever it is loaded from -----------------------------------------
+
+
+def test_an_orbit_of_a_folder_is_the_closed_form(tmp_path: Path) -> None:
+    path = declare(tmp_path)
+    name = f"{write_emitted(tmp_path / 'kernels', path)}:loop"
+    orbit = solve(name, {"k": 2, "r": "0.25"})
+    assert orbit.name == name
+    assert orbit.converged
+    assert float(orbit.unknowns["v0"]) == pytest.approx(4 / 3, rel=1e-14)
+    assert orbit.period == pytest.approx(math.pi / math.sqrt(2) + math.pi / 2, rel=1e-14)
+    (multiplier,) = orbit.stability.multipliers
+    assert multiplier.real == pytest.approx(0.25, rel=1e-13)
+    assert load_orbit(name).derived
+    assert not load_orbit(f"{path}:loop").derived
+
+
+def test_an_itinerary_in_python_needs_no_file(tmp_path: Path) -> None:
+    itinerary: Any = read(declare(tmp_path)).orbits[0]
+    kernels = load_orbit(itinerary)
+    assert kernels.name == f"{kernels.system.name}:loop"
+    assert load_orbit(kernels.name).table == kernels.table
+
+
+def test_a_motion_is_the_same_from_a_file_a_folder_and_a_system(tmp_path: Path) -> None:
+    path = declare(tmp_path)
+    folder = write_emitted(tmp_path / "kernels", path)
+    system: Any = read(path).system
+    parameters, start = {"k": 1, "r": "0.5"}, {"x": 0, "v": 2}
+    motions = [
+        simulate(kernels_of(source), parameters, start, "right", transitions=6)
+        for source in (str(path), str(folder), system)
+    ]
+    for motion in motions:
+        # closed form: half a turn on either side, v = 2 on the orbit
+        halves = np.tile([math.pi, math.pi / 2], 3)
+        np.testing.assert_allclose(motion.times, [0, *np.cumsum(halves)], rtol=1e-14)
+        np.testing.assert_allclose(motion.states[::2, 1], 2, rtol=1e-14)
+        np.testing.assert_array_equal(motion.times, motions[0].times)
+
+
+def test_a_built_in_system_is_the_same_when_it_is_handed_over() -> None:
+    own, generated = kernels_of(rigid_stop.system), load_system("rigid-stop")
+    assert own.table == generated.table
+    assert generated.built_in
+    assert not own.built_in
+    point = [1.0, 2.0, 1.0, 5.0, 0.5]
+    for kernel in ("fields", "rows", "resets"):
+        np.testing.assert_array_equal(
+            own.evaluate(kernel, point), generated.evaluate(kernel, point)
+        )
+    assert kernels_of(own) is own
+    assert kernels_of("rigid-stop") == generated
+
+
+def test_a_system_is_found_again_by_its_name_from_the_cache(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, derivations: list[str]
+) -> None:
+    system: Any = read(declare(tmp_path)).system
+    name = kernels_of(system).name
+    assert name == f"kicked@{system.fingerprint()}"
+    forget(monkeypatch)
+    assert load_system(name).table["name"] == "kicked"
+    assert derivations == ["kicked"]
+    forget(monkeypatch)
+    monkeypatch.setenv("NONSMOOTH_CACHE", "")
+    with pytest.raises(InputError, match=r"kicked@\w+ was declared in Python.*hand over"):
+        load_system(name)
+
+
+def test_a_file_that_moved_is_found_beside_what_was_saved(tmp_path: Path) -> None:
+    here = tmp_path / "here"
+    here.mkdir()
+    path = declare(here)
+    with pytest.raises(InputError, match="there is no file"):
+        load_system(str(tmp_path / "gone" / "mine.py"))
+    found = load_system(str(tmp_path / "gone" / "mine.py"), beside=here)
+    assert found.name == str(path)
+    assert load_orbit(f"{tmp_path}/gone/mine.py:loop", here).name == f"{path}:loop"
+
+
+def test_names_are_whole_paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = declare(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    orbit = load_orbit("mine.py:loop")
+    monkeypatch.chdir("/")
+    assert orbit.name == load_orbit(orbit.name).name == f"{path}:loop"
+    assert load_system(path).name == str(path)
+
+
+# --- systems without closed forms --------------------------------------------------------
+
+
+def test_a_damped_system_has_tables_and_no_flows(tmp_path: Path) -> None:
+    kernels = load_system(str(declare(tmp_path, DAMPED)))
+    assert kernels.table["modes"] is None
+    assert kernels.table["spectrum"] == []
+    assert set(kernels.module.KERNELS) == {"fields", "rows", "resets"}
+    fields = kernels.evaluate("fields", [[3.0, 0.5], [7.0, 0.5]]).reshape(2, 2, 2, 3)
+    expected = [[0, 1, 0], [-3, -1, 0]], [[0, 1, 0], [-4, 0, 0]]
+    np.testing.assert_array_equal(fields[0], expected)
+
+
+def test_a_flow_without_a_closed_form_is_the_integrated_one(tmp_path: Path) -> None:
+    kernels = load_system(str(declare(tmp_path, DAMPED)))
+    start, times = [0.3, -1.2], [0.4, 2.5]
+    for configuration, damping, stiffness in (("right", 1, 3), ("left", 0, 4)):
+        found = kernels.flow(configuration, [3.0, 0.5], times, start)
+        motion = solve_ivp(
+            lambda _, y, c=damping, k=stiffness: [y[1], -c * y[1] - k * y[0]],
+            (0, 3), start, "DOP853", t_eval=times, rtol=1e-12, atol=1e-14,
+        )  # fmt: skip
+        np.testing.assert_allclose(found, motion.y.T, rtol=1e-10)
+
+
+def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -> None:
+    path = declare(tmp_path, DAMPED)
+    for name in (f"{path}:loop", f"{write_emitted(tmp_path / 'kernels', path)}:loop"):
+        orbit = load_orbit(name)
+        assert not orbit.derived
+        assert orbit.table["phases"] == [("right", "falls", "ta"), ("left", "rises", "tb")]
+        assert orbit.table["reference"] == {
+            "parameters": {"k": "1", "r": "0.25"},
+            "guess": {"v0": "1.9", "ta": "3", "tb": "1.5"},
+        }
+        assert orbit.table["reason"]
+    assert load_orbit("rigid-stop/one-impact").derived
+
+
+# --- the cache ---------------------------------------------------------------------------
+
+
+def test_the_second_process_derives_nothing(tmp_path: Path) -> None:
+    path = declare(tmp_path)
+    code = (
+        "import sys; from nonsmooth.runtime.model.kernels import load_orbit;"
+        "load_orbit(sys.argv[1]);"
+        "print(sorted(n for n in sys.modules if n.startswith('nonsmooth.derive.codegen')))"
+    )
+    outputs = []
+    for seed in ("1", "2"):
+        done = subprocess.run(
+            [sys.executable, "-c", code, f"{path}:loop"],
+            env=os.environ | {"PYTHONHASHSEED": seed},
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        outputs.append(done.stdout.strip() or done.stderr)
+    assert "'nonsmooth.derive.codegen.emit'" in outputs[0]
+    assert outputs[1] == "[]"
+
+
+def test_a_declaration_is_derived_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, derivations: list[str], cache: Path
+) -> None:
+    path = declare(tmp_path)
+    first = load_system(str(path)).module.DERIVATION
+    forget(monkeypatch)
+    assert first == load_system(str(path)).module.DERIVATION
+    assert derivations == ["kicked"]
+    assert load_orbit(f"{path}:loop") is load_orbit(f"{path}:loop")
+    assert derivations == ["kicked"] * 2, "the system alone, then the orbit"
+    assert len(list(cache.iterdir())) == 2
+    # another text that declares the same
+    declare(tmp_path, f"# a comment\n{KICKED}")
+    load_system(str(path))
+    load_orbit(f"{path}:loop")
+    assert derivations == ["kicked"] * 2
+
+
+@pytest.mark.parametrize("damage", ["cut", "changed", "binary", "empty", "folder"])
+def test_a_damaged_cache_is_derived_anew(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    derivations: list[str],
+    cache: Path,
+    damage: str,
+) -> None:
+    path = declare(tmp_path)
+    expected = load_system(str(path)).table
+    (entry,) = cache.iterdir()
+    content = entry.read_bytes()
+    if damage == "folder":
+        entry.unlink()
+        entry.mkdir()
+    else:
+        damaged = {
+            "cut": content[: len(content) // 2],
+            "changed": content.replace(b"kicked", b"licked"),
+            "binary": b"\xff\xfe" + content,
+            "empty": b"",
+        }
+        entry.write_bytes(damaged[damage])
+    forget(monkeypatch)
+    assert load_system(str(path)).table == expected
+    assert derivations == ["kicked"] * 2
+    if damage != "folder":
+        assert entry.read_bytes() == content
+
+
+def test_without_a_cache_all_works(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cache: Path
+) -> None:
+    path = declare(tmp_path)
+    monkeypatch.setenv("NONSMOOTH_CACHE", "")
+    assert caching.cache_folder() is None
+    assert load_system(str(path)).table["name"] == "kicked"
+    assert not cache.exists()
+    forget(monkeypatch)
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(path / "below a file"))
+    assert load_system(str(path)).table["name"] == "kicked"
+
+
+def test_the_cache_is_where_the_user_keeps_caches(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NONSMOOTH_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", "/somewhere")
+    assert caching.cache_folder() == Path("/somewhere/nonsmooth")
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setenv("HOME", "/home/someone")
+    assert caching.cache_folder() == Path("/home/someone/.cache/nonsmooth")
+
+
+def test_an_edited_file_is_read_again(tmp_path: Path, derivations: list[str]) -> None:
+    path = declare(tmp_path)
+    assert load_system(str(path)).parameters[1].upper == "1"
+    declare(tmp_path, KICKED.replace("upper=1)", "upper=2)"))
+    assert load_system(str(path)).parameters[1].upper == "2"
+    assert derivations == ["kicked"] * 2
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('"loop"', '"ring"'), ("[[4]]", "[[4.5]]"), ("upper=1", "upper=1, closed=True"),
+        ("{v: r.symbol * v + 1}", "{v: r.symbol * v + 2}"), ('"rises", x', '"rises", x, "reached"'),
+        ('"0.5"', '"0.6"'), ("stiffness on", "spring on"), ("real=True", "real=True, finite=True"),
+    ],
+)  # fmt: skip
+def test_every_change_of_a_declaration_changes_its_fingerprint(
+    tmp_path: Path, old: str, new: str
+) -> None:
+    assert old in KICKED
+    one, other = read(declare(tmp_path)), read(declare(tmp_path, KICKED.replace(old, new), "b.py"))
+    assert one.system.fingerprint(one.orbits) != other.system.fingerprint(other.orbits)
+
+
+def test_equal_declarations_have_one_fingerprint(tmp_path: Path) -> None:
+    one, other = read(declare(tmp_path)), read(declare(tmp_path, name="b.py"))
+    assert one.system.fingerprint(one.orbits) == other.system.fingerprint(other.orbits)
+    assert one.system.fingerprint() != one.system.fingerprint(one.orbits)
+    assert dry_friction.system.fingerprint() != rigid_stop.system.fingerprint()
+    with pytest.raises(DeclarationError, match=r"holds 'loop'|holds <object"):
+        rigid_stop.system.fingerprint([object()])
+
+
+# --- what goes wrong ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x = 1\nsystem = (\n", r"mine\.py, line 2: SyntaxError: '\(' was never closed"),
+        ("x = 1\ny = x / 0\n", r"mine\.py, line 2: ZeroDivisionError: division by zero"),
+        ("import nowhere_to_be_found\n", "line 1: ModuleNotFoundError: No module named"),
+        ("open('/no/such/file')\n", "line 1: FileNotFoundError: .*'/no/such/file'"),
+        ("raise SystemExit(3)\n", "line 1: SystemExit: 3"),
+        ("raise ValueError('two\\nlines')\n", "line 1: ValueError: two lines"),
+        ("x = 1\n", r"declares no system: call one `system`"),
+        ("system = {}\n", "`system` is a dict, not a System"),
+        (
+            "from nonsmooth.derive import System as system\n",
+            "`system` is a type, not a System",
+        ),
+        (KICKED + "orbits = 'loop'\n", "`orbits` is a str, not a list of Itinerary"),
+        (KICKED + "orbits = ['loop']\n", "`orbits` holds a str, not an Itinerary"),
+        (KICKED + "orbits = orbits * 2\n", "orbit 'loop' is declared twice"),
+        (
+            KICKED + "from dataclasses import replace\nsystem = replace(system, name='other')\n",
+            "orbit 'loop' is one of another system",
+        ),
+        (
+            KICKED.replace('SecondOrder([[1]], [[4]])', 'SecondOrder([[-1]], [[4]])'),
+            r"mine\.py, line 2\d: configuration 'left': mass is not positive definite",
+        ),
+    ],
+)  # fmt: skip
+def test_a_wrong_file_is_told_in_one_line(tmp_path: Path, text: str, message: str) -> None:
+    path = declare(tmp_path, text)
+    with pytest.raises(InputError, match=message) as caught:
+        load_system(str(path))
+    assert "\n" not in str(caught.value)
+    assert str(path) in str(caught.value)
+
+
+def test_names_that_stand_for_nothing(tmp_path: Path) -> None:
+    path = declare(tmp_path)
+    for name, message in (
+        ("nothing", "unknown system 'nothing'"),
+        (str(tmp_path / "no.py"), "there is no file"),
+        (str(tmp_path), "no folder of `nonsmooth generate`"),
+    ):
+        with pytest.raises(InputError, match=message):
+            load_system(name)
+    for name, message in (
+        (f"{path}:lop", r"unknown orbit .*did you mean .*mine\.py:loop"),
+        (str(path), r"is a system, not an orbit; its orbits: .*mine\.py:loop"),
+        ("rigid-stop:one-impact", "unknown orbit"),
+        ("rigid-stop", "unknown orbit"),
+        (f"{tmp_path / 'no.py'}:loop", "there is no file"),
+    ):
+        with pytest.raises(InputError, match=message):
+            load_orbit(name)
+    for wrong in (3, None, KICKED.encode()):
+        with pytest.raises(InputError, match=r"is no system|unknown system"):
+            load_system(wrong)  # type: ignore[arg-type]  # that is what is refused
+        with pytest.raises(InputError, match=r"is no orbit|unknown orbit"):
+            load_orbit(wrong)  # type: ignore[arg-type]  # that is what is refused
+
+
+@pytest.mark.parametrize("damage", ["cut", "missing", "record cut", "record foreign"])
+def test_a_damaged_folder_is_refused(tmp_path: Path, damage: str) -> None:
+    folder = write_emitted(tmp_path / "kernels", declare(tmp_path))
+    load_system(str(folder))
+    emitted, record = folder / "kicked.py", folder / "PROVENANCE.json"
+    if damage == "cut":
+        emitted.write_text(emitted.read_text()[:-20])
+    elif damage == "missing":
+        emitted.unlink()
+    elif damage == "record cut":
+        record.write_text(record.read_text()[:-20])
+    else:
+        record.write_text('{"systems": "kicked"}')
+    message = {
+        "cut": r"kicked\.py is not the file that PROVENANCE\.json records: run `nonsmooth gen",
+        "missing": r"kicked\.py is missing: run `nonsmooth generate` again",
+    }.get(damage, "its PROVENANCE.json is missing, cut or foreign")
+    with pytest.raises(InputError, match=message):
+        load_system(str(folder))
+
+
+# --- files and their neighbours ----------------------------------------------------------
+
+
+@pytest.fixture
+def importing(tmp_path: Path) -> Iterator[list[Path]]:
+    """Two folders whose declarations import a module of one name, which differ."""
+    found = []
+    for number in (1, 2):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        (folder / "my_numbers.py").write_text(f"UPPER = {number}\n")
+        text = KICKED.replace("import sympy", "import my_numbers\nimport sympy")
+        found.append(declare(folder, text.replace("upper=1", "upper=my_numbers.UPPER")))
+    yield found
+    assert "my_numbers" not in sys.modules
+
+
+def test_a_file_may_import_its_neighbours(importing: list[Path]) -> None:
+    before = list(sys.path)
+    assert [load_system(str(path)).parameters[1].upper for path in importing] == ["1", "2"]
+    assert sys.path == before
+
+
+def test_a_traceback_through_emitted_code_shows_its_lines(tmp_path: Path) -> None:
+    kernels = load_system(str(declare(tmp_path)))
+    try:
+        kernels.source("fields")(None, lib=None)
+    except TypeError as problem:
+        shown = "".join(traceback.format_tb(problem.__traceback__))
+    assert "in fields" in shown
+    assert "= parameters" in shown

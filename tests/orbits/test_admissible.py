@@ -1,0 +1,464 @@
+"""Admissibility against boundaries sampled along matrix exponentials."""
+
+from dataclasses import replace
+
+import mpmath
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.linalg import expm
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model.kernels import backend, load_orbit
+from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.orbits.refine import refine
+from nonsmooth.runtime.orbits.solve import search, solve
+from nonsmooth.runtime.present.report import orbit_json
+
+ORBIT = "dry-friction/global-stick"
+PARAMETERS = ("chi", "eta", "V", "e1", "e2")
+UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
+DWELL_TIMES = UNKNOWNS[2:]
+LOWER, UPPER = np.array([0.3, 0.6, 0.7, 2.3, 0.3]), np.array([0.7, 1.6, 1.3, 3.8, 0.9])
+SLIPS = ((False, False), (True, False), (True, True), (False, True))
+CONFIGURATIONS = ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
+
+
+def generator(values, slips):
+    """Of Z' = A Z in z = x - d: (6) to (9)."""
+    matrix = np.zeros((4, 4))
+    matrix[:2, 2:] = np.eye(2)
+    if slips[0]:
+        matrix[2, :2] = -1, values["chi"]
+    if slips[1]:
+        matrix[3, :2] = np.array([1, -1]) * values["chi"] * values["eta"]
+    return matrix
+
+
+def boundaries(values, slips):
+    """Boundary functions that must stay below zero, by name: arrays (4, ...) to arrays (...).
+
+    With us left out where it enters, as -2 us.
+    """
+    chi, speed, e1, e2 = (values[n] for n in ("chi", "V", "e1", "e2"))
+    found = {}
+    if slips[0]:
+        found["first-reaches-belt"] = lambda z: z[2] - speed
+    else:
+        found["first-breaks-forward"] = lambda z: z[0] - chi * z[1] - e1
+        found["first-breaks-backward"] = lambda z: chi * z[1] - z[0] - e1
+    if slips[1]:
+        found["second-reaches-belt"] = lambda z: z[3] - speed
+    else:
+        found["second-breaks-forward"] = lambda z: chi * (z[1] - z[0]) - e2
+        found["second-breaks-backward"] = lambda z: chi * (z[0] - z[1]) - e2
+    return found
+
+
+def starts(values):
+    """Z at the start of each phase."""
+    states = [np.array([values["z10"], values["z20"], values["V"], values["V"]])]
+    for slips, name in zip(SLIPS, DWELL_TIMES, strict=True):
+        states.append(expm(generator(values, slips) * values[name]) @ states[-1])
+    return states[:4]
+
+
+def sampled(matrix, start, duration, count):
+    """States (4, count + 1) at equal distances of time, by doubling."""
+    states, flow = start[:, None], expm(matrix * (duration / count))
+    while states.shape[1] <= count:
+        states, flow = np.hstack([states, flow @ states]), flow @ flow
+    return states[:, : count + 1]
+
+
+def maxima(values, count=1000):
+    """Largest value and its time in the phase, for each (phase, boundary): sampled twice."""
+    found = {}
+    for phase, start in enumerate(starts(values)):
+        duration = values[DWELL_TIMES[phase]]
+        matrix = generator(values, SLIPS[phase])
+        states = sampled(matrix, start, duration, count)
+        times = np.linspace(0, duration, count + 1)
+        for name, function in boundaries(values, SLIPS[phase]).items():
+            samples = function(states)
+            best = int(np.argmax(samples))
+            candidates = [(samples[best], times[best])]
+            if 0 < best < count:
+                step = duration / count / 64
+                fine = function(sampled(matrix, states[:, best - 1], 128 * step, 128))
+                top = min(max(int(np.argmax(fine)), 1), 127)
+                left, middle, right = fine[top - 1 : top + 2]
+                bend = left - 2 * middle + right
+                candidates.append((middle, times[best - 1] + top * step))
+                if bend < -1e-13 * max(1, abs(middle)):  # the vertex of the parabola
+                    vertex = 0.5 * (left - right) / bend
+                    peak = middle - 0.25 * (left - right) * vertex
+                    candidates.append((peak, times[best - 1] + (top + vertex) * step))
+            found[phase, name] = max(candidates)
+    return found
+
+
+def record(point, unknowns):
+    """An orbit of given numbers, without solving."""
+    given = {n: as_value(float(v)) for n, v in zip(PARAMETERS, point, strict=True)}
+    numbers = dict(zip(UNKNOWNS, map(float, unknowns), strict=True))
+    return Orbit(ORBIT, given, numbers, {}, 0.0, DOUBLE, 0, 0)
+
+
+def random_points(seed, count):
+    return LOWER + (UPPER - LOWER) * np.random.default_rng(seed).random((count, 5))
+
+
+def all_roots():
+    """Solutions of the equations, admissible or not, with their parameters."""
+    kernels, found = load_orbit(ORBIT), []
+    for point in random_points(21, 4):
+        roots = search(kernels, point)
+        found += [(point, root) for root in roots[:10] if root[2:].sum() < 60]
+    return found
+
+
+@pytest.fixture(scope="module")
+def roots():
+    return all_roots()
+
+
+@pytest.fixture(scope="module")
+def admissible():
+    """Admissible orbits, the first of them on a fast belt with a positive bound on us1."""
+    fast = np.random.default_rng(24).uniform([0.4, 0.4, 2, 0.5, 0.3], [0.7, 1, 4, 4, 3], (1000, 5))
+    points = np.concatenate([fast, random_points(22, 12)])
+    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+    bounds = many.bounds["us1"]
+    positive, ordinary = (np.flatnonzero(b) for b in (bounds > 1e-3, bounds[1000:] == 0))
+    chosen = [*positive[:4], *(1000 + ordinary)]
+    return [record(points[i], [many.unknowns[n][i] for n in UNKNOWNS]) for i in chosen]
+
+
+# --- solutions that are no motions
+
+
+def test_violations_are_those_of_dense_sampling(roots):
+    seen, open_ones = set(), ("first-breaks-backward", "second-breaks-backward")
+    for point, root in roots:
+        orbit = record(point, root)
+        admissibility = orbit.admissibility
+        largest = {k: v for k, v in maxima(orbit.values).items() if k[1] not in open_ones}
+        expected = {k for k, (value, _) in largest.items() if value > 1e-8}
+        found = {(v.phase, v.boundary): v for v in admissibility.violations}
+        assert expected <= found.keys()
+        assert all(largest[key][0] > -1e-10 for key in found)  # none is invented
+        assert (admissibility.verdict is False) == bool(found)
+        seen |= expected
+        offsets = np.cumsum([0.0, *orbit.dwell_times.values()])
+        for key in expected:
+            violation, (value, _) = found[key], largest[key]
+            assert violation.configuration == CONFIGURATIONS[key[0]]
+            assert violation.excess == pytest.approx(value, rel=1e-8, abs=1e-9)
+            time = violation.time - offsets[key[0]]
+            assert -1e-12 <= time <= offsets[key[0] + 1] - offsets[key[0]] + 1e-12
+            state = (
+                expm(generator(orbit.values, SLIPS[key[0]]) * time) @ starts(orbit.values)[key[0]]
+            )
+            there = boundaries(orbit.values, SLIPS[key[0]])[key[1]](state)
+            assert there == pytest.approx(value, rel=1e-8, abs=1e-9)
+    assert len(seen) >= 4
+    assert len({phase for phase, _ in seen}) >= 2
+
+
+def test_a_violation_is_reported_in_full(roots):
+    point, root = next(r for r in roots if record(*r).admissibility.verdict is False)
+    found = orbit_json(record(point, root))
+    assert found["admissible"] is False
+    assert "requires" not in found
+    for violation in found["violations"]:
+        assert set(violation) == {"phase", "configuration", "boundary", "time", "excess"}
+        assert float(violation["excess"]) > 0
+
+
+def test_batches_judge_as_the_single_orbit(roots):
+    points, found = (np.array(x) for x in zip(*roots, strict=True))
+    allowed, bounds = admissible_points(load_orbit(ORBIT), points, found)
+    verdicts = [record(p, u).admissibility.verdict for p, u in roots]
+    assert list(allowed) == [v == "conditional" for v in verdicts]
+    assert 0 < allowed.sum() < len(allowed)
+    assert np.isnan(bounds[~allowed]).all()
+
+
+def test_an_orbit_is_never_refused_for_rounding():
+    """Every phase ends on a boundary: that contact is no violation."""
+    count = 3000 if backend() == "c" else 200
+    generator = np.random.default_rng(23)
+    points = np.stack(
+        [
+            generator.uniform(0.1, 0.9, count),
+            np.exp(generator.uniform(-1, 5.5, count)),
+            np.exp(generator.uniform(-2, 1, count)),
+            generator.uniform(0.5, 5, count),
+            generator.uniform(0.05, 1.5, count),
+        ]
+    )
+    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points, strict=True)))
+    refused = np.flatnonzero(many.converged & ~many.admissible)
+    assert len(refused) > count // 20
+    for i in refused[:: max(1, len(refused) // 100)]:
+        orbit = record(points[:, i], [many.unknowns[n][i] for n in UNKNOWNS])
+        assert max(v.excess for v in orbit.admissibility.violations) > 1e-9
+
+
+def test_a_dwell_time_that_is_not_positive_is_a_violation():
+    for name, time in (("ta", -0.25), ("tau2", 0.0)):
+        phase = DWELL_TIMES.index(name)
+        orbit = solve(ORBIT)
+        wrong = replace(orbit, unknowns=dict(orbit.unknowns) | {name: time})
+        (violation,) = wrong.admissibility.violations
+        assert wrong.admissibility.verdict is False
+        assert (violation.phase, violation.configuration) == (phase, CONFIGURATIONS[phase])
+        assert violation.excess == -time
+        unknowns = np.array([[wrong.unknowns[n] for n in UNKNOWNS]])
+        point = np.array([[wrong.values[n] for n in PARAMETERS]])
+        allowed, bounds = admissible_points(load_orbit(ORBIT), point, unknowns)
+        assert not allowed[0]
+        assert np.isnan(bounds).all()
+
+
+def test_an_orbit_with_a_negative_dwell_time_is_found_and_refused():
+    many = solve_many(ORBIT, e1=[0.5, 1.0, 3.0195])
+    assert list(many.admissible) == [False, False, True]
+    orbit = solve(ORBIT, unknown=("e1",), given={"ta": -0.1}, throw=False)
+    assert orbit.admissibility.verdict is False
+    assert orbit.admissibility.violations[0].boundary == "first-breaks-forward"
+
+
+# --- the friction forces that e1 and e2 leave open
+
+
+def sampled_bounds(values):
+    """Least us1 and us2 that keep the masses from breaking away backward."""
+    largest = maxima(values)
+    pairs = {"us1": "first-breaks-backward", "us2": "second-breaks-backward"}
+    return {
+        us: max(0.0, *(value / 2 for (_, name), (value, _) in largest.items() if name == boundary))
+        for us, boundary in pairs.items()
+    }
+
+
+def test_bounds_are_those_of_dense_sampling(admissible):
+    positive = 0
+    for orbit in admissible:
+        expected = sampled_bounds(orbit.values)
+        assert orbit.admissibility.verdict == "conditional"
+        assert orbit.admissibility.violations == ()
+        found = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
+        assert set(found) == {"us1", "us2", "ur1", "ur2"}
+        for mass in "12":
+            bound, excess = expected[f"us{mass}"], orbit.values[f"e{mass}"]
+            assert found[f"us{mass}"] == pytest.approx(bound, abs=1e-9)
+            assert found[f"ur{mass}"] == pytest.approx(bound + excess, abs=1e-9)
+        positive += expected["us1"] > 1e-3
+    assert positive >= 2
+
+
+def required(orbit):
+    return {r.parameter: r.greater_than for r in orbit.admissibility.requires}
+
+
+def with_forces(orbit, given):
+    parameters = {n: orbit.values[n] for n in PARAMETERS} | given
+    return solve(ORBIT, parameters, dict(orbit.unknowns))
+
+
+@pytest.fixture(scope="module")
+def binding(admissible):
+    """Orbits, the sliding force that a bound above zero holds, and the other mass's."""
+    pairs = [("us1", "us2"), ("us2", "us1")]
+    found = [(o, us, other) for o in admissible for us, other in pairs if required(o)[us] > 1e-3]
+    assert {us for _, us, _ in found} == {"us1", "us2"}
+    return found
+
+
+@pytest.mark.parametrize("shift", [-1e-6, 1e-6])
+def test_given_forces_decide(binding, shift):
+    for orbit, us, other in binding:
+        bounds = required(orbit)
+        found = with_forces(orbit, {us: bounds[us] + shift, other: bounds[other] + 0.1})
+        assert found.admissibility.verdict is (shift > 0)
+        assert found.admissibility.requires == ()
+        violations = found.admissibility.violations
+        assert bool(violations) == (shift < 0)
+        mass = "first" if us == "us1" else "second"
+        for violation in violations:
+            assert violation.boundary == f"{mass}-breaks-backward"
+        if violations:
+            assert max(v.excess for v in violations) == pytest.approx(2e-6, rel=1e-3)
+
+
+@pytest.mark.parametrize("shift", [-1e-6, 1e-6])
+def test_static_forces_decide_as_sliding_ones(binding, shift):
+    for orbit, us, other in binding:
+        bounds = required(orbit)
+        sliding = {us: bounds[us] + shift, other: bounds[other] + 0.1}
+        static = {f"ur{m}": sliding[f"us{m}"] + orbit.values[f"e{m}"] for m in "12"}
+        physical = {n: orbit.values[n] for n in ("chi", "eta", "V")} | sliding | static
+        every = solve(ORBIT, physical, dict(orbit.unknowns))
+        alone = with_forces(orbit, static)
+        assert every.admissibility.verdict is alone.admissibility.verdict is (shift > 0)
+
+
+def test_both_forces_are_judged(binding):
+    orbit, us, other = binding[0]
+    bounds = required(orbit)
+    for low in ({us: 1e-6}, {us: 1e-6, other: bounds[other] + 1}):
+        found = with_forces(orbit, low).admissibility
+        assert found.verdict is False
+        assert found.requires == ()
+
+
+def test_one_given_force_leaves_the_other_open(binding):
+    for orbit, us, other in binding:
+        complete = required(orbit)
+        for given, left in ((us, other), (other, us)):
+            found = with_forces(orbit, {given: complete[given] + 0.1}).admissibility
+            assert found.verdict == "conditional"
+            bounds = {r.parameter: r.greater_than for r in found.requires}
+            assert set(bounds) == {left, left.replace("s", "r")}
+            for name, bound in bounds.items():
+                assert bound == pytest.approx(complete[name], abs=1e-12)
+        broken = with_forces(orbit, {us: complete[us] - 1e-3}).admissibility
+        assert broken.verdict is False
+        assert broken.requires == ()
+
+
+def test_a_force_must_be_positive(admissible):
+    for given in ({"us1": 0.0}, {"us2": -1e-6}, {"ur1": 0.1}):
+        with pytest.raises(InputError, match=r"us[12] = .* outside its domain"):
+            with_forces(admissible[-1], given)
+
+
+def test_refined_orbits_have_the_same_verdict(admissible):
+    for orbit in admissible[:3]:
+        again = refine(orbit, 40).admissibility
+        assert again.verdict == "conditional"
+        assert_allclose(
+            [r.greater_than for r in again.requires],
+            [r.greater_than for r in orbit.admissibility.requires],
+            atol=1e-10,
+        )
+
+
+# --- a violation that sampling misses
+
+GRAZING = {"chi": "0.35", "V": "0.24", "e1": "4.2", "e2": "0.08"}
+KEY = (2, "second-reaches-belt")
+
+
+def grazing_orbit():
+    """An orbit just beyond the eta at which mass 2 grazes the belt's velocity in phase 2.
+
+    Scanned with `solve_many`, bisected on admissibility; then so far beyond that the
+    violation lasts somewhat less than 1e-6.
+    """
+    grid = np.linspace(124, 127, 61)
+    many = solve_many(ORBIT, eta=grid, **GRAZING)
+    near = np.abs(np.diff(many.unknowns["tau1"])) < 0.1
+    change = (many.admissible[:-1] != many.admissible[1:]) & near
+    place = int(np.flatnonzero(change)[0])
+    ends = [place, place + 1] if many.admissible[place] else [place + 1, place]
+    good, bad = (float(grid[i]) for i in ends)
+    guess = {n: float(a[ends[0]]) for n, a in many.unknowns.items()}
+
+    def at(eta):
+        return solve(ORBIT, GRAZING | {"eta": eta}, guess)
+
+    for _ in range(60):
+        middle = 0.5 * (good + bad)
+        if at(middle).admissibility.verdict is False:
+            bad = middle
+        else:
+            good = middle
+    step = np.sign(bad - good) * 1e-13 * bad
+    while (orbit := at(bad + step)).admissibility.verdict is not False or (
+        orbit.admissibility.violations[0].excess < 4e-12
+    ):
+        step *= 1.3
+    return at(good), orbit
+
+
+@pytest.fixture(scope="module")
+def grazing():
+    return grazing_orbit()
+
+
+def exact_excess(orbit, time):
+    """v2 - V at a time of phase 2 of a refined orbit, by mpmath's matrix exponential."""
+    mp = orbit.arithmetic.mp
+    values = {n: mp.mpf(v) for n, v in orbit.values.items()}
+    chi, eta = values["chi"], values["eta"]
+    state = mp.matrix([values["z10"], values["z20"], values["V"], values["V"]])
+    durations = (values["ta"], values["tau"], mp.mpf(time))
+    for slips, duration in zip(SLIPS[:3], durations, strict=True):
+        matrix = mp.matrix(4, 4)
+        matrix[0, 2] = matrix[1, 3] = 1
+        if slips[0]:
+            matrix[2, 0], matrix[2, 1] = -1, chi
+        if slips[1]:
+            matrix[3, 0], matrix[3, 1] = chi * eta, -chi * eta
+        state = mp.expm(matrix * duration) * state
+    return state[3] - values["V"]
+
+
+def test_the_violation_is_real_and_shorter_than_1e_6(grazing):
+    orbit = refine(grazing[1], 40)
+    (violation,) = orbit.admissibility.violations
+    time = violation.time - float(orbit.values["ta"] + orbit.values["tau"])
+    assert 0.1 < time < float(orbit.values["tau1"]) - 0.1
+    offsets = np.linspace(-1e-6, 1e-6, 41)
+    excess = [exact_excess(orbit, mpmath.mpf(time) + mpmath.mpf(t)) for t in offsets]
+    assert max(excess) > 0
+    lasting = offsets[[i for i, e in enumerate(excess) if e > 0]]
+    assert lasting.max() - lasting.min() < 9e-7
+    assert excess[0] < 0 > excess[-1]
+
+
+def test_sampling_misses_it(grazing):
+    values = grazing[1].values
+    function = boundaries(values, SLIPS[2])[KEY[1]]
+    states = sampled(generator(values, SLIPS[2]), starts(values)[2], values["tau1"], 10**5)
+    assert function(states[:, 1:]).max() < 0
+
+
+def test_the_guaranteed_search_finds_it(grazing):
+    before, orbit = grazing
+    (violation,) = orbit.admissibility.violations
+    assert (violation.phase, violation.boundary) == KEY
+    assert 0 < violation.excess < 2e-11
+    assert before.admissibility.verdict == "conditional"
+
+
+def test_the_batch_finds_it(grazing):
+    points = np.array([[o.values[n] for n in PARAMETERS] for o in grazing])
+    unknowns = np.array([[o.unknowns[n] for n in UNKNOWNS] for o in grazing])
+    allowed, _ = admissible_points(load_orbit(ORBIT), points, unknowns)
+    assert list(allowed) == [True, False]
+    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+    assert_allclose(many.unknowns["tau1"], unknowns[:, 4], rtol=1e-9)
+    # the last digits of a solution decide on the side without a violation
+    assert not many.admissible[1]
+
+
+@pytest.mark.compiled
+def test_the_compiled_kernel_names_it(grazing):
+    kernels = load_orbit(ORBIT)
+    points = np.array([[o.values[n] for n in PARAMETERS] for o in grazing])
+    unknowns = np.array([[o.unknowns[n] for n in UNKNOWNS] for o in grazing])
+    _, boundary, excess, instant = kernels.admissible(points, unknowns)
+    assert boundary[0] == -1
+    found = kernels.boundaries[boundary[1]]
+    (violation,) = grazing[1].admissibility.violations
+    assert (found.phase, found.name) == KEY
+    assert excess[1] == pytest.approx(violation.excess, abs=1e-12)
+    offset = grazing[1].values["ta"] + grazing[1].values["tau"]
+    assert instant[1] == pytest.approx(violation.time - offset, abs=1e-6)

@@ -1,0 +1,261 @@
+"""Admissibility of every orbit, against boundaries sampled along matrix exponentials."""
+
+from dataclasses import replace
+
+import mpmath
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
+from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.orbits.refine import refine
+from nonsmooth.runtime.orbits.solve import solve
+from tests.declared import RANGES, Declared, random_points
+
+RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
+COUNT = 400 if backend() == "c" else 60
+every_orbit = pytest.mark.parametrize("name", orbit_names())
+
+
+def records(name, points):
+    """What a batch finds at the points, as orbits, with or without a motion behind them."""
+    many = solve_many(name, **points)
+    for i in np.flatnonzero(many.converged):
+        given = {n: as_value(float(a[i])) for n, a in points.items()}
+        unknowns = {n: float(a[i]) for n, a in many.unknowns.items()}
+        yield Orbit(name, given, unknowns, {}, float(many.residual[i]), DOUBLE, 0, 0)
+
+
+def sampled(piece, start, duration, count):
+    """States (5, count + 1) at equal distances of time, by doubling."""
+    states, flow = start, piece.flow(duration / count)
+    while states.shape[1] <= count:
+        states, flow = np.hstack([states, flow @ states]), flow @ flow
+    return states[:, : count + 1]
+
+
+def peak(row, piece, start, count=1000):
+    """Largest value of a boundary along a phase: sampled, and again around the largest sample."""
+    states = sampled(piece, start, piece.dwell, count)
+    best = int(np.argmax((row @ states)[0]))
+    found = float((row @ states)[0, best])
+    if 0 < best < count:
+        width = 2 * piece.dwell / count
+        fine = (row @ sampled(piece, states[:, best - 1 : best], width, 64))[0]
+        top = min(max(int(np.argmax(fine)), 1), 63)
+        left, middle, right = fine[top - 1 : top + 2]
+        bend = left - 2 * middle + right
+        found = max(found, float(middle))
+        if bend < -1e-13 * max(1, abs(middle)):
+            vertex = 0.5 * (left - right) / bend
+            found = max(found, float(middle - 0.25 * (left - right) * vertex))
+    return found
+
+
+def maxima(orbit):
+    """Largest value of each boundary that needs no open parameter, by phase and name."""
+    return {
+        (phase, name): peak(row, piece, start)
+        for phase, (piece, start, _) in enumerate(Declared(orbit).steps)
+        for name, row in piece.boundaries.items()
+        if np.isfinite(row).all()
+    }
+
+
+@every_orbit
+def test_violations_are_those_of_dense_sampling(name):
+    verdicts = set()
+    for orbit in records(name, random_points(name, 41, 40)):
+        found = {(v.phase, v.boundary): v for v in orbit.admissibility.violations}
+        verdicts.add(orbit.admissibility.verdict)
+        largest = maxima(orbit)
+        expected = {key for key, value in largest.items() if value > 1e-8}
+        assert expected <= found.keys()
+        assert all(largest[key] > -1e-10 for key in found)  # none is invented
+        declared = Declared(orbit)
+        begins = np.cumsum([0.0, *orbit.dwell_times.values()])
+        for key in expected:
+            violation = found[key]
+            piece, start, _ = declared.steps[key[0]]
+            assert violation.configuration == piece.configuration
+            assert violation.excess == pytest.approx(largest[key], rel=1e-7, abs=1e-9)
+            time = violation.time - begins[key[0]]
+            assert -1e-12 <= time <= piece.dwell + 1e-12
+            there = (piece.boundaries[key[1]] @ piece.flow(time) @ start).item()
+            assert there == pytest.approx(violation.excess, rel=1e-9, abs=1e-10)
+    allowed = "conditional" if load_orbit(name).open_parameters else True
+    assert verdicts == {False, allowed} or name == "dry-friction/solution-ii"
+
+
+@every_orbit
+def test_bounds_on_open_parameters_are_those_of_dense_sampling(name):
+    """A mass breaks backward where -f - us - ur = -f - e - 2 us is positive."""
+    opened = [p.name for p in load_orbit(name).open_parameters]
+    judged = 0
+    for orbit in records(name, random_points(name, 42, 12)):
+        if orbit.admissibility.verdict is False:
+            continue
+        required = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
+        least = dict.fromkeys(opened, 0.0)
+        zero = {n: as_value(0) for n in opened}
+        for piece, start, _ in Declared(replace(orbit, opened=zero)).steps:
+            for boundary, row in piece.boundaries.items():
+                if boundary.endswith("backward"):
+                    us = "us1" if boundary.startswith("first") else "us2"
+                    least[us] = max(least[us], peak(row, piece, start) / 2)
+        assert set(least) == set(opened)
+        for us, bound in least.items():
+            assert required[us] == pytest.approx(bound, abs=1e-9)
+            static, excess = us.replace("s", "r"), orbit.values[us.replace("us", "e")]
+            assert required[static] == pytest.approx(bound + excess, abs=1e-9)
+        judged += 1
+    assert judged > 3
+
+
+def exact_value(orbit, violation):
+    """A boundary at the time of its violation, with forty digits."""
+    sharp = refine(orbit, 40)
+    with mpmath.workdps(60):
+        declared = Declared(sharp, precise=True)
+        piece, start, _ = declared.steps[violation.phase]
+        begin = sum(list(sharp.dwell_times.values())[: violation.phase])
+        time = min(max(mpmath.mpf(violation.time) - begin, 0), piece.dwell)
+        return float((piece.boundaries[violation.boundary] @ (piece.flow(time) @ start))[0])
+
+
+def test_stiff_stops_are_never_refused_for_rounding():
+    """Each phase ends on a boundary, which a stiff stop's orbit meets to few digits."""
+    generator = np.random.default_rng(43)
+    points = {n: generator.uniform(*RANGES[ELASTIC][n], COUNT) for n in RANGES[ELASTIC]}
+    points["k3"] = 10 ** generator.uniform(0, 12, COUNT)
+    verdicts, doubtful = [], []
+    for orbit in records(ELASTIC, points):
+        if orbit.unknowns["tau"] > 300 / orbit.values["k3"] ** 0.5:
+            continue  # a hundred swings in contact take long to check
+        violations = orbit.admissibility.violations
+        verdicts.append(orbit.admissibility.verdict)
+        if violations and max(v.excess for v in violations) < 1e-5:
+            doubtful.append((orbit, violations))
+    assert {True, False} <= set(verdicts)
+    for orbit, violations in doubtful[:: 1 + len(doubtful) // 8]:
+        assert max(exact_value(orbit, v) for v in violations) > 0
+
+
+def test_a_penetration_of_a_stiff_stop_is_seen():
+    """Three half swings of a stiff spring leave the contact in between, by u / omega."""
+    stiffness = 1e12
+    half = np.pi / np.sqrt(stiffness)
+    plain = solve(ELASTIC, {"k3": stiffness})
+    assert plain.unknowns["tau"] == pytest.approx(half, rel=1e-5)
+    assert plain.admissibility.verdict is True
+    orbit = solve(ELASTIC, {"k3": stiffness}, {"tau": 3 * half})
+    assert orbit.unknowns["tau"] == pytest.approx(3 * half, rel=1e-3)
+    assert orbit.admissibility.verdict is False
+    (violation,) = (v for v in orbit.admissibility.violations if v.phase == 0)
+    assert violation.excess == pytest.approx(orbit.unknowns["u"] / 1e6, rel=1e-3)
+    assert violation.time == pytest.approx(1.5 * half, rel=1e-2)
+    points = np.array([[o.values[n] for n in o.kernels.parameter_names] for o in (plain, orbit)])
+    unknowns = np.array([list(o.unknowns.values()) for o in (plain, orbit)])
+    assert admissible_points(load_orbit(ELASTIC), points, unknowns)[0].tolist() == [True, False]
+
+
+def test_a_slow_penetration_is_seen_whatever_the_mass():
+    """A heavy first mass drifts through the stop by some u^2: no parameter's size hides it."""
+    for mass in (1e3, 1e6, 1e9):
+        orbit = solve(RIGID, {"m1": mass})
+        assert orbit.unknowns["u"] > 0
+        assert orbit.admissibility.verdict is False
+        (violation,) = orbit.admissibility.violations
+        assert 0 < exact_value(orbit, violation) < 10 * orbit.unknowns["u"]
+        assert not solve_many(RIGID, m1=mass).admissible
+
+
+def test_a_penetration_too_shallow_to_be_seen_is_one():
+    """Behind the impact u decides, however little the stop is passed: some u^2."""
+    grazing = solve(RIGID, unknown=["T"], given={"u": 0}).values["T"]
+    periods = [1e-12, 1e-9, 1e-6, *(grazing + s * d for d in (1e-4, 1e-8, 1e-11) for s in (1, -1))]
+    many = solve_many(RIGID, T=periods)
+    assert (many.unknowns["u"] > 0).tolist() == [True] * 3 + [True, False] * 3
+    assert many.admissible.tolist() == [False] * 3 + [False, True] * 3
+    for period, admissible in zip(periods, many.admissible, strict=True):
+        found = solve(RIGID, {"T": period}).admissibility
+        assert found.verdict is bool(admissible)
+        for violation in found.violations:
+            assert violation.boundary == "first-reaches-stop"
+            assert violation.excess >= 0
+            assert 0 <= violation.time < period
+
+
+@every_orbit
+def test_where_a_phase_begins_on_a_boundary(name):
+    """Of the table: there a boundary's function is zero, at any orbit and near it."""
+    kernels = load_orbit(name)
+    for orbit in records(name, random_points(name, 44, 12)):
+        steps = Declared(orbit).steps
+        for boundary in kernels.boundaries:
+            piece, start, _ = steps[boundary.phase]
+            value = (piece.boundaries[boundary.name] @ start).item()
+            if boundary.begins:
+                assert value == pytest.approx(0, abs=1e-10)
+            elif np.isfinite(value):
+                assert abs(value) > 1e-4 or name == "dry-friction/solution-ii"
+
+
+@pytest.mark.parametrize("name", [RIGID, ELASTIC])
+@pytest.mark.parametrize("scale", [1e-12, 1e-3, 1e3, 1e12])
+def test_units_of_mass_change_nothing(name, scale):
+    for period in ("2*pi", "6.9", "8"):
+        plain = solve(name, {"T": period}, throw=False)
+        if not plain.converged:
+            continue
+        heavy = {n: plain.values[n] * scale for n in plain.kernels.parameter_names if n != "T"}
+        other = solve(name, heavy | {"T": period})
+        assert other.admissibility.verdict is plain.admissibility.verdict
+        assert_allclose(list(other.unknowns.values()), list(plain.unknowns.values()), rtol=1e-9)
+        assert other.trace == pytest.approx(plain.trace, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", [RIGID, ELASTIC])
+@pytest.mark.parametrize("scale", [1e-4, 1e-2, 1e2, 1e5])
+def test_units_of_time_change_nothing(name, scale):
+    plain = solve(name)
+    stiffness = {n: plain.values[n] / scale**2 for n in ("k1", "k2", "k3") if n in plain.values}
+    other = solve(name, {**stiffness, "T": plain.values["T"] * scale})
+    assert other.admissibility.verdict is True
+    assert other.stability.verdict == "neutral"
+    assert other.trace == pytest.approx(plain.trace, rel=1e-8)
+    for unknown, power in (("y", 0), ("u", -1), ("w", -1), ("tau", 1)):
+        if unknown in plain.unknowns:
+            scaled = plain.unknowns[unknown] * scale**power
+            assert other.unknowns[unknown] == pytest.approx(scaled, rel=1e-7)
+
+
+@every_orbit
+def test_what_meets_no_boundary_is_not_admissible(name):
+    """Data that miss the boundaries by more than rounding are no motion."""
+    orbit = solve(name)
+    parameters = np.array([[orbit.values[n] for n in orbit.kernels.parameter_names]])
+    exact = np.array([list(orbit.unknowns.values())])
+    assert admissible_points(load_orbit(name), parameters, exact)[0].all()
+    for unknown in orbit.kernels.timed:
+        place = orbit.kernels.unknowns.index(unknown)
+        late = exact.copy()
+        late[:, place] += 1e-6  # beyond the end of a phase its boundary is crossed
+        assert not admissible_points(load_orbit(name), parameters, late)[0].any()
+        record = replace(orbit, unknowns=dict(zip(orbit.unknowns, late[0].tolist(), strict=True)))
+        assert record.admissibility.verdict is False
+
+
+def test_beyond_the_guarantee_it_says_so():
+    orbit = solve(RIGID, {"T": "1e6"})
+    assert orbit.converged
+    with pytest.raises(ValueError, match=r"cannot be guaranteed: free lasts 1e\+06") as caught:
+        _ = orbit.admissibility
+    assert "\n" not in str(caught.value)
+    many = solve_many(RIGID, T=[6.28, 1e6])
+    assert many.converged.all()
+    assert many.admissible.tolist() == [True, False]

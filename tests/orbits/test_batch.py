@@ -1,0 +1,435 @@
+"""Batches: each point depends on nothing but its own parameters."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import parse
+from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
+from nonsmooth.runtime.model.parameters import default_parameters
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.orbits.orbit import STATUS
+from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.shooting.newton import CONVERGED, solve_reduced
+from tests.declared import random_points
+
+ORBIT = "dry-friction/global-stick"
+COUNT = 300 if backend() == "c" else 40
+every_orbit = pytest.mark.parametrize("name", orbit_names())
+
+
+def defaults(name):
+    kernels = load_orbit(name)
+    return {n: float(parse(text)) for n, text in default_parameters(kernels).items()}
+
+
+def columns(found):
+    """Every array of a result, by name."""
+    arrays = {n: getattr(found, n) for n in ("trace", "period", "residual", "iterations", "status")}
+    arrays |= {f"unknown {n}": a for n, a in found.unknowns.items()}
+    if found.admissible is not None:
+        arrays["admissible"] = found.admissible
+        arrays |= {f"bound {n}": a for n, a in found.bounds.items()}
+    return arrays
+
+
+def assert_same_bits(first, second, places=...):
+    first, second = columns(first), columns(second)
+    assert first.keys() == second.keys()
+    for name, array in first.items():
+        assert array.dtype == second[name].dtype
+        assert_array_equal(array[places], second[name], err_msg=name, strict=True)
+
+
+@pytest.fixture(scope="module", params=orbit_names())
+def name(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def points(name):
+    return random_points(name, 1, COUNT)
+
+
+@pytest.fixture(scope="module")
+def many(name, points):
+    return solve_many(name, **points)
+
+
+@pytest.fixture(scope="module")
+def singles(name, points):
+    return [
+        solve(name, {n: float(a[i]) for n, a in points.items()}, throw=False)
+        for i in range(0, COUNT, 3)
+    ]
+
+
+# --- shapes
+
+
+@pytest.mark.parametrize(
+    "shapes",
+    [
+        [],
+        [()],
+        [(3,)],
+        [(2, 1), (3,)],
+        [(2, 1, 1), (3, 1), (4,), ()],
+        [(0,)],
+        [(2, 0), (2, 1)],
+        [(1, 1, 1)],
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("admissibility", [True, False])
+def test_arrays_broadcast(name, shapes, admissibility):
+    generator = np.random.default_rng(4)
+    reference = defaults(name)
+    given = {
+        parameter: np.float64(reference[parameter]) * generator.uniform(0.98, 1.02, shape)
+        for parameter, shape in zip(reference, shapes, strict=False)
+    }
+    expected = np.broadcast_shapes(*shapes)
+    found = solve_many(name, admissibility=admissibility, **given)
+    for label, array in columns(found).items():
+        assert isinstance(array, np.ndarray | np.generic), label
+        assert np.shape(array) == expected, label
+    assert np.shape(found.converged) == expected
+    full = {n: np.broadcast_to(given.get(n, value), expected) for n, value in reference.items()}
+    for place in np.ndindex(expected):
+        alone = solve_many(
+            name, admissibility=admissibility, **{n: a[place] for n, a in full.items()}
+        )
+        assert_same_bits(found, alone, place)
+
+
+def test_scalars_lists_and_integers_are_arrays_too():
+    found = solve_many(ORBIT, eta=[1, 1.02], V=1, chi=np.float32(0.5), e1="3.0195")
+    expected = solve_many(ORBIT, eta=np.array([1.0, 1.02]))
+    assert_same_bits(found, expected)
+
+
+def test_memory_order_and_strides_do_not_matter(name, points, many):
+    strided = {n: np.repeat(a, 2)[::2] for n, a in points.items()}
+    assert_same_bits(many, solve_many(name, **strided))
+    square = {n: np.asfortranarray(a[:20].reshape(4, 5)) for n, a in points.items()}
+    assert_array_equal(solve_many(name, **square).trace.ravel(), many.trace[:20])
+
+
+def test_arguments_are_left_alone(name, points):
+    before = {n: a.copy() for n, a in points.items()}
+    solve_many(name, **points)
+    for parameter, array in points.items():
+        assert_array_equal(array, before[parameter])
+
+
+# --- the same bits
+
+
+@pytest.mark.parametrize("threads", [1, 2, 8, None])
+@pytest.mark.parametrize("chunk", [1, 7, 64, 10**6])
+def test_threads_and_chunks_change_no_bit(name, points, many, threads, chunk):
+    if backend() == "numpy" and chunk < 7:
+        chunk = 3
+    assert_same_bits(many, solve_many(name, threads=threads, chunk=chunk, **points))
+
+
+def test_a_point_alone_has_the_bits_it_has_in_a_batch(name, points, many):
+    for i in range(0, COUNT, 4):
+        alone = solve_many(name, **{n: a[i] for n, a in points.items()})
+        assert_same_bits(many, alone, i)
+
+
+def test_order_does_not_matter(name, points, many):
+    order = np.random.default_rng(5).permutation(COUNT)
+    shuffled = solve_many(name, **{n: a[order] for n, a in points.items()})
+    assert_same_bits(many, shuffled, order)
+
+
+def test_without_admissibility_the_admissible_have_the_same_bits(name, points, many):
+    """Where several orbits live, one that is admissible comes first when that is asked."""
+    without = solve_many(name, admissibility=False, **points)
+    assert without.admissible is None
+    assert without.bounds is None
+    assert_array_equal(without.converged, many.converged)
+    orbits = list(without.unknowns.values()), list(many.unknowns.values())
+    same = np.all(np.equal(*orbits) | np.isnan(orbits[0]), axis=0)
+    assert np.mean(same) > 0.9
+    assert many.admissible[~same].all()
+    expected = {n: a for n, a in columns(many).items() if n in columns(without)}
+    for label, array in columns(without).items():
+        assert_array_equal(array[same], expected[label][same])
+
+
+# --- hopeless points
+
+
+def hopeless_points(name):
+    """One parameter at a time that is no number, infinite, or outside its domain."""
+    found = []
+    for parameter in load_orbit(name).parameters:
+        values = [np.nan, np.inf, -np.inf, -1e-300]
+        if not parameter.closed:
+            values += [float(parameter.lower), -0.5]
+        if parameter.upper is not None:
+            values += [float(parameter.upper), 1.5]
+        found += [{parameter.name: value} for value in values]
+    return found
+
+
+def test_hopeless_points_do_not_disturb_their_neighbours(name, points):
+    # blocks of eight lanes: every place within a block gets its turn
+    good, reference = {n: a[:24].copy() for n, a in points.items()}, defaults(name)
+    expected = solve_many(name, **good)
+    inside = [{"eta": 1e300}, {"e2": 1e9}] if name == ORBIT else []
+    every = hopeless_points(name)[:: 1 if backend() == "c" else 5]
+    for shift, hopeless in enumerate(every + inside):
+        mixed, places = {n: a.copy() for n, a in good.items()}, np.arange(shift % 8, 24, 5)
+        for parameter, array in mixed.items():
+            array[places] = hopeless.get(parameter, reference[parameter])
+        found = solve_many(name, **mixed)
+        neighbours = np.setdiff1d(np.arange(24), places)
+        for label, array in columns(found).items():
+            assert_array_equal(array[neighbours], columns(expected)[label][neighbours])
+        assert not found.converged[places].any()
+        assert not found.admissible[places].any()
+
+
+def test_hopeless_points_have_a_status_and_nothing_else(name):
+    reference, hopeless = defaults(name), hopeless_points(name)
+    full = {n: np.array([h.get(n, value) for h in hopeless]) for n, value in reference.items()}
+    found = solve_many(name, **full)
+    assert not found.converged.any()
+    for status in np.unique(found.status):
+        assert found.message(int(status)) == STATUS[int(status)]
+        assert "domain" in STATUS[int(status)]
+    for label, array in columns(found).items():
+        if label not in ("iterations", "status", "admissible"):
+            assert np.isnan(array).all(), label
+
+
+def test_every_status_is_one_line():
+    assert not any("\n" in text for text in STATUS.values())
+
+
+def test_the_edge_of_a_closed_domain_belongs_to_it():
+    found = solve_many(ORBIT, e2=[0.0, -0.0, 5e-324, -5e-324])
+    assert_array_equal(found.converged, [True, True, True, False])
+
+
+def test_lost_points_are_lost_to_solve_or_to_admissibility(many, singles):
+    for single, converged in zip(singles, many.converged[::3], strict=True):
+        if not converged:
+            assert not single.converged or single.admissibility.verdict is False
+
+
+def test_where_the_prediction_fails_other_starts_are_tried():
+    generator = np.random.default_rng(7)
+    points = generator.uniform([0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5], (COUNT, 5))
+    reference = solve(ORBIT)
+    kernels = load_orbit(ORBIT)
+    start = [reference.unknowns[name] for name in kernels.reduced]
+    plain = solve_reduced(kernels, points, start).status == CONVERGED
+    found = solve_many(ORBIT, **dict(zip(defaults(ORBIT), points.T, strict=True))).converged
+    assert np.all(found[plain])
+    assert found.sum() > plain.sum()
+
+
+@every_orbit
+def test_the_prediction_is_of_first_order(name):
+    """An error of second order leaves two steps: one that corrects, one that sees it."""
+    for parameter, value in defaults(name).items():
+        near = solve_many(name, **{parameter: value * (1 + np.array([-1e-3, 1e-3]))})
+        assert near.converged.all()
+        assert np.all(near.iterations <= (2 if load_orbit(name).reduced else 0))
+
+
+# --- one and many
+
+
+def assert_same_orbit(one, found, i):
+    guess = [float(a[i]) for a in found.unknowns.values()]
+    assert_allclose(list(one.unknowns.values()), guess, rtol=1e-10, atol=1e-10)
+    scale = np.abs(one.evaluate("poincare_jacobian")).max()
+    assert one.trace == pytest.approx(float(found.trace[i]), rel=1e-8, abs=1e-10 * scale)
+    assert one.period == pytest.approx(float(found.period[i]), rel=1e-10)
+    assert found.residual[i] < 1e-9
+
+
+def test_what_a_batch_finds_solves_the_problem_of_one(name, points, many):
+    for i in np.flatnonzero(many.converged)[:: 2 if backend() == "c" else 4]:
+        guess = {n: float(a[i]) for n, a in many.unknowns.items()}
+        one = solve(name, {n: float(a[i]) for n, a in points.items()}, guess)
+        assert_same_orbit(one, many, i)
+
+
+def test_a_batch_and_one_find_the_same_orbit_where_there_is_one(many, singles):
+    """They may differ only where several orbits live: both are orbits then."""
+    same = []
+    for i, one in zip(range(0, COUNT, 3), singles, strict=True):
+        if many.admissible[i] and one.converged:
+            assert one.admissibility.verdict is not False
+            found = [float(a[i]) for a in many.unknowns.values()]
+            same.append(np.allclose(list(one.unknowns.values()), found, atol=1e-9))
+    assert np.mean(same) > 0.9
+
+
+def test_a_batch_finds_the_admissible_orbits_that_one_finds(name, many, singles):
+    possible = [o.converged and o.admissibility.verdict is not False for o in singles]
+    # one may search 1600 starts, a batch a few
+    share = 0.8 if name == "dry-friction/symmetric" else 0.97
+    assert np.sum(many.admissible[::3][possible]) >= share * np.sum(possible) > 0
+
+
+def test_verdicts_and_bounds_are_those_of_the_single_orbit(name, points, many):
+    verdicts = set()
+    for i in np.flatnonzero(many.converged):
+        guess = [float(a[i]) for a in many.unknowns.values()]
+        one = solve(name, {n: float(a[i]) for n, a in points.items()}, guess)
+        verdict = one.admissibility.verdict
+        assert bool(many.admissible[i]) == (verdict is not False)
+        verdicts.add(verdict)
+        required = {r.parameter: r.greater_than for r in one.admissibility.requires}
+        for label, bounds in many.bounds.items():
+            if verdict is False:
+                assert np.isnan(bounds[i])
+            else:
+                assert bounds[i] == pytest.approx(required[label], rel=1e-10, abs=1e-10)
+    allowed = "conditional" if load_orbit(name).open_parameters else True
+    assert allowed in verdicts <= {False, allowed}
+    assert False in verdicts or name == "dry-friction/solution-ii"
+
+
+def test_nan_stands_exactly_where_nothing_was_found(many):
+    assert many.converged.any()
+    for array in (*many.unknowns.values(), many.trace, many.period, many.residual):
+        assert_array_equal(np.isfinite(array), many.converged)
+    for array in many.bounds.values():
+        assert_array_equal(np.isfinite(array), many.admissible)
+    assert not np.any(many.admissible & ~many.converged)
+    kernels = load_orbit(many.name)
+    dwell = kernels.durations({**many.parameters, **many.unknowns})
+    for label in set(dwell) - set(kernels.table["vanishing"]):
+        assert np.all(np.broadcast_to(dwell[label], COUNT)[many.converged] > 0)
+
+
+def test_some_points_have_no_orbit():
+    names = ("elastic-stop/one-contact", ORBIT)
+    assert all(not solve_many(n, **random_points(n, 1, COUNT)).converged.all() for n in names)
+
+
+# --- backends
+
+SCRIPT = """
+import sys
+import numpy as np
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.model.kernels import backend, orbit_names
+assert backend() == "numpy"
+results = {}
+with np.load(sys.argv[1]) as file:
+    for name in orbit_names():
+        given = {k.split(":")[1]: file[k] for k in file if k.startswith(name)}
+        found = solve_many(name, **given)
+        columns = {"trace": found.trace, "residual": found.residual, "status": found.status,
+                   "admissible": found.admissible, "iterations": found.iterations,
+                   "period": found.period}
+        columns |= {"unknown " + n: a for n, a in found.unknowns.items()}
+        columns |= {"bound " + n: a for n, a in found.bounds.items()}
+        results |= {name + ":" + n: a for n, a in columns.items()}
+np.savez(sys.argv[2], **results)
+"""
+
+
+@pytest.fixture(scope="module")
+def backends(tmp_path_factory):
+    """Near and far points of every orbit, and what NumPy finds there in a process of its own."""
+    folder, given = tmp_path_factory.mktemp("backends"), {}
+    for name in orbit_names():
+        wide, near = random_points(name, 1, 60), np.linspace(-0.02, 0.02, 40)
+        given[name] = {
+            n: np.concatenate([v * (1 + near), wide[n]]) for n, v in defaults(name).items()
+        }
+    flat = {f"{name}:{n}": a for name, columns in given.items() for n, a in columns.items()}
+    np.savez(folder / "in.npz", **flat)
+    subprocess.run(
+        [sys.executable, "-W", "error", "-c", SCRIPT, folder / "in.npz", folder / "out.npz"],
+        env=os.environ | {"NONSMOOTH_BACKEND": "numpy"},
+        check=True,
+    )
+    with np.load(folder / "out.npz") as file:
+        return given, dict(file)
+
+
+@pytest.mark.compiled
+@every_orbit
+def test_numpy_agrees_with_c(name, backends):
+    given, results = backends
+    compiled = solve_many(name, **given[name])
+    other = {k.partition(":")[2]: a for k, a in results.items() if k.startswith(name)}
+    assert other.keys() == columns(compiled).keys()
+    assert compiled.converged[:40].all()
+    same = other["status"] == compiled.status
+    # Newton's method far from any orbit is chaotic: a last bit may decide what it finds there
+    assert same[compiled.admissible].all()
+    assert same.mean() > 0.95
+    assert np.mean(other["admissible"] == compiled.admissible) > 0.98
+    sound = compiled.admissible & other["admissible"]
+    assert sound.sum() > 20
+    assert_array_equal(other["iterations"][sound], compiled.iterations[sound])
+    for label, array in columns(compiled).items():
+        if label.startswith(("unknown", "bound", "period")):
+            assert_allclose(other[label][sound], array[sound], rtol=1e-10, atol=1e-10)
+    # the trace is a difference of the Jacobian's entries, which are large near grazing
+    assert_allclose(other["trace"][sound], compiled.trace[sound], rtol=1e-8, atol=1e-8)
+
+
+@pytest.mark.compiled
+@every_orbit
+def test_the_compiled_solver_is_used(name):
+    kernels = load_orbit(name)
+    assert kernels.solver is not None
+    assert kernels.admissible is not None
+
+
+# --- wrong input
+
+
+@pytest.mark.parametrize(
+    ("given", "named"),
+    [
+        ({"etta": 1.0}, "unknown parameter 'etta'; did you mean 'eta'"),
+        ({"us1": 1.0}, "unknown parameter 'us1'"),
+        ({"z10": 1.0}, "unknown parameter 'z10'"),
+        ({"eta": [1.0, 2.0], "V": [1.0, 2.0, 3.0]}, "do not broadcast"),
+        ({"eta": "one"}, "parameter eta"),
+        ({"eta": ["one", "two"]}, "parameter eta"),
+        ({"eta": 1 + 1j}, "parameter eta"),
+        ({"eta": np.array([1 + 1j, 2])}, "parameter eta"),
+        ({"eta": [[1.0], [1.0, 2.0]]}, "parameter eta"),
+        ({"eta": None}, "eta"),
+        ({"eta": {"a": 1}}, "parameter eta"),
+        ({"eta": [True, False]}, "parameter eta"),
+        ({"eta": np.array(["2020-01-01"], dtype="datetime64[D]")}, "parameter eta"),
+        ({"threads": 0}, "threads = 0"),
+        ({"threads": -2}, "threads = -2"),
+        ({"threads": 1.5}, "threads = 1.5"),
+        ({"chunk": 0}, "chunk = 0"),
+        ({"chunk": 2.5}, "chunk = 2.5"),
+    ],
+    ids=str,
+)
+def test_wrong_input_is_named_on_one_line(given, named):
+    with pytest.raises(InputError, match=named) as caught:
+        solve_many(ORBIT, **given)
+    assert "\n" not in str(caught.value)
+
+
+def test_an_unknown_orbit_is_named():
+    with pytest.raises(InputError, match="did you mean 'dry-friction/global-stick'"):
+        solve_many("dry-friction/global-slick")

@@ -1,0 +1,446 @@
+"""Orbits of any itinerary, composed from the system's numbers."""
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.piecewise import numbers_at, parameter_points
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.compose import compose, compose_many
+from nonsmooth.runtime.orbits.refine import refine
+from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.shooting import cycle_newton as composed_newton
+from nonsmooth.runtime.shooting.cycle_newton import solve_cycle, solve_in_python
+from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
+from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, pass_through
+
+STICK_DATA = {
+    "chi": "0.5",
+    "eta": "1",
+    "V": "1",
+    "us1": "1",
+    "us2": "1",
+    "ur1": "4.0195",
+    "ur2": "1.4831",
+}
+STICK = [
+    ("stick-stick", "first-breaks-forward"),
+    ("slip-stick", "second-breaks-forward"),
+    ("slip-slip", "first-reaches-belt"),
+    ("stick-slip", "second-reaches-belt"),
+]
+STICK_GUESS = [1.02, 2.0, 1.57, 3.28]
+SYMMETRIC_DATA = {
+    "chi": "0.4",
+    "eta": "4",
+    "V": "0.6773",
+    "us1": "0.0127",
+    "ur1": "0.0255",
+    "us2": "0.5",
+    "ur2": "1",
+}
+SYMMETRIC = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
+SYMMETRIC_GUESS = [2.65, 2.24]
+CHAIN = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
+CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
+IMPACT = [("free", "first-reaches-stop")]
+TRACE = -0.980114981284158715
+
+needs_engine = pytest.mark.skipif(
+    composed_newton._compiled() is None, reason="the engine is not compiled"
+)
+
+
+def stick(**changes):
+    return compose("dry-friction", STICK_DATA | changes, STICK, STICK_GUESS)
+
+
+def turned(sequence, first):
+    return [*sequence[first:], *sequence[:first]]
+
+
+@pytest.mark.parametrize("first", range(4))
+def test_global_stick_from_every_phase(first):
+    kernels = solve("dry-friction/global-stick")
+    orbit = compose("dry-friction", STICK_DATA, turned(STICK, first), turned(STICK_GUESS, first))
+    wanted = turned(list(kernels.dwell_times.values()), first)
+    assert orbit.converged
+    np.testing.assert_allclose(orbit.dwell_times, wanted, rtol=0, atol=1e-13)
+    assert orbit.trace == pytest.approx(TRACE, abs=1e-13)
+    assert orbit.multipliers[0] == pytest.approx(TRACE, abs=1e-13)
+    assert not orbit.multipliers[1:].any()
+    assert np.trace(orbit.poincare_jacobian) == pytest.approx(TRACE, abs=1e-12)
+    assert orbit.stability.rank == 1
+    assert orbit.stability.verdict == "stable"
+    assert orbit.admissibility.verdict is True
+
+
+def test_start_section_and_physical_coordinates():
+    orbit, kernels = stick(), solve("dry-friction/global-stick")
+    assert orbit.multipliers.shape == (2,)  # as the kernels': behind it both masses are stuck
+    chi, us1, us2 = 0.5, 1.0, 1.0
+    origin = [(us1 + us2) / (1 - chi), (chi * us1 + us2) / (chi * (1 - chi)), 0, 0]
+    np.testing.assert_allclose(orbit.states, kernels.states[:-1] + origin, rtol=0, atol=1e-12)
+
+
+def test_symmetric_orbit():
+    orbit = compose("dry-friction", SYMMETRIC_DATA, SYMMETRIC, SYMMETRIC_GUESS)
+    np.testing.assert_allclose(orbit.dwell_times, [2.65116656, 2.24481006], rtol=0, atol=1e-8)
+    np.testing.assert_allclose(orbit.multipliers, [-1.44546317, -0.12198051], rtol=0, atol=1e-8)
+    assert orbit.stability.verdict == "unstable"
+    assert orbit.admissibility.verdict is True
+
+
+def test_many_phases():
+    once = compose("dry-friction", SYMMETRIC_DATA, SYMMETRIC, SYMMETRIC_GUESS)
+    orbit = compose("dry-friction", SYMMETRIC_DATA, SYMMETRIC * 15, SYMMETRIC_GUESS * 15)
+    assert orbit.converged
+    np.testing.assert_allclose(orbit.dwell_times, np.tile(once.dwell_times, 15), atol=1e-12)
+    assert orbit.multipliers[0].real == pytest.approx(once.multipliers[0].real ** 15, rel=1e-11)
+
+
+def test_admissibility_is_the_kernels():
+    random = np.random.default_rng(7)
+    seen = set()
+    for _ in range(40):
+        us1, us2 = random.uniform(0.2, 2, 2)
+        data = {"chi": 0.5, "us1": us1, "us2": us2, "ur1": us1 + random.uniform(2.5, 3.5)}
+        data |= {"ur2": us2 + random.uniform(0.1, 0.8)}
+        data |= {"eta": random.uniform(0.6, 1.4), "V": random.uniform(0.6, 1.4)}
+        kernels = solve("dry-friction/global-stick", data, throw=False)
+        if not kernels.converged:
+            continue
+        orbit = compose("dry-friction", data, STICK, list(kernels.dwell_times.values()))
+        assert orbit.trace == pytest.approx(kernels.trace, rel=1e-10, abs=1e-10)
+        assert orbit.stability.verdict == kernels.stability.verdict
+        assert orbit.admissibility.verdict == kernels.admissibility.verdict
+        found = {(v.phase, v.boundary) for v in orbit.admissibility.violations if v.excess > 0}
+        assert found == {(v.phase, v.boundary) for v in kernels.admissibility.violations}
+        seen.add(orbit.admissibility.verdict)
+    assert seen == {True, False}
+
+
+def test_a_transition_that_the_conditions_refuse():
+    # with us1 + us2 as small as that the second mass, at the belt, is torn off at once
+    data = {"chi": 0.5, "eta": 1, "V": 1, "us1": 0.3, "us2": 0.3, "ur1": 3.3, "ur2": 0.7}
+    kernels = solve("dry-friction/global-stick", data)
+    orbit = compose("dry-friction", data, STICK, list(kernels.dwell_times.values()))
+    refused = [(v.phase, v.boundary) for v in orbit.admissibility.violations if v.excess == 0]
+    assert refused == [(3, "second-reaches-belt")]
+
+
+def test_linearisation_against_finite_differences():
+    orbit = stick()
+    numbers, cycle, step = numbers_in(orbit.piecewise), orbit.cycle, 1e-6
+    now = orbit.passage
+    for k, unit in enumerate(np.eye(4)):
+        moved = []
+        for sign in (1, -1):
+            change = now.rates[:, :-1] @ (sign * step * unit)
+            moved.append(
+                pass_through(
+                    cycle,
+                    numbers,
+                    orbit.dwell_times + change,
+                    orbit.states[0] + sign * step * unit,
+                    np,
+                )
+            )
+        slopes = (moved[0].starts[-1] - moved[1].starts[-1]) / (2 * step)
+        np.testing.assert_allclose(now.matrix[:, k], slopes, rtol=0, atol=2e-8)
+        gaps = (moved[0].gaps - moved[1].gaps) / (2 * step)
+        np.testing.assert_allclose(gaps, 0, atol=2e-8)
+
+
+def test_residual_is_removed_by_the_affine_part():
+    orbit = stick()
+    numbers, cycle = numbers_in(orbit.piecewise), orbit.cycle
+    errors = []
+    for size in (1e-3, 1e-4):
+        dwell = orbit.dwell_times * (1 + size * np.array([1, -1, 0.5, 0.3]))
+        first = pass_through(cycle, numbers, dwell, orbit.states[0], np)
+        second = pass_through(cycle, numbers, dwell + first.rates[:, -1], orbit.states[0], np)
+        errors.append(abs(second.gaps).max())
+    assert errors[1] < 2e-2 * errors[0]  # of the second order
+
+
+def test_monodromy_keeps_the_field_and_saltations_map_it():
+    orbit = stick()
+    field = orbit.piecewise.fields[orbit.cycle.configurations[0]]
+    speed = field[:, :-1] @ orbit.states[0] + field[:, -1]
+    np.testing.assert_allclose(orbit.monodromy @ speed, speed, atol=1e-13)
+    for place, jump in enumerate(orbit.saltations):
+        after = orbit.piecewise.fields[orbit.cycle.configurations[(place + 1) % 4]]
+        state = orbit.states[(place + 1) % 4]
+        np.testing.assert_allclose(
+            jump @ orbit.passage.fields[place], after[:, :-1] @ state + after[:, -1], atol=1e-12
+        )
+    nonzero = np.linalg.eigvals(orbit.monodromy)
+    assert min(abs(nonzero - TRACE)) < 1e-7
+
+
+def made(data):
+    kernels = load_system("dry-friction")
+    points, _ = parameter_points(kernels, data)
+    (group,) = numbers_at(kernels, points)
+    return structure_of(kernels), group.flat
+
+
+@needs_engine
+@pytest.mark.parametrize("guided", [False, True])
+def test_compiled_as_in_python(guided):
+    random = np.random.default_rng(11)
+    count = 50
+    data = {name: float(value) for name, value in STICK_DATA.items()}
+    data["eta"] = 1 + 0.05 * random.uniform(-1, 1, count)
+    data["V"] = 1 + 0.05 * random.uniform(-1, 1, count)
+    data["eta"][7] = -1  # outside its domain
+    structure, flat = made(data)
+    cycle, free = cycle_of(structure, STICK), np.full(count, np.nan)
+    dwell = np.tile(STICK_GUESS, (count, 1))
+    start = np.tile(stick().states[0], (count, 1)) if guided else None
+    compiled = solve_cycle(cycle, flat, dwell, start, free)
+    python = solve_in_python(cycle, flat, dwell, start, free)
+    assert compiled.status[7] == python.status[7] == INVALID
+    assert np.delete(compiled.status, 7).max() == CONVERGED
+    for found, wanted in zip(compiled, python, strict=True):
+        np.testing.assert_allclose(
+            np.delete(found, 7, axis=0), np.delete(wanted, 7, axis=0), rtol=0, atol=1e-12
+        )
+
+
+@needs_engine
+def test_compiled_as_in_python_with_a_period(monkeypatch):
+    found = []
+    for backend in ("c", "numpy"):
+        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+        found.append(compose("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2, 4], period="2*pi"))
+    np.testing.assert_allclose(found[0].dwell_times, found[1].dwell_times, atol=1e-12)
+    np.testing.assert_allclose(found[0].states, found[1].states, atol=1e-12)
+
+
+def test_many_points():
+    eta = np.linspace(0.95, 1.05, 3)[:, None]
+    many = compose_many(
+        "dry-friction",
+        STICK,
+        STICK_DATA | {"eta": eta, "V": [0.98, 1.02]},
+        STICK_GUESS,
+        multipliers=True,
+    )
+    assert many.converged.all()
+    assert many.dwell_times.shape == (3, 2, 4)
+    assert many.start.shape == (3, 2, 4)
+    assert many.multipliers.shape == (3, 2, 2)
+    for i, j in np.ndindex(3, 2):
+        one = stick(eta=eta[i, 0], V=[0.98, 1.02][j])
+        np.testing.assert_allclose(many.dwell_times[i, j], one.dwell_times, atol=1e-12)
+        np.testing.assert_allclose(many.states[i, j], one.states, atol=1e-12)
+        assert many.trace[i, j] == pytest.approx(one.trace, abs=1e-12)
+        np.testing.assert_allclose(many.multipliers[i, j], one.multipliers, atol=1e-12)
+        assert many.multipliers[i, j, 1] == 0
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_threads_and_chunks_change_nothing(threads, monkeypatch):
+    monkeypatch.setattr("nonsmooth.runtime.orbits.compose_many.CHUNK", 3)
+    data = STICK_DATA | {"V": np.linspace(0.98, 1.02, 8)}
+    start = stick().states[0]
+    many = compose_many("dry-friction", STICK, data, STICK_GUESS, start, threads=threads)
+    monkeypatch.undo()
+    whole = compose_many("dry-friction", STICK, data, STICK_GUESS, start)
+    np.testing.assert_array_equal(many.dwell_times, whole.dwell_times)
+    np.testing.assert_array_equal(many.trace, whole.trace)
+
+
+@pytest.mark.parametrize("first", range(4))
+def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
+    # the engine starts from another phase: an exact guess is exact there too
+    exact = compose("dry-friction", STICK_DATA, turned(STICK, first), turned(STICK_GUESS, first))
+    many = compose_many(
+        "dry-friction", turned(STICK, first), STICK_DATA, exact.dwell_times, exact.states[0]
+    )
+    assert many.converged
+    assert many.iterations == 1
+
+
+def test_no_points_and_lost_points():
+    none = compose_many("dry-friction", STICK, STICK_DATA | {"V": []}, STICK_GUESS)
+    assert none.dwell_times.shape == (0, 4)
+    lost = compose_many("dry-friction", STICK, STICK_DATA | {"V": [-1, 1]}, STICK_GUESS)
+    assert lost.status.tolist() == [INVALID, CONVERGED]
+    assert np.isnan(lost.dwell_times[0]).all()
+    assert np.isnan(lost.trace[0])
+    assert "domain" in lost.message(INVALID)
+
+
+def test_forty_digits():
+    orbit = compose("dry-friction", STICK_DATA, STICK, STICK_GUESS, digits=40)
+    kernels = refine(solve("dry-friction/global-stick"), 40)
+    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times.values(), strict=True):
+        assert abs(found - wanted) < 1e-40
+    assert abs(orbit.trace - kernels.trace) < 1e-38
+    assert orbit.multipliers[1] == 0
+    assert orbit.residual < 1e-40
+    assert orbit.stability.verdict == "stable"
+    assert orbit.admissibility.verdict is True
+
+
+@pytest.mark.parametrize("digits", [15, 40])
+def test_elastic_stop_of_given_period(digits):
+    orbit = compose(
+        "elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], digits=digits, period="2*pi"
+    )
+    kernels = solve("elastic-stop/one-contact")
+    kernels = kernels if digits == 15 else refine(kernels, digits)
+    assert orbit.converged
+    assert orbit.family
+    limit = 10.0 ** -(13 if digits == 15 else 40)
+    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times.values(), strict=True):
+        assert abs(found - wanted) < limit
+    for found, wanted in zip(orbit.states[0], kernels.states[0], strict=True):
+        assert abs(found - wanted) < 10 * limit
+    assert abs(orbit.trace - kernels.trace) < 100 * limit
+    assert orbit.stability.verdict == "neutral"
+    assert [m.trivial for m in orbit.stability.multipliers] == [False, False, True]
+    assert orbit.admissibility.verdict is True
+
+
+def test_rigid_stop_of_given_period():
+    orbit = compose("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], period="2*pi")
+    kernels = solve("rigid-stop/one-impact")
+    assert orbit.converged
+    np.testing.assert_allclose(orbit.states[0], kernels.states[0], atol=1e-13)
+    assert orbit.trace == pytest.approx(kernels.trace, abs=1e-12)
+    assert orbit.stability.verdict == kernels.stability.verdict == "neutral"
+    assert orbit.admissibility.verdict is True
+
+
+@pytest.mark.parametrize(
+    ("system", "more", "itinerary", "guess"),
+    [("elastic-stop", {"k3": 1}, CONTACT, [2.1, 4.2]), ("rigid-stop", {"r": 1}, IMPACT, [6.2])],
+)
+def test_a_family_is_said_to_be_one(system, more, itinerary, guess):
+    orbit = compose(system, CHAIN | more, itinerary, guess, digits=40)
+    assert orbit.status == SINGULAR
+    assert not orbit.converged
+    assert "give its period" in orbit.message
+    assert orbit.family
+    assert orbit.residual < 1e-12  # a member of the family all the same
+    assert orbit.stability.verdict == "neutral"
+
+
+def test_units_change_no_verdict():
+    # a thousand times heavier and a million million times stiffer: time in other units
+    data = {"m1": 1e3, "m2": 2e3, "k1": 1e15, "k2": 5e15, "k3": 1e15}
+    orbit = compose("elastic-stop", data, CONTACT, [2.1e-6, 4.2e-6], period=2e-6 * np.pi)
+    assert orbit.converged
+    assert orbit.stability.verdict == "neutral"
+    assert compose("elastic-stop", data, CONTACT, [2.1e-6, 4.2e-6]).status == SINGULAR
+
+
+def test_a_period_that_no_orbit_has():
+    orbit = compose("dry-friction", STICK_DATA, STICK, STICK_GUESS, period=8)
+    assert orbit.status == STALLED
+    assert "period" in orbit.message
+    with pytest.raises(InputError, match="no orbit"):
+        _ = orbit.stability
+    with pytest.raises(InputError, match="no orbit"):
+        _ = orbit.admissibility
+
+
+def test_a_phase_that_takes_no_time():
+    orbit = compose("dry-friction", STICK_DATA, STICK, [0.1] * 4, digits=40)
+    assert orbit.status == NEGATIVE
+    assert not orbit.precise
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"itinerary": []}, "no phase"),
+        ({"itinerary": [("stick-stick",)]}, "sequence of"),
+        ({"itinerary": 3}, "sequence of"),
+        ({"itinerary": [STICK[0], STICK[2]]}, "no transition from stick-stick to slip-slip"),
+        ({"itinerary": [("stik", "first-breaks-forward")]}, "unknown configuration"),
+        ({"itinerary": [("stick-stick", "first-reaches-belt")]}, "unknown boundary"),
+        ({"system": "dry-frictoin"}, "dry-friction"),
+        ({"parameters": {"chi": 0.5}}, "needs a value"),
+        ({"parameters": STICK_DATA | {"chi": 2}}, "chi"),
+        ({"guess_dwell_times": [1, 2, 3]}, "3 given, 4 needed"),
+        ({"guess_dwell_times": [1, 2, 3, float("nan")]}, "finite"),
+        ({"guess_dwell_times": [1, 2, 3, -1]}, "positive"),
+        ({"guess_dwell_times": "four"}, "real numbers"),
+        ({"guess_state": [1, 2]}, "2 given, 4 needed"),
+        ({"guess_state": [1, 2, 3, float("inf")]}, "finite"),
+        ({"digits": 0}, "digits"),
+        ({"period": -1}, "period"),
+    ],
+)
+def test_bad_input(changes, match):
+    arguments = {
+        "system": "dry-friction",
+        "parameters": STICK_DATA,
+        "itinerary": STICK,
+        "guess_dwell_times": STICK_GUESS,
+    }
+    with pytest.raises(InputError, match=match):
+        compose(**(arguments | changes))
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"parameters": STICK_DATA | {"V": [1, 2], "eta": [1, 2, 3]}}, "broadcast"),
+        ({"parameters": STICK_DATA | {"W": [1, 2]}}, "unknown parameter"),
+        ({"parameters": STICK_DATA | {"V": ["a"]}}, "V"),
+        ({"parameters": {}}, "needs a value"),
+        ({"guess_dwell_times": np.ones((3, 4))}, "broadcast"),
+        ({"threads": 0}, "threads"),
+        ({"period": -1.0}, "period"),
+    ],
+)
+def test_bad_input_of_many(changes, match):
+    arguments = {
+        "system": "dry-friction",
+        "parameters": STICK_DATA | {"V": [1.0, 1.01]},
+        "itinerary": STICK,
+        "guess_dwell_times": STICK_GUESS,
+    }
+    with pytest.raises(InputError, match=match):
+        compose_many(**(arguments | changes))
+
+
+@needs_engine
+def test_the_engine_checks_its_arrays():
+    engine = composed_newton._compiled()
+    structure, flat = made(STICK_DATA)
+    cycle = cycle_of(structure, STICK)
+    layout = composed_newton.layout_of(structure)
+    one = np.zeros(1)
+    arrays = [np.array([STICK_GUESS]), np.zeros((1, 4, 4)), np.zeros((1, 4, 4)), one.copy()]
+    arrays += [np.zeros(1, dtype=np.int32), np.zeros(1, dtype=np.int32)]
+    wrong = cycle.packed.copy()
+    wrong[0] = 99
+    for part, message in ((wrong, "not of this layout"), (cycle.packed[:5], "cycle")):
+        with pytest.raises(ValueError, match=message):
+            engine.compose(layout, part, one, flat, *arrays, False)
+    for place, name in enumerate(("dwell", "starts", "maps", "residuals")):
+        short = list(arrays)
+        short[place] = np.zeros(0)
+        with pytest.raises(ValueError, match=name):
+            engine.compose(layout, cycle.packed, one, flat, *short, False)
+    with pytest.raises(ValueError, match="numbers"):
+        engine.compose(layout, cycle.packed, one, flat[:, 1:].copy(), *arrays, False)
+
+
+def test_the_motion_along_an_orbit_closes_and_can_be_observed():
+    orbit = stick()
+    motion = orbit.trajectory(3)
+    names = [configuration for configuration, _ in orbit.itinerary]
+    assert list(motion.configurations) == [*names * 3, names[0]]
+    np.testing.assert_allclose(motion.times[::4], np.arange(4) * orbit.period, rtol=1e-13)
+    np.testing.assert_allclose(motion.states[-1], orbit.states[0], atol=1e-12)
+    with pytest.raises(InputError, match="periods = 0"):
+        orbit.trajectory(0)

@@ -1,0 +1,384 @@
+"""Orbits that are declared by their phases: solved, reported, saved and drawn as all others."""
+
+import hashlib
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.orbits import solve as solving
+from nonsmooth.runtime.present.files import composed_orbits as saved
+from tests.handmade import DATA, MIRROR, declared, two_stops
+
+NAME = declared().name  # two-stops and left-right
+STIFF = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
+
+
+@pytest.fixture(autouse=True)
+def installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The hand-made system and its orbit under names that are loaded."""
+    install(monkeypatch, declared())
+
+
+def install(monkeypatch: pytest.MonkeyPatch, kernels: Any) -> None:
+    def orbit(name: str) -> Any:
+        return kernels if name == NAME else load_orbit(name)
+
+    def system(name: str, beside: Path | None = None) -> Any:
+        return kernels.system if name == "two-stops" else load_system(name, beside)
+
+    monkeypatch.setattr(solving, "load_orbit", orbit)
+    monkeypatch.setattr(saved, "load_system", system)
+
+
+@cache
+def orbit(digits: int = 15) -> Any:
+    found = solving.solve(NAME)
+    return replace(found if digits == 15 else nonsmooth.refine(found, digits))
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+# --- solve
+
+
+def test_solve_composes() -> None:
+    found = orbit()
+    assert isinstance(found, nonsmooth.ComposedOrbit)
+    assert list(found.unknowns) == ["ta", "tb", "x0", "v0", "c0", "s0"]
+    assert found.unknowns["ta"] == pytest.approx(np.pi / 1.7, abs=1e-13)
+    assert found.unknowns["x0"] == pytest.approx(-0.5, abs=1e-13)
+    assert found.stability.verdict == "stable"
+    assert {name: value.text for name, value in found.given.items()} == DATA
+
+
+def test_refine_gives_true_digits() -> None:
+    fine, finer = orbit(30), orbit(50)
+    for name, value in fine.unknowns.items():
+        assert abs(value - finer.unknowns[name]) < 1e-30
+        assert abs(float(value) - orbit().unknowns[name]) <= 10.0 ** -orbit().digits
+
+
+def test_another_point_is_followed_from_the_reference() -> None:
+    # from the guess of the dwell times alone Newton's method finds an unstable orbit here
+    found = solving.solve(NAME, {"Omega": "1.75"})
+    assert found.stability.verdict == "stable"
+    assert found.period == pytest.approx(2 * np.pi / 1.75, rel=1e-13)
+    other = solving.solve(NAME, {"Omega": "1.75"}, {"ta": 1.8, "tb": 1.8})
+    assert other.stability.verdict == "unstable"
+    assert other.admissibility.verdict is True
+
+
+def test_guesses_by_name_and_in_order() -> None:
+    values = orbit().unknowns
+    for guess in (
+        dict(values),
+        {"ta": 1.8, "x": values["x0"], "v": values["v0"]},
+        list(values.values()),
+        [1.85, 1.85],
+    ):
+        found = solving.solve(NAME, {}, guess)
+        assert found.period == pytest.approx(orbit().period, rel=1e-13)
+
+
+def test_a_period_may_be_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = solving.solve(NAME, given={"period": "2*pi/1.7"})
+    assert found.converged
+    assert found.given["period"].text == "2*pi/1.7"
+    with pytest.raises(NoConvergence, match="period"):
+        solving.solve(NAME, given={"period": 3})
+    period = {"name": "T", "description": "", "lower": "0", "upper": None, "closed": False}
+    reference = {"parameters": {**DATA, "T": "2*pi/1.7"}, "guess": {"ta": "1.8"}}
+    install(monkeypatch, declared(period=period, reference=reference, start={"v": "u"}))
+    found = solving.solve(NAME)
+    assert list(found.unknowns) == ["ta", "tb", "x0", "u", "c0", "s0"]
+    assert found.given["period"].text == "2*pi/1.7"
+    assert found.dwell_times == pytest.approx(np.pi / 1.7)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "match"),
+    [
+        ({"parameters": {"Omga": 1}}, "did you mean 'Omega'"),
+        ({"parameters": {"r": 2}}, "outside its domain"),
+        ({"guess": {"tc": 1}}, "unknown variable 'tc'"),
+        ({"guess": {"ta": -1}}, "positive"),
+        ({"guess": {"ta": "soon"}}, "ta"),
+        ({"guess": [1, 2, 3]}, "3 values"),
+        ({"unknown": ["Omega"], "given": {"ta": 1}}, "Omega, ta cannot be exchanged"),
+        ({"given": {"ta": 1}}, "ta cannot be exchanged"),
+        ({"given": {"period": -1}}, "positive"),
+    ],
+)
+def test_bad_input(arguments: dict[str, Any], match: str) -> None:
+    with pytest.raises(InputError, match=match):
+        solving.solve(NAME, **arguments)
+
+
+def test_without_a_guess(monkeypatch: pytest.MonkeyPatch) -> None:
+    install(monkeypatch, declared(reference=None))
+    with pytest.raises(InputError, match="declares no guess of ta, tb: give one"):
+        solving.solve(NAME)
+    with pytest.raises(InputError, match="declares no guess of tb"):
+        solving.solve(NAME, DATA, {"ta": 1})
+    assert solving.solve(NAME, DATA, {"ta": 1.8, "tb": 1.8}).converged
+    with pytest.raises(InputError, match="needs a value for"):
+        solving.solve(NAME, {"d": 1}, {"ta": 1.8, "tb": 1.8})
+
+
+def test_no_orbit() -> None:
+    with pytest.raises(NoConvergence, match=NAME):
+        solving.solve(NAME, {"F": "1e-3"})
+    assert not solving.solve(NAME, {"F": "1e-3"}, throw=False).converged
+
+
+# --- commands
+
+
+def test_json_of_solve_and_verify() -> None:
+    code, out, _ = run("verify", NAME, "--digits", "30", "--json")
+    told = json.loads(out)
+    assert code == 0
+    assert told["orbit"] == NAME
+    assert told["digits"] == 30
+    assert list(told["unknowns"]) == ["ta", "tb", "x0", "v0", "c0", "s0"]
+    assert list(told["parameters"]) == list(DATA)
+    fine = orbit(50)
+    for name, text in told["unknowns"].items():
+        assert abs(fine.arithmetic.mp.mpf(text) - fine.unknowns[name]) < 1e-30
+    assert abs(fine.arithmetic.mp.mpf(told["trace"]) - fine.trace) < 1e-28
+    assert told["stability"] == "stable"
+    assert told["admissible"] is True
+    assert [m["trivial"] for m in told["multipliers"]] == [False, False]
+    assert told["phases"][1] == {
+        "configuration": "free",
+        "boundary": "reaches-left",
+        "dwell_time": "tb",
+    }
+    others = json.loads(run("solve", "rigid-stop/one-impact", "--json")[1])
+    assert set(others) <= {*told, "violations", "requires"}
+
+
+def test_the_shown_report() -> None:
+    code, out, _ = run("solve", NAME, "zeta=1/20")
+    assert code == 0
+    lines = [" ".join(line.split()) for line in out.splitlines()]
+    assert lines[0] == f"{NAME.replace(':', '/')}, 15 digits"
+    assert "zeta 1/20" in lines
+    assert "Omega 1.7 default" in lines
+    assert any(line.startswith("ta 1.8479956785822313") for line in lines)
+    assert "Admissible: yes" in out
+
+
+def test_require_and_exit_codes() -> None:
+    assert run("solve", NAME, "--require", "stable", "--require", "admissible")[0] == 0
+    code, _, err = run("solve", NAME, "Omega=1.5", "--require", "stable")
+    assert code == 3
+    assert "required: stable; found: unstable" in err
+    assert run("solve", NAME, "F=0.001")[0] == 1
+    assert run("solve", NAME, "--unknown", "Omega", "--given", "ta=1")[0] == 2
+
+
+def test_notebooks_and_names() -> None:
+    text = orbit()._repr_html_()
+    assert NAME in text
+    assert "ta = 1.8479956" in text
+    assert r"t_{a} &=" in orbit()._repr_latex_()
+    bare = nonsmooth.compose(
+        two_stops(), DATA, orbit().itinerary, orbit().dwell_times, orbit().states[0]
+    )
+    assert bare.name == "two-stops, 2 phases"
+    assert list(bare.unknowns)[:3] == ["tau1", "tau2", "x0"]
+    assert bare.to_json()["unknowns"]["tau1"].startswith("1.84799567858")
+
+
+# --- files
+
+
+def symmetric() -> Any:
+    return nonsmooth.compose(
+        two_stops(), DATA, [("free", "reaches-right")], [1.85], symmetry=MIRROR, digits=25
+    )
+
+
+def timed() -> Any:
+    phases = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
+    return nonsmooth.compose("elastic-stop", STIFF, phases, [2.1, 4.2], period="2*pi")
+
+
+@pytest.mark.parametrize("make", [orbit, lambda: orbit(40), symmetric, timed])
+def test_every_digit_comes_back(make: Any, tmp_path: Path) -> None:
+    path, given = tmp_path / "orbit.json", make()
+    given.save(path)
+    found = nonsmooth.load(path)
+    assert list(found.unknowns) == list(given.unknowns)
+    assert found.dwell_times.tolist() == given.dwell_times.tolist()
+    assert found.states.tolist() == given.states.tolist()
+    assert found.residual == given.residual
+    for name in ("name", "itinerary", "digits", "iterations", "precise", "period"):
+        assert getattr(found, name) == getattr(given, name)
+    assert {n: v.text for n, v in found.given.items()} == {
+        n: v.text for n, v in given.given.items()
+    }
+    assert (found.symmetry is None) == (given.symmetry is None)
+    assert found.stability.verdict == given.stability.verdict
+    second = tmp_path / "second.json"
+    found.save(second)
+    assert second.read_bytes() == path.read_bytes()
+
+
+def sealed(content: dict[str, Any]) -> str:
+    covered = {name: entry for name, entry in content.items() if name != "sha256"}
+    content["sha256"] = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
+    return json.dumps(content)
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    target = tmp_path / "orbit.json"
+    orbit().save(target)
+    return target
+
+
+def test_cut_and_edited_files_are_refused(path: Path) -> None:
+    text = path.read_text()
+    for wrong, match in (
+        (text[:-40], "cut"),
+        (text.replace('"1.7"', '"1.8"'), "checksum"),
+        (text.replace("nonsmooth composed orbit", "orbit"), "not a saved orbit"),
+        (text.replace('"version": 1', '"version": 2'), "version 2"),
+    ):
+        path.write_text(wrong)
+        with pytest.raises(InputError, match=match) as caught:
+            nonsmooth.load(path)
+        assert str(caught.value).startswith(f"{path}: ")
+
+
+@pytest.mark.parametrize(
+    ("change", "match"),
+    [
+        (lambda c: c["phases"][0].update(dwell_time="1.84799567"), "not a solution"),
+        (lambda c: c["phases"][1]["start"].__setitem__(1, "0.6819909"), "not a solution"),
+        (lambda c: c["phases"][0].update(boundary="reaches-left"), "not a solution"),
+        (lambda c: c["parameters"].update(d="0.51"), "not a solution"),
+        (lambda c: c.update(residual="1.0"), "not a solution"),
+        (lambda c: c["phases"][0].update(dwell_time="-1.8"), "not positive"),
+        (lambda c: c["phases"][0].update(boundary="nowhere"), "unknown boundary"),
+        (lambda c: c["phases"][0]["start"].pop(), "4 states"),
+        (lambda c: c["phases"][0].pop("start"), "phases"),
+        (lambda c: c["phases"][0].update(start=[1, 2, 3, 4]), "phases"),
+        (lambda c: c.update(phases=[]), "empty"),
+        (lambda c: c["names"].pop(), "names"),
+        (lambda c: c["parameters"].pop("d"), "needs a value"),
+        (lambda c: c.update(system="two-stop"), "unknown system"),
+        (lambda c: c.update(digits=16), "digits"),
+        (lambda c: c.update(status=1), "status"),
+        (lambda c: c.update(arithmetic="decimal"), "arithmetic"),
+        (lambda c: c.update(symmetry=[[1, 0, 0, 0]]), "symmetry"),
+        (lambda c: c.update(period="two"), "period"),
+        (lambda c: c.update(more=1), "unknown"),
+        (lambda c: c.pop("label"), "missing"),
+        (lambda c: c.update(label=3), "wrong type"),
+    ],
+)
+def test_what_is_no_orbit_is_refused(path: Path, change: Any, match: str) -> None:
+    content = json.loads(path.read_text())
+    change(content)
+    path.write_text(sealed(content))
+    with pytest.raises(InputError, match=match) as caught:
+        nonsmooth.load(path)
+    assert "\n" not in str(caught.value)
+
+
+def test_what_has_not_converged_is_not_saved(tmp_path: Path) -> None:
+    lost = solving.solve(NAME, {"F": "1e-3"}, throw=False)
+    with pytest.raises(InputError, match="not saved"):
+        lost.save(tmp_path / "orbit.json")
+
+
+# --- pictures
+
+
+@pytest.mark.parametrize("kind", ["time", "velocity", "phase", "strip", "multipliers", "all"])
+def test_pictures_of_a_saved_orbit(kind: str, path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    saved_as = path.with_name("solved.json")
+    assert run("solve", NAME, "--save", str(saved_as))[0] == 0
+    target = path.with_suffix(".svg")
+    code, out, _ = run(
+        "plot", str(saved_as), "--kind", kind, "--periods", "2", "--out", str(target)
+    )
+    assert (code, out) == (0, f"{target} written\n")
+    assert target.stat().st_size > 5000
+
+
+def test_what_is_drawn() -> None:
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    from nonsmooth.runtime.present.pictures.composed import composed_figure
+
+    axes = Figure().subplots()
+    orbit().plot("time", axes, periods=2)
+    (line,) = [line for line in axes.lines if line.get_label() == "$x$"]
+    times, positions = line.get_data()
+    assert times[-1] == pytest.approx(2 * orbit().period)
+    motion = orbit().trajectory(2)
+    np.testing.assert_allclose(positions, motion(np.minimum(times, motion.end))[:, 0], atol=1e-9)
+    assert "$d$" in {text.get_text() for text in axes.texts}
+    portrait = composed_figure(orbit(), "phase").axes[0]
+    labels = {line.get_label() for line in portrait.lines}
+    assert "($x$, $x'$)" in labels
+    assert "start" not in labels
+    assert len(composed_figure(orbit(), "all").axes) == 5
+    circle = composed_figure(orbit(), "multipliers").axes[0]
+    (first, *_) = [line for line in circle.lines if "mu_{1}" in str(line.get_label())]
+    assert complex(*(float(part[0]) for part in first.get_data())) == pytest.approx(
+        complex(orbit().multipliers[0])
+    )
+    with pytest.raises(InputError, match="kind"):
+        orbit().plot("map")
+    with pytest.raises(InputError, match="5 Axes"):
+        orbit().plot("all", axes)
+    with pytest.raises(InputError, match="periods"):
+        orbit().plot("time", axes, periods=0)
+
+
+@pytest.mark.compiled
+def test_pictures_of_found_orbits(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    from nonsmooth.runtime.present.pictures.found import found_figure
+
+    data = {"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"}
+    found = nonsmooth.find_orbits(
+        "dry-friction", {**data, "us2": "0.5", "ur2": 1}, 20, transitions=300
+    )
+    assert found.orbits
+    path, target = tmp_path / "found.json", tmp_path / "found.png"
+    found.save(path)
+    code, out, _ = run("plot", str(path), "--json")
+    assert code == 0
+    assert json.loads(out) == {"system": "dry-friction", "kind": "all", "file": str(target)}
+    assert target.read_bytes().startswith(b"\x89PNG")
+    figure = found_figure(found)
+    assert len(figure.axes) == 2 * len(found.orbits)
+    assert f"period {found.orbits[0].period:.6g}" in figure.axes[0].get_title("left")
+    assert len(found_figure(found, "velocity").axes) == len(found.orbits)
+    assert run("plot", str(path), "--kind", "strip")[0] == 2
+    empty = replace(found, orbits=())
+    with pytest.raises(InputError, match="nothing to draw"):
+        found_figure(empty)

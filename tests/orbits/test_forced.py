@@ -1,0 +1,151 @@
+"""Forced systems: orbits at amplitude 1 of the forcing, with the stroboscopic map's multipliers."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.simulation.starting import start_state
+
+ONE = [("free", "stop-reaches-stop")]
+DATA = {"zeta": "0.05", "Omega": 2, "r": "0.8"}
+
+
+@cache
+def impact(second: float = 0.0) -> System:
+    """A damped mass in front of a stop, forced at Omega and, if asked for, at 2 Omega."""
+    zeta = Parameter("zeta", "damping", lower=0, closed=True)
+    speed = Parameter("Omega", "frequency")
+    r = Parameter("r", "restitution", lower=0, upper=1, closed=True, upper_closed=True)
+    forcing = [Harmonic(speed.symbol, cosine=[1])]
+    if second:
+        forcing.append(Harmonic(2 * speed.symbol, cosine=[second]))
+    return oscillator(
+        "forced",
+        ["x"],
+        [[1]],
+        [[1]],
+        [[2 * zeta.symbol]],
+        forcing=forcing,
+        elements=[RigidStop("x", 0, r.symbol, name="stop")],
+        parameters=[zeta, speed, r],
+    )
+
+
+def settled(system: System, data: dict, transitions: int = 800) -> ns.Trajectory:
+    return ns.simulate(system, data, {"x": "-0.5", "v": 0}, transitions=transitions)
+
+
+def test_the_forcing_starts_at_its_maximum_where_nothing_is_said() -> None:
+    structure = structure_of(load_system(impact(0.5)))
+    assert structure.states == ("x", "v", "c1", "s1", "c2", "s2")
+    assert structure.forcing == ((2, 3), (4, 5))
+    assert structure.coordinates == ((0, 1),)
+    np.testing.assert_array_equal(start_state(structure, {"x": -1, "v": 0}), [-1, 0, 1, 0, 1, 0])
+    given = start_state(structure, {"x": -1, "v": 0, "c2": 0, "s2": 1})
+    np.testing.assert_array_equal(given, [-1, 0, 1, 0, 0, 1])
+    with pytest.raises(InputError, match="needs a value for: v"):
+        start_state(structure, {"x": -1})
+
+
+@pytest.mark.parametrize("guided", [False, True])
+def test_an_orbit_is_where_the_motion_settles(guided: bool) -> None:
+    motion = settled(impact(), DATA)
+    period = np.diff(motion.times)[-1]
+    guess = motion.states[-1] if guided else None
+    orbit = ns.compose(impact(), DATA, ONE, [period], guess)
+    assert orbit.converged
+    assert orbit.period == pytest.approx(np.pi, rel=1e-14)
+    np.testing.assert_allclose(orbit.states[0], motion.states[-1], atol=1e-12)
+    assert np.hypot(*orbit.states[0, 2:]) == pytest.approx(1, abs=1e-15)
+    assert orbit.admissibility.verdict is True
+    assert not orbit.family
+
+
+def test_multipliers_are_those_of_the_simulated_stroboscopic_map() -> None:
+    orbit = ns.compose(impact(), DATA, ONE, [3.14])
+    # half a period behind the impact, where no event is near
+    begin = orbit.trajectory()(orbit.period / 2)
+
+    def after(state: np.ndarray) -> np.ndarray:
+        motion = ns.simulate(impact(), DATA, state, until=float(orbit.period))
+        return motion(motion.end)[:2]
+
+    step, columns = 1e-5, []
+    for k in range(2):
+        ahead, back = begin.copy(), begin.copy()
+        ahead[k] += step
+        back[k] -= step
+        columns.append((after(ahead) - after(back)) / (2 * step))
+    matrix = np.array(columns).T
+    wanted = np.sort_complex(np.linalg.eigvals(matrix).astype(complex))
+    np.testing.assert_allclose(np.sort_complex(orbit.multipliers), wanted, atol=1e-7)
+    # areas shrink by damping and by the impact
+    product = 0.8**2 * np.exp(-2 * 0.05 * np.pi)
+    assert np.prod(orbit.multipliers).real == pytest.approx(product, rel=1e-12)
+    assert orbit.trace == pytest.approx(np.trace(matrix), abs=1e-7)
+
+
+def test_many_points_as_one() -> None:
+    speeds = np.array([1.95, 2.0, 2.05])
+    found = ns.compose_many(
+        impact(), ONE, {**DATA, "Omega": speeds, "zeta": 0.05, "r": 0.8}, [3.14], multipliers=True
+    )
+    assert found.converged.all()
+    for k, speed in enumerate(speeds):
+        one = ns.compose(impact(), DATA | {"Omega": speed}, ONE, [2 * np.pi / speed])
+        np.testing.assert_allclose(found.dwell_times[k], one.dwell_times, rtol=1e-13)
+        np.testing.assert_allclose(
+            np.sort_complex(found.multipliers[k]), np.sort_complex(one.multipliers), atol=1e-11
+        )
+        assert found.trace[k] == pytest.approx(one.trace, abs=1e-11)
+
+
+def test_frequencies_keep_the_phase_they_began_with() -> None:
+    """At 2 Omega the second forcing is at c = 1 whenever the first is."""
+    system = impact(0.5)
+    motion = settled(system, DATA)
+    orbit = ns.compose(system, DATA, ONE, [np.diff(motion.times)[-1]])
+    np.testing.assert_allclose(orbit.states[0], motion.states[-1], atol=1e-11)
+    c, s, second, other = orbit.states[0, 2:]
+    assert second == pytest.approx(c * c - s * s, abs=1e-13)
+    assert other == pytest.approx(2 * c * s, abs=1e-13)
+    assert len(orbit.multipliers) == 2
+    precise = ns.compose(system, DATA, ONE, [np.diff(motion.times)[-1]], digits=40)
+    c, s, second, other = precise.states[0, 2:]
+    assert abs(second - (c * c - s * s)) < 1e-38
+    assert abs(precise.period - precise.arithmetic.mp.pi) < 1e-38
+
+
+@pytest.mark.compiled
+def test_both_attractors_are_found() -> None:
+    found = ns.find_orbits(impact(), DATA | {"Omega": "2.6"}, 100)
+    turn = 2 * np.pi / 2.6
+    assert [round(entry.period / turn, 9) for entry in found.orbits if entry.starts] == [1, 3]
+    assert sum(entry.share for entry in found.orbits) == 1
+    np.testing.assert_allclose(np.hypot(found.starts[:, 2], found.starts[:, 3]), 1, atol=1e-15)
+
+
+@pytest.mark.parametrize("digits", [30, 90])
+def test_any_number_of_digits(digits: int) -> None:
+    orbit = ns.compose(impact(), DATA, ONE, [3.14], digits=digits)
+    more = ns.compose(impact(), DATA, ONE, [3.14], digits=digits + 20)
+    for one, other in zip(orbit.states.ravel(), more.states.ravel(), strict=True):
+        assert abs(one - other) <= 10.0**-digits
+    assert abs(orbit.period - orbit.arithmetic.mp.pi) <= 10.0**-digits
+
+
+def test_the_start_of_an_orbit_is_one_of_a_motion() -> None:
+    """At a stop at zero a position is 1e-29: it has no size of its own."""
+    orbit = ns.compose(impact(), DATA, ONE, [3.14])
+    for position in (orbit.states[0, 0], 1e-25, -1e-25):
+        start = [position, *orbit.states[0, 1:]]
+        motion = ns.simulate(impact(), DATA, start, transitions=3)
+        np.testing.assert_allclose(np.diff(motion.times), np.pi, rtol=1e-12)
+    with pytest.raises(InputError, match="beyond stop-reaches-stop"):
+        ns.simulate(impact(), DATA, [1e-9, *orbit.states[0, 1:]], transitions=3)

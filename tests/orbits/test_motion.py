@@ -1,0 +1,226 @@
+"""The motion along an orbit, against integration of the phases' vector fields."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+from scipy.integrate import solve_ivp
+
+import nonsmooth
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import orbit_names
+from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
+from tests.declared import Declared
+
+ORBIT = "dry-friction/global-stick"
+POINTS = [
+    *((name, {}) for name in orbit_names()),
+    (ORBIT, {"chi": "0.6", "eta": "1.2", "V": "0.9"}),
+    (ORBIT, {"eta": "0.8", "e1": "2.5"}),
+    ("elastic-stop/one-contact", {"k3": "1e6"}),
+    ("rigid-stop/one-impact", {"T": "5"}),
+]
+
+
+@cache
+def orbit(name: str = ORBIT, point: int | None = None) -> nonsmooth.Orbit:
+    return nonsmooth.solve(name, {} if point is None else POINTS[point][1])
+
+
+@pytest.fixture
+def motion() -> Motion:
+    return orbit_motion(orbit())
+
+
+@pytest.fixture(params=orbit_names())
+def each(request: pytest.FixtureRequest) -> Motion:
+    """The motion along every orbit."""
+    return orbit_motion(orbit(request.param))
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("point", range(len(POINTS)))
+def test_motion_solves_the_equations_of_each_phase(
+    point: int, backend: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if backend == "c":
+        pytest.importorskip("nonsmooth.generated._kernels")
+    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+    found = orbit(POINTS[point][0], point)
+    motion = orbit_motion(found)
+    for index, piece in enumerate(Declared(found).pieces):
+        assert motion.configurations[index] == piece.configuration
+        begin, end = motion.breaks[index : index + 2]
+        times = np.linspace(begin, end, 40, endpoint=False)
+        start = np.append(motion.starts[index], 1)
+        exact = np.array([piece.flow(t - begin) @ start for t in times])[:, :-1]
+        assert_allclose(motion(times), exact, atol=1e-12 * max(1, np.abs(exact).max()))
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_motion_is_that_of_an_integrator(name: str) -> None:
+    motion, begin = orbit_motion(orbit(name)), 0.0
+    state = np.append(motion.starts[0], 1)
+    for piece, end in zip(Declared(orbit(name)).pieces, motion.breaks[1:], strict=True):
+        times = np.linspace(begin, end, 25, endpoint=False)
+        if end > begin:
+            solution = solve_ivp(
+                lambda _, z, a=piece.field: a @ z,
+                (begin, end),
+                state,
+                method="DOP853",
+                t_eval=[*times, end],
+                rtol=1e-12,
+                atol=1e-13,
+            )
+            assert_allclose(motion(times), solution.y.T[:-1, :-1], atol=1e-10)
+            state = solution.y[:, -1]
+        state, begin = piece.jump @ state, end
+    assert_allclose(state[:-1], motion.starts[0], atol=1e-10)
+
+
+def test_motion_passes_transitions_by_their_resets(each: Motion) -> None:
+    pieces = Declared(orbit(each.name)).pieces
+    for index, time in enumerate(each.breaks):
+        left, here, right = each([np.nextafter(time, -np.inf), time, np.nextafter(time, np.inf)])
+        assert_allclose(right, here, atol=1e-13)
+        jump = pieces[index - 1].jump @ np.append(left, 1)
+        assert_allclose(here, jump[:-1], atol=1e-13)
+        if each.name != "rigid-stop/one-impact":
+            assert_allclose(left, here, atol=1e-13)
+    assert_allclose(each(each.breaks[:-1]), each.starts, atol=1e-13)
+
+
+def test_velocity_is_the_derivative_of_the_position(each: Motion) -> None:
+    motion, step = each, 1e-6
+    lengths = np.diff(motion.breaks)
+    begins = motion.breaks[:-1, None][lengths > 0]
+    times = (begins + lengths[lengths > 0, None] * [0.2, 0.5, 0.8]).ravel()
+    slopes = (motion(times + step) - motion(times - step)) / (2 * step)
+    assert_allclose(slopes[:, :2], motion(times)[:, 2:], atol=1e-8)
+
+
+def test_motion_is_periodic(each: Motion) -> None:
+    # not at an impact, where a rounded time may be on either side
+    motion, times = each, np.linspace(1e-3, each.period - 1e-3, 101)
+    for shift in (-3, -1, 1, 2, 1000):
+        assert_allclose(motion(times + shift * motion.period), motion(times), atol=1e-11)
+    assert_array_equal(motion(motion.period), motion(0))
+    assert_array_equal(motion(-motion.period), motion(0))
+
+
+def test_motion_broadcasts(motion: Motion) -> None:
+    times = np.random.default_rng(1).uniform(-20, 20, (3, 5, 2))
+    states = motion(times)
+    assert states.shape == (3, 5, 2, 4)
+    for index in np.ndindex(times.shape):
+        assert_array_equal(states[index], motion(times[index]))
+    assert motion(1).shape == (4,)
+    assert motion([]).shape == (0, 4)
+    assert motion([1, 2]).dtype == float
+
+
+def test_a_phase_that_takes_no_time_is_passed_over() -> None:
+    motion = orbit_motion(orbit("dry-friction/solution-ii"))
+    assert motion.breaks[:2].tolist() == [0, 0]
+    assert motion.configurations[:2] == ("stick-stick", "slip-stick")
+    assert motion.configuration(0) == "slip-stick"
+    assert_array_equal(motion.starts[0], motion.starts[1])
+    times = np.linspace(0, motion.period, 200)
+    assert "stick-stick" not in motion.configuration(times)
+    samples = motion.sample(100, 2)
+    assert np.isfinite(samples.states).all()
+    assert_allclose(samples.states, motion(samples.times), atol=1e-11)
+
+
+def test_samples_show_the_impact_before_and_behind() -> None:
+    motion = orbit_motion(orbit("rigid-stop/one-impact"))
+    samples = motion.sample(100, 3)
+    twice = np.flatnonzero(np.diff(samples.times) == 0)
+    assert len(twice) == 2
+    u = orbit("rigid-stop/one-impact").unknowns["u"]
+    assert_allclose(samples.states[twice][:, 2], -u, atol=1e-13)
+    assert_allclose(samples.states[twice + 1][:, 2], u, atol=1e-13)
+    still = [0, 1, 3]
+    start = samples.states[[0, 0]][:, still]
+    assert_allclose(samples.states[twice][:, still], start, atol=1e-13)
+
+
+def test_phases_and_configurations(motion: Motion) -> None:
+    assert motion.names == ("z1", "z2", "v1", "v2")
+    assert motion.configurations == ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
+    assert_allclose(np.diff(motion.breaks), list(orbit().dwell_times.values()), atol=1e-15)
+    assert motion.breaks[0] == 0
+    assert motion.period == motion.breaks[-1] == pytest.approx(orbit().period)
+    # at a transition the phase that begins is meant
+    assert_array_equal(motion.phase(motion.breaks), [0, 1, 2, 3, 0])
+    assert motion.phase(np.nextafter(motion.breaks[1], 0)) == 0
+    assert motion.phase(-1e-17) == 3
+    assert motion.configuration(0.5) == "stick-stick"
+    assert isinstance(motion.configuration(0.5), str)
+    names = motion.configuration([[0.5, 2], [-0.1, 4]])
+    assert names.tolist() == [["stick-stick", "slip-stick"], ["stick-slip", "slip-slip"]]
+
+
+@pytest.mark.parametrize("periods", [1, 2, 7])
+def test_samples_have_each_transition_twice(motion: Motion, periods: int) -> None:
+    samples = motion.sample(200, periods)
+    assert samples.times.shape == samples.phases.shape == samples.states.shape[:1]
+    assert samples.times[0] == 0
+    assert samples.times[-1] == pytest.approx(periods * motion.period)
+    steps = np.diff(samples.times)
+    assert (steps >= 0).all()
+    assert steps.max() < 1.1 * motion.period / 200
+    twice = np.flatnonzero(steps == 0)
+    assert len(twice) == 4 * periods - 1
+    assert_array_equal(samples.phases[twice + 1], (samples.phases[twice] + 1) % 4)
+    assert_array_equal(np.setdiff1d(motion.breaks, samples.times), [])
+    assert_allclose(samples.states, motion(samples.times), atol=1e-11)
+
+
+def test_few_samples_keep_starts_and_ends(motion: Motion) -> None:
+    samples = motion.sample(1)
+    assert_array_equal(samples.times, np.repeat(motion.breaks, [1, 2, 2, 2, 1]))
+    assert_array_equal(samples.states[::2], motion.starts)
+    assert_allclose(samples.states[1::2], np.roll(motion.starts, -1, axis=0), atol=1e-13)
+
+
+def test_samples_show_a_jump_before_and_behind(motion: Motion) -> None:
+    starts = motion.starts.copy()
+    starts[2, 2] += 1
+    jumping = Motion(motion.name, motion.parameters, starts, motion.breaks)
+    samples = jumping.sample(50)
+    (place,) = np.flatnonzero((np.diff(samples.times) == 0) & (samples.phases[:-1] == 1))
+    before, behind = samples.states[place : place + 2]
+    assert_allclose(behind - before, [0, 0, 1, 0], atol=1e-13)
+    assert_array_equal(jumping(jumping.breaks[2]), starts[2])
+
+
+def test_motion_of_many_digits_and_of_an_exchange() -> None:
+    found = nonsmooth.solve(ORBIT, unknown=["e1", "e2"], given={"ta": 1, "tau": 2})
+    sharp = nonsmooth.refine(found, 40)
+    for one in (found, sharp):
+        motion = one.motion()
+        assert_allclose(motion.breaks[:3], [0, 1, 3])
+        assert motion.starts.dtype == float
+        assert_allclose(motion(motion.period - 1e-12), motion.starts[0], atol=1e-10)
+
+
+@pytest.mark.parametrize("time", [np.nan, np.inf, [0, -np.inf], "later", [1, None], 1j])
+def test_wrong_times(motion: Motion, time: object) -> None:
+    for ask in (motion, motion.phase, motion.configuration):
+        with pytest.raises(InputError, match="time"):
+            ask(time)
+
+
+@pytest.mark.parametrize("counts", [(0,), (-3,), (2.5,), (True,), (100, 0), (100, "2"), (10**9,)])
+def test_wrong_counts(motion: Motion, counts: tuple[object, ...]) -> None:
+    with pytest.raises(InputError, match=r"not a positive integer|more than \d+ points"):
+        motion.sample(*counts)
+
+
+def test_no_motion_without_an_orbit() -> None:
+    lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
+    with pytest.raises(InputError, match="has no motion: "):
+        lost.motion()

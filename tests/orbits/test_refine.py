@@ -1,0 +1,384 @@
+"""Digits that are true: at twice the precision, by another arithmetic, by another route."""
+
+import threading
+from dataclasses import replace
+from itertools import pairwise
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core import values
+from nonsmooth.runtime.core.arithmetic import Balls, Mpmath
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.values import as_value, parse
+from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
+from nonsmooth.runtime.orbits.refine import refine
+from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.present.report import orbit_json
+from tests.declared import Declared
+
+ORBIT = "dry-friction/global-stick"
+PARAMETERS = ("chi", "eta", "V", "e1", "e2")
+UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
+DWELL_TIMES = UNKNOWNS[2:]
+ARITHMETICS = ("flint", "mpmath")
+
+
+@pytest.fixture(scope="module")
+def orbit():
+    return solve(ORBIT)
+
+
+@pytest.fixture(scope="module")
+def orbits():
+    """Ordinary and exchanged problems with rational and irrational data."""
+    return [
+        solve(ORBIT),
+        solve(ORBIT, {"chi": "2*pi/13", "eta": "1/3 + 1/2", "V": "sqrt(2)/1.3"}),
+        solve(ORBIT, unknown=("e1", "e2"), given={"ta": 1, "tau": 2}),
+        solve(ORBIT, unknown=("chi", "eta"), given={"tau1": "pi/2", "z20": "-27/10"}),
+    ]
+
+
+@pytest.fixture(scope="module")
+def every(orbits):
+    """Those, the other orbits, and an exchange in a border collision."""
+    others = [solve(name) for name in orbit_names() if name != ORBIT]
+    exchange = {"unknown": ["V"], "given": {"e1": "5/2"}}
+    return [*orbits, *others, solve("dry-friction/solution-ii", **exchange)]
+
+
+def error(first, second):
+    """Largest error in units of max(1, |x|), in the arithmetic of the second."""
+    mp = second.arithmetic.mp
+    return max(
+        abs(mp.mpf(x) - second.unknowns[name]) / max(1, abs(second.unknowns[name]))
+        for name, x in first.unknowns.items()
+    )
+
+
+# --- true digits
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+@pytest.mark.parametrize("digits", [1, 16, 50, 200])
+def test_digits_are_true(every, digits, arithmetic):
+    for orbit in every:
+        found = refine(orbit, digits, arithmetic=arithmetic)
+        check = refine(orbit, 2 * digits + 30, arithmetic=arithmetic)
+        assert found.digits == digits
+        assert list(found.unknowns) == list(orbit.unknowns)
+        assert error(found, check) <= mpmath.mpf(10) ** -digits
+        assert abs(found.period - check.period) <= mpmath.mpf(10) ** -digits * check.period
+        assert found.residual < mpmath.mpf(10) ** -digits
+        assert found.given == orbit.given
+        assert found.converged
+
+
+@pytest.mark.parametrize("digits", [5, 40, 120])
+def test_balls_and_mpmath_agree(every, digits):
+    for orbit in every:
+        balls, numbers = (refine(orbit, digits, arithmetic=a) for a in ARITHMETICS)
+        assert error(numbers, balls) <= mpmath.mpf(10) ** -digits
+        assert abs(numbers.trace - balls.trace) <= mpmath.mpf(10) ** -(digits - 3)
+        assert abs(numbers.period - balls.period) <= mpmath.mpf(10) ** -(digits - 2)
+
+
+def test_the_double_precision_orbit_has_the_digits_it_claims(every):
+    for orbit in every:
+        assert 10 <= orbit.digits <= 15
+        assert error(orbit, refine(orbit, 30)) <= mpmath.mpf(10) ** -orbit.digits
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_claimed_digits_are_true_far_from_the_reference(name):
+    """Large states, fast motions and badly conditioned data lower the claim, not the truth."""
+    generator, judged = np.random.default_rng(91), 0
+    for _ in range(30):
+        point = {
+            p.name: generator.uniform(0.05, 0.95) if p.upper else 10 ** generator.uniform(-2, 2)
+            for p in load_orbit(name).parameters
+        }
+        guess = {n: float(x) for n, x in load_orbit(name).table["reference"]["guess"].items()}
+        found = solve(name, point, guess, throw=False)
+        if found.converged and found.digits:
+            assert error(found, refine(found, 30)) <= mpmath.mpf(10) ** -found.digits
+            judged += 1
+    assert judged >= 3
+
+
+def test_refining_again_goes_on_or_back(orbit):
+    precise = refine(orbit, 60)
+    for digits in (20, 150):
+        assert error(refine(precise, digits), refine(orbit, 200)) <= mpmath.mpf(10) ** -digits
+
+
+def test_exchanged_unknowns_keep_what_was_given(orbits):
+    for orbit in orbits[2:]:
+        found = refine(orbit, 60)
+        mp = found.arithmetic.mp
+        for name, value in orbit.given.items():
+            assert abs(found.values[name] - mp.mpf(value.mpf(70))) < mp.mpf(10) ** -65
+        ordinary = solve(
+            ORBIT,
+            {name: found.values[name] for name in PARAMETERS},
+            [float(found.values[name]) for name in UNKNOWNS],
+        )
+        back = refine(ordinary, 50)
+        for name in UNKNOWNS:
+            assert abs(back.values[name] - found.values[name]) < mp.mpf(10) ** -48
+
+
+def test_a_float_means_its_shortest_decimal():
+    as_float, as_text = solve(ORBIT, {"e2": 0.1 + 0.4}), solve(ORBIT, {"e2": "0.5"})
+    one, other = solve(ORBIT, {"chi": 0.45}), solve(ORBIT, {"chi": "0.45"})
+    exact = solve(ORBIT, {"chi": "9/20"})
+    for first, second in ((as_float, as_text), (one, other), (other, exact)):
+        assert refine(first, 60).unknowns == refine(second, 60).unknowns
+    third = refine(solve(ORBIT, {"chi": "1/3"}), 60)
+    rounded = refine(solve(ORBIT, {"chi": 1 / 3}), 60)
+    assert 1e-18 < error(rounded, third) < 1e-14
+
+
+def test_numbers_carry_their_digits_into_arithmetic(orbit):
+    """mpmath numbers round to the precision of the context they come from."""
+    for arithmetic in ARITHMETICS:
+        found = refine(orbit, 80, arithmetic=arithmetic)
+        for number in (*found.unknowns.values(), found.period, found.trace):
+            assert abs(number / 3 * 3 - number) < mpmath.mpf(10) ** -80
+            assert len(str(number)) > 80
+
+
+# --- the derivatives and the stability of a refined orbit
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_orbits_close_under_matrix_exponentials(every, arithmetic):
+    for orbit in every:
+        found = refine(orbit, 60, arithmetic=arithmetic)
+        with mpmath.workdps(80):
+            declared = Declared(found, precise=True)
+            for piece, _, end in declared.steps:
+                assert abs((piece.normal @ end)[0]) < mpmath.mpf(10) ** -58
+            assert mpmath.norm(declared.end - declared.start, mpmath.inf) < mpmath.mpf(10) ** -58
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_the_trace_is_that_of_matrix_exponentials(every, arithmetic):
+    for orbit in every:
+        found = refine(orbit, 50, arithmetic=arithmetic)
+        emitted, jacobian = found.monodromy, found.evaluate("poincare_jacobian")
+        with mpmath.workdps(80):
+            matrix = Declared(found, precise=True).monodromy()
+            size, bound = matrix.rows, mpmath.mpf(10) ** -48
+            # the direction of the motion adds a one to the multipliers of the section
+            trace = sum(matrix[i, i] for i in range(size)) - 1
+            assert abs(mpmath.mpf(found.trace) - trace) < bound
+            assert abs(sum(row[i] for i, row in enumerate(jacobian)) - trace) < bound
+            for i in range(size):
+                for j in range(size):
+                    assert abs(mpmath.mpf(emitted[i][j]) - matrix[i, j]) < bound
+
+
+def test_one_multiplier_is_exactly_zero_and_the_other_is_the_trace(orbits):
+    for orbit in (*orbits, *(refine(o, 50) for o in orbits)):
+        stability = orbit.stability
+        large, zero = stability.multipliers
+        assert stability.rank_one
+        assert (zero.real, zero.imaginary, large.imaginary) == (0, 0, 0)
+        assert large.real == stability.trace == orbit.trace
+        assert stability.margin == 1 - abs(stability.trace)
+        assert stability.verdict == ("stable" if stability.margin > 0 else "unstable")
+
+
+def test_sensitivities_keep_their_digits():
+    base = {"chi": "0.45", "eta": "1.1"}
+    found = refine(solve(ORBIT, base), 40)
+    step = "1e-25"
+    sides = [refine(solve(ORBIT, base | {"eta": f"1.1 {sign} {step}"}), 80) for sign in ("+", "-")]
+    mp = sides[0].arithmetic.mp
+    sensitivity = found.sensitivity("eta")
+    for name in UNKNOWNS:
+        slope = (sides[0].unknowns[name] - sides[1].unknowns[name]) / (2 * mp.mpf(step))
+        assert abs(slope - sensitivity.unknowns[name]) < mp.mpf(10) ** -35
+    for name in ("period", "trace"):
+        slope = (getattr(sides[0], name) - getattr(sides[1], name)) / (2 * mp.mpf(step))
+        assert abs(slope - getattr(sensitivity, name)) < mp.mpf(10) ** -35
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_sensitivities_of_every_orbit(name):
+    """To every parameter: of the unknowns, of the period and, through all of them, of the trace."""
+    found = refine(solve(name), 30)
+    mp = found.arithmetic.mp
+    for parameter, value in found.given.items():
+        step = "1e-20"
+        sides = [
+            refine(solve(name, {parameter: f"({value.text}) {sign} {step}"}), 60) for sign in "+-"
+        ]
+        sensitivity = found.sensitivity(parameter)
+        rates = {**sensitivity.unknowns, "period": sensitivity.period, "trace": sensitivity.trace}
+        for label, rate in rates.items():
+            above, below = (
+                side.unknowns[label] if label in side.unknowns else getattr(side, label)
+                for side in sides
+            )
+            slope = (above - below) / (2 * mp.mpf(step))
+            assert abs(slope - rate) < mp.mpf(10) ** -25 * (1 + abs(rate)), (parameter, label)
+        double = solve(name).sensitivity(parameter)
+        assert float(double.trace) == pytest.approx(float(rates["trace"]), rel=1e-9, abs=1e-9)
+
+
+def test_printed_digits_are_true(every):
+    for orbit in every:
+        short, long = orbit_json(refine(orbit, 30)), orbit_json(refine(orbit, 90))
+        tolerance = mpmath.mpf(10) ** -30
+        with mpmath.workdps(120):
+            pairs = [(short[k], long[k]) for k in ("period", "trace", "margin")]
+            pairs += [(short["unknowns"][k], long["unknowns"][k]) for k in orbit.unknowns]
+            pairs += [(short["parameters"][k], long["parameters"][k]) for k in orbit.given]
+            for text, longer in pairs:
+                size = max(1, abs(mpmath.mpf(longer)))
+                assert abs(mpmath.mpf(text) - mpmath.mpf(longer)) <= tolerance * size
+
+
+# --- convergence
+
+
+def test_newton_converges_quadratically(orbit):
+    """e_(k+1) <= C e_k^2 on the any-arithmetic kernels, from 1e-2 to 1e-600."""
+    kernels, lib = load_orbit(ORBIT), Mpmath(700)
+    exact = refine(orbit, 650)
+    root = [lib.mp.mpf(exact.unknowns[name]) for name in UNKNOWNS]
+    parameters = [lib.number(orbit.given[name]) for name in PARAMETERS]
+    spectrum, _ = kernels.spectrum(parameters, lib)
+    x, errors = [v * (1 + lib.mp.mpf(10) ** -3) for v in root], []
+    for _ in range(9):
+        errors.append(max(abs(a - b) for a, b in zip(x, root, strict=True)))
+        residual, jacobian = kernels.source("residual_and_jacobian")(
+            parameters, spectrum, x, lib=lib
+        )
+        x = [v - s for v, s in zip(x, lib.solve(jacobian, residual), strict=True)]
+    errors = [e for e in errors if e > lib.mp.mpf(10) ** -600]
+    assert len(errors) >= 8
+    pairs = list(pairwise(errors))
+    constants = [float(b / a**2) for a, b in pairs]
+    assert 1e-3 < min(constants) < max(constants) < 100  # order two, no more and no less
+    orders = [float(lib.mp.log(b) / lib.mp.log(a)) for a, b in pairs]
+    assert orders[-1] == pytest.approx(2, abs=0.02)
+
+
+def test_iterations_grow_with_the_logarithm_of_the_digits(orbit):
+    iterations = [refine(orbit, digits).iterations for digits in (100, 400, 1600)]
+    assert np.all(np.diff(iterations) == 2)
+
+
+# --- refusals
+
+
+@pytest.mark.parametrize("digits", [0, -1, True, False, 2.5, 50.0, 10**9, "50", None, float("nan")])
+def test_absurd_digits_are_refused(orbit, digits):
+    with pytest.raises(InputError, match="digits = ") as caught:
+        refine(orbit, digits)
+    assert "\n" not in str(caught.value)
+
+
+def test_an_unknown_arithmetic_is_refused(orbit):
+    with pytest.raises(InputError, match="'float'"):
+        refine(orbit, 20, arithmetic="float")
+
+
+def test_what_has_not_converged_is_not_refined():
+    lost = solve(ORBIT, {"e2": 1e4}, throw=False)
+    with pytest.raises(InputError, match="cannot be refined"):
+        refine(lost, 30)
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_singular_equations_do_not_converge(orbit, arithmetic):
+    # the dwell times fix V, e1, e2 only up to a factor
+    known = {name: as_value(orbit.values[name]) for name in ("chi", "eta", "ta", "tau", "tau1")}
+    unknowns = {n: orbit.values[n] for n in ("z10", "z20", "tau2", "V", "e1", "e2")}
+    with pytest.raises(NoConvergence, match="singular"):
+        refine(replace(orbit, given=known, unknowns=unknowns), 30, arithmetic=arithmetic)
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_a_start_that_is_no_orbit_never_gives_digits(orbit, arithmetic):
+    for factor in (0.5, 0.9, 0.99, 1.5, 1e6):
+        far = replace(orbit, unknowns={n: x * factor for n, x in orbit.unknowns.items()})
+        try:
+            found = refine(far, 30, arithmetic=arithmetic)
+        except NoConvergence:
+            continue
+        assert error(found, refine(orbit, 40)) < mpmath.mpf(10) ** -30
+
+
+# --- nobody else's precision
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+@pytest.mark.parametrize("bits", [24, 53, 2000])
+def test_precision_elsewhere_is_neither_used_nor_changed(orbit, arithmetic, bits):
+    expected = refine(orbit, 70, arithmetic=arithmetic)
+    before = flint.ctx.prec, mpmath.mp.prec
+    try:
+        flint.ctx.prec = mpmath.mp.prec = bits
+        found = refine(orbit, 70, arithmetic=arithmetic)
+        assert (flint.ctx.prec, mpmath.mp.prec) == (bits, bits)
+        for name, x in found.unknowns.items():
+            assert x._mpf_ == expected.unknowns[name]._mpf_
+        assert found.trace._mpf_ == expected.trace._mpf_
+        with pytest.raises(NoConvergence):
+            refine(replace(orbit, unknowns=dict.fromkeys(UNKNOWNS, 1.0)), 30)
+        assert (flint.ctx.prec, mpmath.mp.prec) == (bits, bits)
+    finally:
+        flint.ctx.prec, mpmath.mp.prec = before
+
+
+def test_threads_may_refine_to_different_digits(orbits):
+    expected = {d: refine(orbits[0], d + 20) for d in (20, 90, 400)}
+    wrong = []
+
+    def work(digits):
+        for _ in range(15):
+            found = refine(orbits[0], digits)
+            if not error(found, expected[digits]) <= mpmath.mpf(10) ** -digits:
+                wrong.append(digits)
+
+    threads = [threading.Thread(target=work, args=(digits,)) for digits in expected]
+    before = flint.ctx.prec
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+    assert flint.ctx.prec == before
+
+
+def test_evaluating_a_value_leaves_balls_of_other_threads_alone(monkeypatch):
+    inside, leave = threading.Event(), threading.Event()
+    evaluate = values._evaluate
+
+    def slow(*arguments):
+        inside.set()
+        leave.wait(0.5)
+        return evaluate(*arguments)
+
+    number = parse("2*pi/13")
+    monkeypatch.setattr(values, "_evaluate", slow)
+    other = threading.Thread(target=number.ball, args=(64,))
+    before = flint.ctx.prec
+    other.start()
+    try:
+        assert inside.wait(5)
+        with Balls().working(300):
+            leave.set()
+            other.join()
+            assert flint.ctx.prec == 300
+    finally:
+        leave.set()
+        other.join()
+        flint.ctx.prec = before

@@ -1,0 +1,384 @@
+"""Orbits that are periodic up to a shift, against closed forms and direct integration."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
+from nonsmooth.derive.translation import moves_freely
+from nonsmooth.runtime.core.arithmetic import Mpmath
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.proof.closure import exact_translations
+from nonsmooth.runtime.proof.exact_tables import exact_tables
+from nonsmooth.runtime.shooting.translations import projection_along, translations_of
+from tests.places import GALLERY
+
+GEAR = str(GALLERY / "backlash_gear.py")
+u, e, V, k, g, r, A, w, i, c = sp.symbols("u e V k g r A w i c")
+
+# a sled on rough ground, pulled by a spring whose end moves at V in the end
+SLED = oscillator(
+    "sled",
+    ["x", "y"],
+    mass=[[1, 0], [0, 1]],
+    stiffness=[[1, -1], [0, 0]],
+    damping=[[0, 0], [0, 1]],
+    load=[0, V],
+    elements=[Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")],
+)
+PULLED = {"u": "1", "e": "0.3", "V": "0.5"}
+# a box on rough ground, moved by a mass in it that strikes its wall
+CAPSULE = oscillator(
+    "capsule",
+    ["x", "y"],
+    mass=[[2, 0], [0, 1]],
+    stiffness=[[k, -k], [-k, k]],
+    damping=[[c, -c], [-c, c]],
+    forcing=[Harmonic(w, cosine=[-A, A])],
+    elements=[
+        Friction("x", kinetic=u, static=u, velocity=0, name="ground"),
+        RigidStop({"y": 1, "x": -1}, at=g, restitution=r, name="wall"),
+    ],
+)
+SHAKEN = {"A": 1, "w": 1, "u": "0.3", "k": "0.5", "g": "0.5", "r": "0.5", "c": "0.1"}
+# two wheels that turn in the ratio i, with a backlash between their teeth
+GEARED = oscillator(
+    "geared",
+    ["x", "y"],
+    mass=[[1, 0], [0, 2]],
+    stiffness=[[0, 0], [0, 0]],
+    damping=[[c, 0], [0, c]],
+    elements=[RigidStop({"x": 1, "y": -i}, at=g, restitution=r, name="tooth")],
+)
+
+
+@cache
+def sled() -> Any:
+    motion = ns.simulate(SLED, PULLED, [0, 1, 0, 0.4], transitions=40)
+    return ns.compose(SLED, PULLED, *ns.itinerary_of(motion))
+
+
+@cache
+def capsule() -> Any:
+    motion = ns.simulate(CAPSULE, SHAKEN, [0, 0, 0, 0, 1, 0], transitions=800)
+    return ns.compose(CAPSULE, SHAKEN, *ns.itinerary_of(motion))
+
+
+@cache
+def gear(**changed: str) -> Any:
+    return ns.solve(f"{GEAR}:rattle", changed)
+
+
+# --- directions
+
+
+@pytest.mark.parametrize("name", ["rigid-stop", "elastic-stop"])
+def test_a_system_on_springs_moves_in_no_direction(name):
+    kernels = load_system(name)
+    point = dict.fromkeys((p.name for p in kernels.parameters), "0.7")
+    assert translations_of(piecewise(kernels, point)).shape == (0, 4)
+
+
+@pytest.mark.parametrize("ratio", ["2", "1/3", "0.7"])
+def test_the_direction_is_the_same_in_every_arithmetic(ratio):
+    kernels = load_system(GEARED)
+    point = {"c": "0.1", "g": "0.2", "r": "0.5", "i": ratio}
+    (floats,) = translations_of(piecewise(kernels, point))
+    wanted = [1, 1 / float(sp.Rational(ratio)), 0, 0]
+    np.testing.assert_allclose(floats, wanted, rtol=1e-15)
+    lib = Mpmath(40)
+    with lib.working(40):
+        (precise,) = translations_of(piecewise_in(kernels, point, lib))
+        assert abs(precise[1] * sp.Rational(ratio).p - sp.Rational(ratio).q) < 1e-38
+    values = tuple(piecewise(kernels, point).parameters.values())
+    tables = exact_tables(kernels, values, 128)
+    (exact,) = exact_translations(tables, structure_of(kernels), [floats.tolist()])
+    assert [str(x) for x in exact] == ["1", str(1 / sp.Rational(ratio)), "0", "0"]
+
+
+def test_a_projection_moves_along_the_directions_alone():
+    directions = np.array([[1.0, 0, 2, -1], [0, 1, 3, 0]])
+    found = projection_along(directions)
+    np.testing.assert_allclose(found @ found, found)
+    np.testing.assert_allclose(found @ directions.T, 0)
+    assert not found[:2].any()
+
+
+def test_the_declaration_tells_the_same():
+    assert moves_freely(SLED)
+    assert moves_freely(GEARED)
+    wall = RigidStop("x", at=g, restitution=r)
+    held = oscillator("held", ["x"], mass=[[1]], stiffness=[[0]], elements=[wall])
+    assert not moves_freely(held)
+    point = {"g": "0.3", "r": "0.5"}
+    assert not len(translations_of(piecewise(load_system(held), point)))
+
+
+# --- orbits
+
+
+def test_a_pulled_sled_is_den_hartogs_mass_on_a_belt():
+    orbit = sled()
+    period = 2 * math.pi - 2 * math.atan(0.3 / 0.5) + 2 * 0.3 / 0.5
+    assert orbit.period == pytest.approx(period, abs=1e-13)
+    assert orbit.shift == pytest.approx({"x": period / 2, "y": period / 2, "v": 0, "v_y": 0})
+    first, second, *rest = orbit.stability.multipliers
+    assert all(m.real == m.imaginary == 0 for m in rest)
+    assert (first.real, first.trivial) == (1, True)
+    assert second.real == pytest.approx(math.exp(-period), rel=1e-10)
+    assert orbit.trace == pytest.approx(1 + math.exp(-period))
+    assert (orbit.stability.verdict, orbit.admissibility.verdict) == ("stable", True)
+    precise = orbit.refined(40)
+    assert abs(precise.shift["x"] - precise.period / 2) < 1e-38
+
+
+def test_where_the_guess_lies_along_the_direction_does_not_matter():
+    orbit = gear()
+    data = {name: value.text for name, value in orbit.parameters.items()}
+    moved = orbit.states[0] + [7, 7, 0, 0, 0, 0]
+    again = ns.compose(GEAR, data, orbit.itinerary, orbit.dwell_times * 1.001, moved)
+    np.testing.assert_allclose(again.dwell_times, orbit.dwell_times, rtol=1e-10)
+    np.testing.assert_allclose(again.states[0], orbit.states[0], atol=1e-9)
+    assert again.states[0, 0] == 0
+
+
+def gear_field(data: dict[str, float]) -> Any:
+    def field(time: float, y: np.ndarray) -> np.ndarray:
+        gap = y[0] - y[1]
+        teeth = data["k"] * (max(gap - data["b"], 0) + min(gap + data["b"], 0))
+        torque = data["M"] + data["A"] * y[5] - data["c"] * y[2]
+        turn = data["w"] * np.array([-y[5], y[4]])
+        return np.array([y[2], y[3], torque - teeth, (teeth - data["d"] * y[3]) / data["J"], *turn])
+
+    return field
+
+
+def test_the_gear_turns_by_the_mean_torque_and_comes_back_by_direct_integration():
+    orbit = gear()
+    data = {name: float(value) for name, value in orbit.parameters.items()}
+    period = 4 * math.pi / data["w"]
+    turn = data["M"] * period / (data["c"] + data["d"])
+    assert orbit.period == pytest.approx(period, abs=1e-11)
+    assert orbit.shift == pytest.approx(
+        {"x1": turn, "x2": turn, "v1": 0, "v2": 0, "c1": 0, "s1": 0}, abs=1e-9
+    )
+    options = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12, "max_step": 0.02}
+
+    def behind(state: np.ndarray) -> np.ndarray:
+        return solve_ivp(gear_field(data), (0, period), state, **options).y[:, -1]
+
+    start = orbit.states[0]
+    end = behind(start)
+    np.testing.assert_allclose(end - start, [turn, turn, 0, 0, 0, 0], atol=2e-8)
+    # multipliers of the return map at a fixed phase, by differences
+    step = 1e-7
+
+    def returned(state: np.ndarray) -> np.ndarray:
+        return ns.simulate(GEAR, data, state, until=period)([period])[0, :4]
+
+    columns = [returned(start + step * d) - returned(start - step * d) for d in np.eye(6)[:4]]
+    values = np.linalg.eigvals(np.array(columns).T / (2 * step))
+    found = sorted(orbit.multipliers, key=lambda m: (m.real, m.imag))
+    np.testing.assert_allclose(sorted(values, key=lambda m: (m.real, m.imag)), found, atol=2e-4)
+    assert np.prod(found).real == pytest.approx(
+        math.exp(-(data["c"] + data["d"] / data["J"]) * period), rel=1e-8
+    )
+
+
+def test_a_capsule_moves_on_as_it_does_when_it_is_simulated():
+    orbit = capsule()
+    assert orbit.stability.verdict == "stable"
+    assert orbit.admissibility.verdict is True
+    name = orbit.itinerary[0][0]
+    motion = ns.simulate(
+        CAPSULE, SHAKEN, orbit.states[0], configuration=name, until=3 * orbit.period * (1 - 1e-12)
+    )
+    moved = motion([3 * orbit.period * (1 - 1e-12)])[0] - orbit.states[0]
+    shift = list(orbit.shift.values())
+    assert shift[0] == pytest.approx(shift[1], abs=1e-12)
+    assert abs(shift[0]) > 0.01
+    np.testing.assert_allclose(moved[:2], 3 * np.array(shift[:2]), atol=1e-8)
+    drawn = orbit.trajectory(3)
+    np.testing.assert_allclose(drawn.states[-1] - drawn.states[0], 3 * np.array(shift), atol=1e-12)
+
+
+def test_orbits_are_found_up_to_their_shift():
+    found = ns.find_orbits(SLED, PULLED, 10, transitions=200, seed=0)
+    (entry,) = found.orbits
+    assert entry.period == pytest.approx(sled().period, abs=1e-12)
+    assert entry.starts > 5
+
+
+@pytest.mark.parametrize(("damper", "outcome"), [("0", Outcome.FAMILY), ("0.3", Outcome.DRIFTING)])
+def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outcome):
+    dragged = replace(SLED, name="dragged")
+    if damper != "0":
+        dragged = oscillator(
+            "dragged",
+            ["x", "y"],
+            mass=[[1, 0], [0, 1]],
+            stiffness=[[1, -1], [0, 0]],
+            damping=[[c, -c], [0, 1]],
+            load=[0, V],
+            elements=[Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")],
+        )
+    data = PULLED if damper == "0" else {**PULLED, "c": damper}
+    found = ns.find_orbits(dragged, data, 30, transitions=100, seed=0)
+    sliding = found.starts[found.labels == outcome]
+    assert set(found.outcomes) == {outcome}
+    assert len(sliding) == 30 - sum(entry.starts for entry in found.orbits) > 0
+    speeds = []
+    for start in sliding:
+        later = ns.simulate(dragged, data, start, until=400)(np.linspace(200, 400, 500))[:, 2]
+        assert later.min() > 0
+        assert later.mean() == pytest.approx(0.5, abs=0.02)
+        speeds.append(np.ptp(later))
+    assert (max(speeds) > 0.1) == (outcome == Outcome.FAMILY)
+
+
+def test_many_points_at_once_give_the_same():
+    orbit = gear()
+    data = {name: float(value) for name, value in orbit.parameters.items()}
+    many = ns.compose_many(
+        GEAR,
+        orbit.itinerary,
+        {**data, "M": [0.3, 0.31]},
+        orbit.dwell_times,
+        orbit.states[0],
+        multipliers=True,
+    )
+    other = gear(M="0.31")
+    for place, one in enumerate((orbit, other)):
+        np.testing.assert_allclose(many.dwell_times[place], one.dwell_times, rtol=1e-9)
+        np.testing.assert_allclose(many.multipliers[place], one.multipliers, atol=1e-8)
+        assert many.trace[place] == pytest.approx(one.trace, abs=1e-8)
+
+
+def test_a_branch_of_them_is_followed():
+    branch = ns.continue_orbit(gear(), "M", (0.295, 0.305), step=0.2)
+    assert branch.ends == ("end of the interval", "end of the interval")
+    np.testing.assert_allclose(branch.period, 4 * math.pi, rtol=1e-9)
+
+
+def test_they_are_saved_and_solved_again(tmp_path):
+    path = tmp_path / "gear.json"
+    gear().refined(30).save(path)
+    again = ns.load(path)
+    assert abs(again.shift["x1"] - 8 * math.pi) < 1e-14
+    moved = ns.solve(str(path), {"M": "0.32"})
+    assert moved.shift["x1"] == pytest.approx(0.32 / 0.3 * 8 * math.pi, rel=1e-10)
+    content = json.loads(path.read_text())
+    content["phases"][0]["start"][1] = "-0.11"
+    content["sha256"] = checksum_of(content)
+    path.write_text(json.dumps(content))
+    with pytest.raises(ns.InputError, match="not a solution"):
+        ns.load(path)
+
+
+def test_an_itinerary_that_is_declared_is_composed():
+    period = {"ts": "1.2", "tau": "5.2", "x": "0", "y": "1.3", "v": "0", "v_y": "0.5"}
+    phases = [
+        ("overshoot", "ground-reaches-belt", "tau"),
+        ("stick", "ground-breaks-backward", "ts"),
+    ]
+    orbit = Itinerary("pulled", SLED, phases, reference=Reference(PULLED, period))
+    assert ns.solve(orbit).period == pytest.approx(sled().period, abs=1e-12)
+
+
+def test_the_report_tells_the_shift():
+    told = gear().to_json()
+    assert list(told["shift"]) == ["x1", "x2"]
+    assert float(told["shift"]["x1"]) == pytest.approx(8 * math.pi)
+    assert "shift" not in ns.solve("dry-friction/global-stick").to_json()
+
+
+def test_a_symmetry_closes_half_of_a_motion_on_open_ground():
+    shaken = oscillator(
+        "shaken",
+        ["x", "y"],
+        mass=[[2, 0], [0, 1]],
+        stiffness=[[k, -k], [-k, k]],
+        damping=[[c, -c], [-c, c]],
+        forcing=[Harmonic(w, cosine=[-A, A])],
+        elements=[Friction("x", kinetic=u, static=u, velocity=0, name="ground")],
+    )
+    data = {name: SHAKEN[name] for name in ("A", "w", "u", "k", "c")}
+    motion = ns.simulate(shaken, data, [0, 0, 0, 0, 1, 0], transitions=400)
+    phases, dwell, start = ns.itinerary_of(motion)
+    whole = ns.compose(shaken, data, phases, dwell, start)
+    mirror = {name: f"-{name}" for name in ("x", "y", "v", "v_y", "c1", "s1")}
+    half = ns.compose(shaken, data, phases[:1], dwell[:1], start, symmetry=mirror)
+    assert whole.converged
+    assert half.converged
+    assert list(half.shift.values()) == pytest.approx([0] * 6, abs=1e-12)
+    np.testing.assert_allclose(half.dwell_times, whole.dwell_times, atol=1e-11)
+    np.testing.assert_allclose(half.states[:, 1:], whole.states[:, 1:], atol=1e-9)
+    np.testing.assert_allclose(half.multipliers, whole.multipliers, atol=1e-9)
+
+
+# --- proofs
+
+
+@pytest.mark.parametrize("orbit", [sled, gear])
+def test_they_are_proved_and_proved_again(tmp_path, orbit):
+    found = orbit()
+    certificate = ns.certify(found, 96)
+    assert set(certificate.claims.values()) == {"proved"}
+    assert (
+        certificate.trace.contains(repr(float(found.refined(25).trace)))
+        or abs(float(certificate.trace.mid) - float(found.trace)) < 1e-9
+    )
+    path = tmp_path / "proof.json"
+    certificate.save(path)
+    assert ns.check_certificate(path).certificate is not None
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda rows: rows[:0],
+        lambda rows: [*rows, *rows],
+        lambda rows: [["1", "0", "0", "0"]],
+        lambda rows: [["1", "1", "0", "1"]],
+        lambda rows: [*rows, ["0", "0", "1", "0"]],
+        lambda rows: [row[:-1] for row in rows],
+        lambda rows: [["0", "0", "0", "0"]],
+    ],
+)
+def test_another_direction_is_refused(tmp_path, change):
+    path = tmp_path / "proof.json"
+    ns.certify(sled(), 64).save(path)
+    content = json.loads(path.read_text())
+    content["closing"]["translations"] = change(content["closing"]["translations"])
+    content["sha256"] = checksum_of(content)
+    path.write_text(json.dumps(content))
+    assert ns.check_certificate(path).certificate is None
+
+
+def test_a_box_of_parameters_is_proved_and_proved_again(tmp_path):
+    # the spring's end moves at V, whatever V is: its speed spans an interval and does not change
+    found = ns.certify_box(sled(), {"V": ("0.499", "0.501")}, tiles=20)
+    assert found.proved
+    found.save(path := tmp_path / "box.json")
+    assert ns.check_certificate(path).certificate is not None
+    assert found.enclosures["tau1"].lower < sled().dwell_times[0] < found.enclosures["tau1"].upper
+
+
+def test_what_does_not_return_is_not_counted():
+    orbit = sled()
+    with pytest.raises(ns.InputError, match="up to a shift"):
+        ns.certify_all(SLED, PULLED, {"tau1": (1, 9), "tau2": (1, 9)}, itinerary=orbit.itinerary)

@@ -1,0 +1,524 @@
+"""One orbit at one point, against the paper's equations composed with matrix exponentials."""
+
+import math
+from itertools import combinations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.linalg import expm
+from scipy.optimize import root
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.model.kernels import backend, load_orbit
+from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.orbit import STATUS
+from nonsmooth.runtime.orbits.solve import search, solve
+from nonsmooth.runtime.shooting.newton import CONVERGED, solve_reduced
+
+ORBIT = "dry-friction/global-stick"
+PARAMETERS = ("chi", "eta", "V", "e1", "e2")
+UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
+DWELL_TIMES = UNKNOWNS[2:]
+REFERENCE = {"chi": 0.5, "eta": 1.0, "V": 1.0, "e1": 3.0195, "e2": 0.4831}
+PRINTED = {"z10": 1.1838, "z20": -2.6715, "ta": 1.0, "tau": 2.0, "tau1": 1.568, "tau2": 3.28}
+LOWER, UPPER = np.array([0.3, 0.6, 0.7, 2.3, 0.3]), np.array([0.7, 1.6, 1.3, 3.8, 0.9])
+
+
+def flow(chi, eta, first_slips, second_slips, time):
+    """Flow in z = x - d of (6), (7), (8) or (9): each mass accelerates only where it slips."""
+    generator = np.zeros((4, 4))
+    generator[:2, 2:] = np.eye(2)
+    if first_slips:
+        generator[2, :2] = -1, chi
+    if second_slips:
+        generator[3, :2] = chi * eta, -chi * eta
+    return expm(generator * time)
+
+
+def states(values):
+    """Z at the start and after each of the four phases: (10), (13), (15), (17)."""
+    chi, eta, speed = values["chi"], values["eta"], values["V"]
+    chain = [np.array([values["z10"], values["z20"], speed, speed])]
+    slips = ((False, False), (True, False), (True, True), (False, True))
+    for (first, second), name in zip(slips, DWELL_TIMES, strict=True):
+        chain.append(flow(chi, eta, first, second, values[name]) @ chain[-1])
+    return np.array(chain)
+
+
+def equations(values):
+    """The paper's (12), (14), (16) and (18)."""
+    start, a, c, d, end = states(values)
+    return np.array(
+        [
+            a[0] - values["chi"] * a[1] - values["e1"],
+            values["chi"] * (c[1] - c[0]) - values["e2"],
+            d[2] - values["V"],
+            end[3] - values["V"],
+            end[0] - start[0],
+            end[1] - start[1],
+        ]
+    )
+
+
+def jacobian(values, names):
+    """Central differences of the equations above."""
+    columns = []
+    for name in names:
+        step = 1e-6 * max(abs(values[name]), 1)
+        above, below = values | {name: values[name] + step}, values | {name: values[name] - step}
+        columns.append((equations(above) - equations(below)) / (2 * step))
+    return np.array(columns).T
+
+
+def scaled_condition(matrix):
+    scaled = matrix / np.abs(matrix).max(axis=1, keepdims=True)
+    return np.linalg.cond(scaled / np.abs(scaled).max(axis=0, keepdims=True))
+
+
+def random_points(seed, count):
+    return LOWER + (UPPER - LOWER) * np.random.default_rng(seed).random((count, 5))
+
+
+def named(point):
+    return dict(zip(PARAMETERS, map(float, point), strict=True))
+
+
+def admissible_orbits(seed, count):
+    orbits = (solve(ORBIT, named(p), throw=False) for p in random_points(seed, 4 * count))
+    return [o for o in orbits if o.converged and o.admissibility.verdict is not False][:count]
+
+
+@pytest.fixture(scope="module")
+def reference():
+    return solve(ORBIT)
+
+
+@pytest.fixture(scope="module")
+def orbits():
+    return admissible_orbits(seed=1, count=15)
+
+
+def test_the_equations_of_the_paper_hold(orbits):
+    for orbit in orbits:
+        assert np.abs(equations(orbit.values)).max() < 1e-12
+        assert orbit.residual < 1e-12
+        assert orbit.residual >= np.abs(equations(orbit.values)).max() - 1e-12
+
+
+def test_a_wrong_unknown_has_a_residual(reference):
+    for name in UNKNOWNS:
+        wrong = reference.values | {name: reference.values[name] + 1e-6}
+        assert np.abs(equations(wrong)).max() > 1e-7
+
+
+def test_states_are_those_at_the_boundaries(orbits):
+    for orbit in orbits:
+        found, speed = orbit.states, orbit.values["V"]
+        assert_allclose(found, states(orbit.values), atol=1e-12)
+        assert_allclose(found[-1], found[0], atol=1e-12)
+        sticking = np.array([[1, 1], [1, 1], [0, 1], [1, 0], [1, 1]], dtype=bool)
+        assert_allclose(found[:, 2:][sticking], speed, atol=1e-12)
+        assert np.all(found[:, 2:][~sticking] < speed)
+
+
+def test_the_period_is_the_sum_of_the_dwell_times(orbits):
+    for orbit in orbits:
+        assert set(orbit.dwell_times) == set(DWELL_TIMES)
+        assert orbit.period == pytest.approx(math.fsum(orbit.values[n] for n in DWELL_TIMES))
+        assert min(orbit.dwell_times.values()) > 0
+
+
+def test_the_orbit_does_not_depend_on_the_guess(reference):
+    generator = np.random.default_rng(2)
+    expected = np.array([reference.unknowns[name] for name in UNKNOWNS])
+    for factors in generator.uniform(0.9, 1.1, (30, 6)):
+        guess = expected * factors
+        by_order = solve(ORBIT, guess=guess)
+        by_name = solve(ORBIT, guess=dict(zip(UNKNOWNS, map(float, guess), strict=True)))
+        assert by_order.unknowns == by_name.unknowns
+        assert_allclose([by_order.unknowns[n] for n in UNKNOWNS], expected, atol=1e-12)
+
+
+def test_digits_bound_the_error(orbits):
+    for orbit in orbits:
+        names = list(orbit.unknowns)
+        solution = root(
+            lambda x, o=orbit, n=names: equations(o.values | dict(zip(n, x, strict=True))),
+            list(orbit.unknowns.values()),
+            tol=1e-14,
+        ).x
+        found = np.array(list(orbit.unknowns.values()))
+        error = np.abs(found - solution) / np.maximum(np.abs(found), 1)
+        assert orbit.digits >= 10
+        assert error.max() <= 10.0**-orbit.digits + 1e-12  # the other route's own error
+
+
+def test_scipy_on_matrix_exponentials_finds_the_same_orbit():
+    for orbit in admissible_orbits(seed=3, count=6):
+        start = [orbit.unknowns[name] * 1.02 for name in UNKNOWNS]
+        found = root(
+            lambda x, o=orbit: equations(o.values | dict(zip(UNKNOWNS, x, strict=True))),
+            start,
+            tol=1e-13,
+        )
+        assert found.success
+        assert_allclose(found.x, [orbit.unknowns[n] for n in UNKNOWNS], rtol=1e-9)
+
+
+def test_an_exact_parameter_is_taken_as_written():
+    for text, number in (("1/3", 1 / 3), ("2*pi/13", 2 * math.pi / 13), (" 0.45 ", 0.45)):
+        orbit = solve(ORBIT, {"chi": text})
+        assert orbit.values["chi"] == pytest.approx(number, rel=3e-16)
+        assert_allclose(
+            list(orbit.unknowns.values()), list(solve(ORBIT, {"chi": number}).unknowns.values())
+        )
+
+
+# --- the paper's numbers (misprint 5)
+
+
+def test_the_printed_orbit_meets_the_switching_conditions_but_does_not_close():
+    residual = np.abs(equations(REFERENCE | PRINTED))
+    assert residual[:4].max() < 2e-4
+    assert 1e-2 < residual[4:].max() < 3e-2
+
+
+def test_the_orbit_of_the_printed_forces(reference):
+    difference = {name: abs(reference.unknowns[name] - PRINTED[name]) for name in UNKNOWNS}
+    assert max(difference[name] for name in ("tau", "tau1", "tau2")) < 1e-3
+    assert all(1e-2 < difference[name] < 3e-2 for name in ("ta", "z10", "z20"))
+
+
+def test_the_orbit_of_the_printed_dwell_times():
+    orbit = solve(ORBIT, unknown=("e1", "e2"), given={"ta": 1, "tau": 2})
+    assert set(orbit.given) == {"chi", "eta", "V", "ta", "tau"}
+    assert (orbit.values["ta"], orbit.values["tau"]) == (1.0, 2.0)
+    assert np.abs(equations(orbit.values)).max() < 1e-13
+    assert 1e-3 < abs(orbit.unknowns["e1"] / 3.0195 - 1) < 1e-2
+    assert 1e-3 < abs(orbit.unknowns["e2"] / 0.4831 - 1) < 1e-2
+    assert orbit.unknowns["tau2"] == pytest.approx(3.28, abs=1e-3)
+    names = list(orbit.unknowns)
+    found = root(
+        lambda x: equations(orbit.values | dict(zip(names, x, strict=True))),
+        [(REFERENCE | PRINTED)[name] for name in names],
+        tol=1e-13,
+    )
+    assert_allclose(found.x, list(orbit.unknowns.values()), rtol=1e-10)
+
+
+# --- exchange of parameters and unknowns
+
+EXCHANGES = [
+    (swapped, fixed)
+    for size in (1, 2)
+    for swapped in combinations(PARAMETERS, size)
+    for fixed in combinations(UNKNOWNS, size)
+]
+# F(z, times, V, e) is homogeneous of degree one in z, V, e1, e2: given the times alone, no
+# more than their ratios follow.
+SINGULAR = [(("V", "e1", "e2"), fixed) for fixed in combinations(DWELL_TIMES, 3)] + [
+    ((p, "V", "e1", "e2"), DWELL_TIMES) for p in ("chi", "eta")
+]
+LARGER = [
+    (swapped, fixed)
+    for swapped in combinations(PARAMETERS, 3)
+    for fixed in combinations(UNKNOWNS, 3)
+]
+
+
+def exchanged(orbit, swapped, fixed, factor=1.0):
+    given = {name: orbit.unknowns[name] * factor for name in fixed}
+    return solve(ORBIT, unknown=swapped, given=given)
+
+
+@pytest.mark.parametrize("swapped", sorted({s for s, _ in EXCHANGES}), ids="-".join)
+def test_every_parameter_and_pair_can_be_exchanged(reference, swapped):
+    for fixed in [f for s, f in EXCHANGES if s == swapped]:
+        orbit = exchanged(reference, swapped, fixed, 1 + 1e-4)
+        assert set(orbit.unknowns) == {*UNKNOWNS, *swapped} - {*fixed}
+        assert set(orbit.given) == {*PARAMETERS, *fixed} - {*swapped}
+        assert np.abs(equations(orbit.values)).max() < 1e-12
+        ordinary = solve(
+            ORBIT,
+            {name: orbit.values[name] for name in PARAMETERS},
+            guess=[orbit.values[name] for name in UNKNOWNS],
+        )
+        assert_allclose(
+            [ordinary.values[n] for n in UNKNOWNS],
+            [orbit.values[n] for n in UNKNOWNS],
+            atol=1e-9,
+        )
+
+
+@pytest.mark.parametrize("factor", [1.0, 1 + 1e-4])
+def test_an_exchange_is_refused_exactly_where_the_equations_are_singular(reference, factor):
+    names = [*UNKNOWNS, *PARAMETERS]
+    matrix = jacobian(reference.values, names)
+    refused, singular = {}, set()
+    for swapped, fixed in EXCHANGES + LARGER + SINGULAR[4:]:
+        kept = [n for n in names if n not in fixed and (n in UNKNOWNS or n in swapped)]
+        condition = scaled_condition(matrix[:, [names.index(n) for n in kept]])
+        assert condition < 1e5 or condition > 1e8  # differences tell them apart
+        if condition > 1e8:
+            singular.add((swapped, fixed))
+        try:
+            exchanged(reference, swapped, fixed, factor)
+        except InputError as error:
+            refused[swapped, fixed] = str(error)
+        except NoConvergence:
+            assert factor != 1  # a badly conditioned choice may have no orbit that near
+    assert set(refused) == singular == set(SINGULAR)
+    for text in refused.values():
+        assert "do not determine" in text
+        assert float(text.partition("condition number ")[2]) > 1e12
+
+
+def test_the_guess_serves_an_exchange_too(reference):
+    orbit = solve(
+        ORBIT,
+        {"eta": 1.1},
+        guess=[reference.unknowns[name] for name in UNKNOWNS],
+        unknown=["V"],
+        given={"tau1": "157/100"},
+    )
+    assert orbit.values["tau1"] == 1.57
+    assert np.abs(equations(orbit.values)).max() < 1e-12
+
+
+def test_far_given_values_are_approached_in_steps(reference):
+    for time in (0.05, 3.0, 10.0):
+        orbit = solve(ORBIT, unknown=("e1",), given={"ta": time})
+        assert orbit.dwell_times["ta"] == time
+        assert np.abs(equations(orbit.values)).max() < 1e-11
+
+
+def test_a_parameter_found_outside_its_domain_is_no_orbit():
+    # the only solutions there have e2 < 0
+    for swapped, given in ((("e2",), {"tau": 1}), (("e1", "e2"), {"ta": 0.3, "tau": 0.5})):
+        orbit = solve(ORBIT, unknown=swapped, given=given, throw=False)
+        assert orbit.unknowns["e2"] < 0
+        assert not orbit.converged
+        assert "outside its domain" in orbit.message
+        with pytest.raises(NoConvergence, match="outside its domain"):
+            solve(ORBIT, unknown=swapped, given=given)
+
+
+def test_a_given_dwell_time_that_is_not_positive_is_no_orbit():
+    for time in (0, -1):
+        orbit = solve(ORBIT, unknown=("e1",), given={"ta": time}, throw=False)
+        assert not orbit.converged
+        assert "dwell time is not positive" in orbit.message
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        ({"unknown": ("e3",), "given": {"ta": 1}}, "'e3'.*did you mean 'e[12]'"),
+        ({"unknown": ("e1",), "given": {"tao": 1}}, "'tao'.*did you mean 'ta'"),
+        ({"unknown": ("e1",), "given": {}}, "as many"),
+        ({"unknown": ("e1", "e2"), "given": {"ta": 1}}, "as many"),
+        ({"given": {"ta": 1}}, "as many"),
+        ({"unknown": ("e1", "e1"), "given": {"ta": 1, "tau": 2}}, "twice"),
+        ({"unknown": ("e1",), "given": {"ta": "one"}}, "ta"),
+        ({"unknown": ("e1",), "given": {"ta": math.nan}}, "ta"),
+        ({"unknown": ("e1",), "given": {"ta": 1}, "parameters": {"e1": 3}}, "e1 is both"),
+        ({"guess": [1, 2, 3]}, "3 values.*6 unknowns"),
+        ({"guess": [1] * 7}, "7 values"),
+        ({"guess": {"taus": 1}}, "'taus'"),
+        ({"guess": [1, 2, 3, 4, 5, math.inf]}, "not"),
+        ({"parameters": {"etta": 1}}, "did you mean 'eta'"),
+        ({"parameters": {"chi": 1}}, r"chi = 1 is outside its domain \(0, 1\)"),
+        ({"parameters": {"V": math.nan}}, "V"),
+        ({"parameters": {"e2": -1e-9}}, "e2 = -1e-09 is outside"),
+        ({"orbit": "dry-friction/global-stuck"}, "did you mean 'dry-friction/global-stick'"),
+        ({"orbit": "dry-friction"}, "unknown orbit"),
+        ({"orbit": ""}, "unknown orbit"),
+    ],
+)
+def test_wrong_input_is_named_on_one_line(arguments, named):
+    with pytest.raises(InputError, match=named) as caught:
+        solve(**({"orbit": ORBIT} | arguments))
+    assert "\n" not in str(caught.value)
+
+
+# --- without a guess
+
+
+def exhaustive(point, per_unknown, longest=14.0):
+    """Whether any of very many starts on (tau, tau1) leads to an admissible orbit."""
+    kernels = load_orbit(ORBIT)
+    grid = np.linspace(0, longest, per_unknown + 1)[1:]
+    starts = np.stack(np.meshgrid(grid, grid, indexing="ij"), axis=-1).reshape(-1, 2)
+    solved = solve_reduced(kernels, point, starts)
+    roots = solved.unknowns[solved.status == CONVERGED]
+    roots = roots[np.unique(np.round(roots, 6), axis=0, return_index=True)[1]]
+    points = np.broadcast_to(point, (len(roots), len(point)))
+    return bool(admissible_points(kernels, points, roots)[0].any())
+
+
+def found_without_a_guess(count, per_unknown):
+    """How many of so many points where there is an orbit, and what was found there."""
+    points = (p for p in random_points(20260, 20 * count) if exhaustive(p, per_unknown))
+    orbits = [solve(ORBIT, named(next(points)), throw=False) for _ in range(count)]
+    return sum(o.converged and o.admissibility.verdict is not False for o in orbits)
+
+
+def test_solve_without_a_guess_finds_what_an_exhaustive_search_finds():
+    count = 60 if backend() == "c" else 4
+    assert found_without_a_guess(count, 80) >= 0.95 * count
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_solve_without_a_guess_on_two_hundred_points():
+    share = found_without_a_guess(200, 200) / 200
+    print(f"found at {share:.1%} of 200 points")
+    assert share >= 0.95
+
+
+def test_the_search_lists_distinct_orbits_admissible_ones_first():
+    kernels = load_orbit(ORBIT)
+    for point in random_points(5, 3):
+        roots = search(kernels, point)
+        allowed = admissible_points(kernels, np.broadcast_to(point, (len(roots), 5)), roots)[0]
+        assert sorted(allowed, reverse=True) == list(allowed)
+        distances = np.abs(roots[:, None] - roots).max(axis=-1) + np.eye(len(roots))
+        assert distances.min() > 1e-6
+        for unknowns in roots[:5]:
+            values = named(point) | dict(zip(UNKNOWNS, unknowns, strict=True))
+            assert np.abs(equations(values)).max() < 1e-9
+
+
+@pytest.mark.compiled
+def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
+    generator, kernels = np.random.default_rng(6), load_orbit(ORBIT)
+    points = generator.uniform([0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5], (1000, 5))
+    first = solve_reduced(kernels, points, [PRINTED["tau"], PRINTED["tau1"]])
+    fine = (first.status == CONVERGED) & admissible_points(kernels, points, first.unknowns)[0]
+    possible = [p for p in points[~fine][:150] if exhaustive(p, 80)]
+    assert len(possible) >= 5
+    orbits = [solve(ORBIT, named(p), throw=False) for p in possible]
+    found = [o.converged and o.admissibility.verdict is not False for o in orbits]
+    assert sum(found) >= 0.9 * len(found)
+
+
+# --- failures
+
+
+def test_a_failure_says_what_was_tried():
+    with pytest.raises(NoConvergence) as searched:
+        solve(ORBIT, {"e2": 1e4})
+    for trial in ("reference point's guess", "continuation in", "starts"):
+        assert trial in str(searched.value)
+    with pytest.raises(NoConvergence) as guessed:
+        solve(ORBIT, {"e2": 1e4}, guess=[1, 1, 1, 1, 1, 1])
+    assert "the guess" in str(guessed.value)
+    assert "starts" not in str(guessed.value)
+    assert ORBIT in str(guessed.value)
+
+
+def test_without_throw_the_status_says_it():
+    for parameters, guess in (({"e2": 1e4}, None), ({"e2": 1e4}, [1] * 6), ({}, [0] * 6)):
+        orbit = solve(ORBIT, parameters, guess, throw=False)
+        assert not orbit.converged
+        assert orbit.digits == 0
+        assert orbit.status in STATUS
+        assert orbit.message == STATUS[orbit.status]
+
+
+def test_each_status_suggests_a_remedy():
+    remedies = ("give", "change", "domain")
+    for status, text in STATUS.items():
+        assert status == CONVERGED or any(word in text for word in remedies)
+
+
+def test_extreme_parameters_end_in_a_status_not_in_an_exception():
+    extremes = (1e300, 1e16, 1e8, 1e-8, 1e-300, 5e-324, 0.999999999)
+    for name in PARAMETERS:
+        for value in extremes if backend() == "c" else extremes[1:2]:
+            if name != "chi" or value < 1:
+                orbit = solve(ORBIT, {name: value}, throw=False)
+                assert orbit.status in STATUS
+                if orbit.converged:
+                    assert orbit.stability.verdict in ("stable", "unstable", "undecided")
+
+
+# --- sensitivities
+
+
+def differences(again, parameter, orbit, names):
+    """Central differences of the unknowns, the period and the trace."""
+    middle = orbit.values[parameter]
+    step = 1e-5 * middle
+    sides = [again(middle + side * step) for side in (1, -1)]
+    rows = [np.array([*(side.values[n] for n in names), side.period, side.trace]) for side in sides]
+    return (rows[0] - rows[1]) / (2 * step)
+
+
+def stacked(sensitivity, names):
+    return [*(sensitivity.unknowns[n] for n in names), sensitivity.period, sensitivity.trace]
+
+
+@pytest.mark.parametrize("parameter", PARAMETERS)
+def test_sensitivities_are_derivatives(orbits, parameter):
+    for orbit in orbits[:5]:
+        point = {name: orbit.values[name] for name in PARAMETERS}
+        guess = [orbit.values[name] for name in UNKNOWNS]
+
+        def again(value, point=point, guess=guess):
+            return solve(ORBIT, point | {parameter: value}, guess)
+
+        expected = differences(again, parameter, orbit, UNKNOWNS)
+        found = stacked(orbit.sensitivity(parameter), UNKNOWNS)
+        assert_allclose(found, expected, rtol=1e-5, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("swapped", "given"),
+    [
+        (("e1", "e2"), {"ta": 1.0, "tau": 2.0}),
+        (("V",), {"z10": 1.2}),
+        (("chi", "eta"), {"tau1": 1.56, "tau2": 3.3}),
+        (("eta", "e1", "e2"), {"ta": 1.02, "tau": 2.0, "z20": -2.69}),
+    ],
+)
+def test_sensitivities_of_exchanged_problems_are_derivatives(swapped, given):
+    orbit = solve(ORBIT, unknown=swapped, given=given)
+    for name in orbit.given:
+
+        def again(value, name=name):
+            point = {n: float(v) for n, v in orbit.given.items()} | {name: value}
+            return solve(
+                ORBIT,
+                {n: v for n, v in point.items() if n in PARAMETERS},
+                {n: orbit.values[n] for n in UNKNOWNS},
+                unknown=swapped,
+                given={n: v for n, v in point.items() if n in UNKNOWNS},
+            )
+
+        expected = differences(again, name, orbit, list(orbit.unknowns))
+        found = stacked(orbit.sensitivity(name), list(orbit.unknowns))
+        assert_allclose(found, expected, rtol=1e-5, atol=1e-5)
+    with pytest.raises(InputError, match=swapped[0]):
+        orbit.sensitivity(swapped[0])
+
+
+def test_inverse_sensitivities_are_inverse():
+    ordinary = solve(ORBIT)
+    swapped = exchanged(ordinary, ("e1",), ("ta",))
+    forward = ordinary.sensitivity("e1").unknowns["ta"]
+    assert swapped.sensitivity("ta").unknowns["e1"] == pytest.approx(1 / forward, rel=1e-9)
+
+
+def test_a_scaled_motion_is_a_motion(orbits):
+    """Lengths and forces times a factor: the same dwell times and trace."""
+    for orbit in orbits:
+        scaled = {n: orbit.values[n] * (1 if n in ("chi", "eta") else 7.5) for n in PARAMETERS}
+        guess = [orbit.unknowns[n] * (7.5 if n.startswith("z") else 1) for n in UNKNOWNS]
+        other = solve(ORBIT, scaled, guess)
+        assert_allclose([other.unknowns[n] for n in UNKNOWNS], guess, rtol=1e-11)
+        assert other.trace == pytest.approx(orbit.trace, rel=1e-9)
+        assert sum(
+            orbit.sensitivity(n).trace * orbit.values[n] for n in ("V", "e1", "e2")
+        ) == pytest.approx(0, abs=1e-8)

@@ -1,0 +1,166 @@
+"""Orbits declared by a part and a symmetry, and itineraries taken from motions."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    DeclarationError,
+    Friction,
+    Harmonic,
+    Itinerary,
+    Reference,
+    RigidStop,
+    System,
+    dry_friction,
+    oscillator,
+)
+from nonsmooth.derive.document.describe import describe_itinerary
+from nonsmooth.derive.document.markdown import to_markdown
+from nonsmooth.derive.unfolding import unfolded
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.model.kernels import load_orbit
+
+HALF = [("free-free", "right-reaches-stop", "T")]
+DATA = Reference({"r": "0.7"}, {"T": "2.6"})
+
+
+@cache
+def between(place: float = 1) -> System:
+    """A damped, forced mass between a stop at 1 and one at -1 or elsewhere."""
+    r = sp.Symbol("r", nonnegative=True)
+    stops = [RigidStop("x", 1, r, name="right"), RigidStop("x", -place, r, "lower", name="left")]
+    forcing = [Harmonic(sp.Rational(6, 5), cosine=[1])]
+    damping = [[sp.Rational(1, 10)]]
+    return oscillator("between", ["x"], [[1]], [[1]], damping, forcing=forcing, elements=stops)
+
+
+def symmetric(system: System, **changes: object) -> Itinerary:
+    half = {s: -s for s in system.states}
+    return replace(Itinerary("half", system, HALF, symmetry=half, reference=DATA), **changes)
+
+
+def test_the_whole_is_the_part_and_its_image() -> None:
+    whole = unfolded(symmetric(between()))
+    assert [(p.configuration, p.boundary, p.dwell_time) for p in whole.phases] == [
+        ("free-free", "right-reaches-stop", "T"),
+        ("free-free", "left-reaches-stop", "T_2"),
+    ]
+    assert unfolded(whole) is whole
+
+
+def test_a_symmetry_of_order_four() -> None:
+    """Two equal masses on springs of their own, turned into each other by quarters."""
+    stops = [
+        RigidStop(x, place, 1, side, name=f"{x}-{side}")
+        for x in ("x1", "x2")
+        for place, side in ((1, "upper"), (-1, "lower"))
+    ]
+    forces = [
+        Harmonic(sp.Rational(6, 5), cosine=[1, 0], sine=[0, 1]),
+    ]
+    system = oscillator("quarters", ["x1", "x2"], [[1, 0], [0, 1]], [[1, 0], [0, 1]],
+                        forcing=forces, elements=stops)  # fmt: skip
+    x1, x2, v1, v2, c, s = system.states
+    quarter = {x1: x2, x2: -x1, v1: v2, v2: -v1, c: s, s: -c}
+    phases = [("free-free-free-free", "x1-upper-reaches-stop", "T")]
+    whole = unfolded(Itinerary("quarter", system, phases, symmetry=quarter))
+    assert [p.boundary[:8] for p in whole.phases] in (
+        ["x1-upper", "x2-lower", "x1-lower", "x2-upper"],
+        ["x1-upper", "x2-upper", "x1-lower", "x2-lower"],
+    )
+
+
+def test_it_is_solved_by_its_name_and_agrees_with_the_motion() -> None:
+    kernels = load_orbit(symmetric(between()))
+    orbit = ns.solve(kernels.name)
+    assert list(orbit.unknowns)[:2] == ["T", "T_2"]
+    turn = 2 * np.pi / 1.2
+    assert orbit.period == pytest.approx(turn, rel=1e-13)
+    motion = ns.simulate(between(), {"r": "0.7"}, orbit.states[0], until=float(3 * turn))
+    np.testing.assert_allclose(motion(0.5 + 2 * turn), motion(0.5), atol=1e-9)
+    half = ns.solve(kernels.name, {"r": "0.72"}).states
+    np.testing.assert_allclose(half[1], -half[0], atol=1e-12)
+
+
+def test_its_document_has_all_phases() -> None:
+    text = to_markdown(describe_itinerary(symmetric(between())))
+    assert "right-reaches-stop" in text
+    assert "left-reaches-stop" in text
+    assert "T_{2}" in text
+
+
+def test_what_is_no_symmetry() -> None:
+    with pytest.raises(DeclarationError, match="maps configuration 'free-free'"):
+        unfolded(symmetric(between(2)))
+    x = between().states[0]
+    with pytest.raises(DeclarationError, match=r"maps x to 2\*x, which is no state"):
+        symmetric(between(), symmetry={x: 2 * x})
+    with pytest.raises(DeclarationError, match="symmetry of 'y', which is not declared"):
+        symmetric(between(), symmetry={sp.Symbol("y"): x})
+    with pytest.raises(InputError, match="symmetry"):
+        ns.solve(load_orbit(symmetric(between(2))).name)
+
+
+def test_an_itinerary_from_a_motion_of_a_built_in_system() -> None:
+    data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
+    found = Itinerary.from_trajectory(motion, dry_friction.system, "again")
+    assert found.reference is not None
+    assert found.reference.parameters == {name: str(value) for name, value in data.items()}
+    orbit = ns.solve(load_orbit(found).name)
+    assert orbit.converged
+    assert orbit.period == pytest.approx(7.8686, abs=1e-4)
+
+
+def test_an_itinerary_of_many_phases_from_a_motion() -> None:
+    belt = oscillator("belt", ["x"], [[1]], [[1]], elements=[Friction("x", 1, "1.3", "0.5")])
+    motion = ns.simulate(belt, {}, [0, 0], transitions=30)
+    found = Itinerary.from_trajectory(motion, belt)
+    assert [p.dwell_time for p in found.phases] == ["tau1", "tau2"]
+    assert ns.solve(load_orbit(found).name).stability.verdict == "stable"
+
+
+def test_a_motion_that_does_not_come_back() -> None:
+    motion = ns.simulate("rigid-stop", dict(m1=1, m2=2, k1=1, k2=5, r="0.8"), [0, 0, 2, 1], until=9)
+    with pytest.raises(InputError, match="does not come back"):
+        Itinerary.from_trajectory(motion, dry_friction.system)
+
+
+def test_many_points_of_a_declared_orbit() -> None:
+    system = between()
+    phases = [("free-free", "right-reaches-stop", "T"), ("free-free", "left-reaches-stop", "S")]
+    guess = {"T": "2.6", "S": "2.6", "x": "-1", "v": "0.7", "c1": "-0.99", "s1": "-0.16"}
+    whole = Itinerary("whole", system, phases, reference=Reference({"r": "0.7"}, guess))
+    name = load_orbit(whole).name
+    values = np.linspace(0.6, 0.75, 4)
+    found = ns.solve_many(name, r=values)
+    assert found.converged.all()
+    assert found.admissible is not None
+    for k, value in enumerate(values):
+        one = ns.solve(name, {"r": float(value)})
+        assert found.admissible[k] == (one.admissibility.verdict is True)
+        assert found.trace[k] == pytest.approx(one.trace, abs=1e-11)
+        assert found.unknowns["T"][k] == pytest.approx(one.unknowns["T"], rel=1e-12)
+    assert ns.solve_many(name, r=values, admissibility=False).admissible is None
+    with pytest.raises(InputError, match="a part and a symmetry"):
+        ns.solve_many(load_orbit(symmetric(system)).name, r=values)
+
+
+@pytest.mark.compiled
+def test_a_declaration_in_numbers_alone() -> None:
+    belt = oscillator("belt", ["x"], [[1]], [[1]], elements=[Friction("x", 1, "1.3", "0.5")])
+    found = ns.find_orbits(belt, {}, 20, transitions=100)
+    (entry,) = found.orbits
+    # the rest oscillates below the velocity of the belt
+    assert entry.share + found.share(Outcome.FAMILY) == 1
+    many = ns.compose_many(belt, entry.itinerary, {}, [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]])
+    assert many.dwell_times.shape == (3, 2)
+    np.testing.assert_allclose(many.period, entry.period, rtol=1e-12)
+    runs = ns.simulate_many(belt, {}, np.zeros((4, 2)), transitions=9)
+    assert (runs.transitions == 9).all()

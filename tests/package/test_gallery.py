@@ -1,0 +1,754 @@
+"""The gallery: every file through the public face, against closed forms and other routes."""
+
+from __future__ import annotations
+
+import json
+import math
+import shlex
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+from scipy.optimize import fsolve
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from tests.places import GALLERY
+
+FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
+ORBITS = [
+    ("brake_pad", "lifting"),
+    ("brake_pad", "pressed"),
+    ("den_hartog", "without-rest"),
+    ("impact_oscillator", "one-period"),
+    ("impact_oscillator", "two-periods"),
+    ("impact_oscillator", "three-periods"),
+    ("jenkins", "yielding-both-ways"),
+    ("mass_on_belt", "stick-slip"),
+    ("piecewise_stiffness", "one-contact"),
+    ("piecewise_stiffness", "doubled"),
+    ("piecewise_stiffness", "subharmonic"),
+    ("switched_damping", "limit-cycle"),
+    ("three_masses", "two-each"),
+    ("two_belts", "both-stick"),
+    ("two_belts", "second-sticks"),
+    ("two_stops", "symmetric"),
+    ("two_stops", "broken"),
+]
+
+
+@pytest.fixture(autouse=True, scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """What is derived is kept for this file's tests alone."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NONSMOOTH_CACHE", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+def page(name: str) -> str:
+    return str(GALLERY / f"{name}.py")
+
+
+def solved(name: str, orbit: str, *arguments: Any, **options: Any) -> Any:
+    return ns.solve(f"{page(name)}:{orbit}", *arguments, **options)
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def eigenvalues(trace: float, determinant: float) -> list[complex]:
+    """Of a 2 x 2 matrix, in the order of their real and imaginary parts."""
+    return sorted(np.roots([1, -trace, determinant]), key=lambda m: (m.real, m.imag))
+
+
+def multipliers(orbit: Any) -> list[complex]:
+    return sorted(orbit.multipliers.tolist(), key=lambda m: (m.real, m.imag))
+
+
+def forced(field: np.ndarray, w: float, amplitude: np.ndarray) -> np.ndarray:
+    """A field (2 n + 1, 2 n + 1) of positions, velocities and 1, with cos and sin before the 1."""
+    size = len(field) - 1
+    found = np.zeros((size + 3, size + 3))
+    found[:size, :size], found[:size, -1] = field[:size, :size], field[:size, -1]
+    found[size // 2 : size, size] = amplitude
+    found[size, size + 1], found[size + 1, size] = -w, w
+    return found
+
+
+def second_order(stiffness: Any, damping: Any = None, load: Any = None) -> np.ndarray:
+    """Field of x'' + damping x' + stiffness x = load, with a last entry 1 of the state."""
+    springs = np.atleast_2d(np.array(stiffness, dtype=float))
+    size = len(springs)
+    field = np.zeros((2 * size + 1, 2 * size + 1))
+    field[:size, size:-1] = np.eye(size)
+    field[size:-1, :size] = -springs
+    field[size:-1, size:-1] = 0 if damping is None else -np.atleast_2d(damping)
+    field[size:-1, -1] = 0 if load is None else load
+    return field
+
+
+Rule = tuple[np.ndarray, Callable[[np.ndarray], float], Callable[[np.ndarray], np.ndarray]]
+
+
+def assert_motion(orbit: Any, rules: Mapping[tuple[str, str], Rule], atol: float = 1e-11) -> None:
+    """Follow an orbit with matrix exponentials of fields that the test wrote itself.
+
+    A rule is a field, the boundary's function (negative inside), and what happens behind it.
+    """
+    following = np.roll(orbit.states, -1, axis=0)
+    for phase, time, start, after in zip(
+        orbit.itinerary, orbit.dwell_times, orbit.states, following, strict=True
+    ):
+        field, boundary, reset = rules[phase]
+        begin = np.append(start, 1.0)
+        end = expm(field * time) @ begin
+        assert abs(boundary(end)) < atol
+        np.testing.assert_allclose(reset(end[:-1]), after, rtol=0, atol=atol)
+        inside = [
+            boundary(expm(field * part) @ begin) for part in np.linspace(0.02, 0.98, 25) * time
+        ]
+        assert max(inside) < 0
+
+
+def kept(state: np.ndarray) -> np.ndarray:
+    return state
+
+
+def struck(place: int, restitution: float) -> Callable[[np.ndarray], np.ndarray]:
+    def reset(state: np.ndarray) -> np.ndarray:
+        after = state.copy()
+        after[place] *= -restitution
+        return after
+
+    return reset
+
+
+# --- all ----------------------------------------------------------------------------------
+
+
+def test_the_index_names_every_file() -> None:
+    index = (GALLERY / "README.md").read_text(encoding="utf-8")
+    files = sorted(GALLERY.glob("*.py"))
+    assert len(files) >= 10
+    for file in files:
+        assert f"[{file.name}]({file.name})" in index
+        assert f"docs/gallery/{file.name}" in index
+
+
+def commands() -> list[str]:
+    text = (GALLERY / "README.md").read_text(encoding="utf-8")
+    return [line for line in text.splitlines() if line.startswith("nonsmooth ")]
+
+
+@pytest.mark.parametrize("command", commands())
+def test_the_commands_of_the_index_run(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GALLERY.parents[1])
+    code, out, err = run(*shlex.split(command, comments=True)[1:])
+    assert code == 0, err
+    assert len(out) > 100
+
+
+def test_the_python_of_the_index_runs(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(GALLERY.parents[1])
+    text = (GALLERY / "README.md").read_text(encoding="utf-8")
+    exec(text.partition("```python\n")[2].partition("```")[0], {})
+    amplitude, period = capsys.readouterr().out.split()
+    assert amplitude.startswith("1." + 28 * "3")
+    assert float(period) == pytest.approx(2 * math.pi / 0.9, rel=1e-13)
+
+
+@pytest.mark.parametrize(("name", "orbit"), ORBITS)
+def test_declared_orbits_are_motions(name: str, orbit: str) -> None:
+    found = solved(name, orbit)
+    assert found.converged
+    assert found.digits >= 10
+    assert found.stability.verdict == "stable"
+    assert found.admissibility.verdict is True
+    motion = ns.simulate(
+        page(name), found.given, found.trajectory()(0.5 * found.dwell_times[0]),
+        found.itinerary[0][0], transitions=len(found.itinerary),
+    )  # fmt: skip
+    assert [b for entry in motion.boundaries[1:] for b in entry] == [b for _, b in found.itinerary]
+    np.testing.assert_allclose(
+        motion.states[-1], found.states[0], rtol=0, atol=1e-11 * np.abs(found.states).max()
+    )
+
+
+# --- the impact oscillator ----------------------------------------------------------------
+
+
+def one_impact(n: int, w: Any, r: Any, sigma: Any, lib: Any = math) -> list[tuple[Any, Any]]:
+    """Impact velocity and trace of the orbits that strike once in n periods of the forcing."""
+    period, g = 2 * lib.pi * n / w, 1 / (1 - w * w)
+    C = 1 / lib.tan(period / 2)
+    a, b = ((1 + r) * C / 2) ** 2 + ((1 - r) / (2 * w)) ** 2, (1 + r) * sigma * C
+    root = b * b - 4 * a * (sigma**2 - g * g)
+    found = []
+    for sign in (1, -1) if root > 0 else ():
+        U = (-b + sign * lib.sqrt(root)) / (2 * a)
+        if U > 0:
+            force = (sigma + (1 + r) * C * U / 2) / g - sigma
+            found.append((U, -2 * r * lib.cos(period) + (1 + r) * lib.sin(period) * force / U))
+    return found
+
+
+def impact_start(n: int, w: float, r: float, sigma: float, U: float) -> dict[str, float]:
+    """Dwell time and state behind the impact."""
+    g, C = 1 / (1 - w * w), 1 / math.tan(math.pi * n / w)
+    phase = ((sigma + (1 + r) * C * U / 2) / g, -(1 - r) * U / (2 * g * w))
+    start = zip(("x0", "v0", "c10", "s10"), (sigma, -r * U, *phase), strict=True)
+    return {"T": 2 * math.pi * n / w, **dict(start)}
+
+
+def fold(n: int, w: float, r: float) -> float:
+    """The stop's position at which two orbits meet, on the side where they strike the stop."""
+    g, C = 1 / (1 - w * w), 1 / math.tan(math.pi * n / w)
+    return -math.copysign(abs(g) * math.hypot(1, w * C * (1 + r) / (1 - r)), C)
+
+
+def doubling(n: int, w: Any, r: Any, lib: Any = math) -> tuple[Any, Any]:
+    """The stop's position and the impact velocity at a period doubling."""
+    period, g = 2 * lib.pi * n / w, 1 / (1 - w * w)
+    C = 1 / lib.tan(period / 2)
+    bend = (1 + r * r - 2 * r * lib.cos(period)) / ((1 + r) * lib.sin(period))
+    q = ((1 - w * w) * (1 + r) * C / 2 + bend) / w**2
+    U = abs(g) / lib.sqrt((q + (1 + r) * C / 2) ** 2 + ((1 - r) / (2 * w)) ** 2)
+    return q * U, U
+
+
+NAMES = {1: ("one-period", 2.4), 2: ("two-periods", 4.4), 3: ("three-periods", 6.4)}
+
+
+@pytest.mark.parametrize("n", NAMES)
+@pytest.mark.parametrize("place", [0.0, 0.3, -2.0])
+def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
+    (name, w), r = NAMES[n], 0.8
+    sigma = place / (w * w - 1)
+    found = one_impact(n, w, r, sigma)
+    assert found
+    for U, trace in found:
+        guess = impact_start(n, w, r, sigma, U)
+        near = {key: value + 1e-4 for key, value in guess.items()}
+        orbit = solved("impact_oscillator", name, {"sigma": repr(sigma)}, near)
+        assert orbit.period == pytest.approx(2 * math.pi * n / w, rel=1e-13)
+        for key, value in orbit.unknowns.items():
+            assert value == pytest.approx(guess[key], abs=1e-11)
+        np.testing.assert_allclose(
+            multipliers(orbit), eigenvalues(trace, r * r), rtol=0, atol=1e-9 * (1 + abs(trace))
+        )
+    (top, _) = found[0]
+    followed = solved("impact_oscillator", name, {"sigma": repr(sigma)})
+    assert followed.unknowns["v0"] == pytest.approx(-r * top, abs=1e-12)
+
+
+@pytest.mark.parametrize("n", NAMES)
+def test_at_a_period_doubling_the_multiplier_is_minus_one(n: int) -> None:
+    (name, w), r = NAMES[n], 0.8
+    sigma, U = doubling(n, w, r)
+    orbit = solved("impact_oscillator", name, {"sigma": repr(sigma)})
+    assert orbit.unknowns["v0"] == pytest.approx(-r * U, rel=1e-12)
+    assert orbit.admissibility.verdict is True
+    np.testing.assert_allclose(multipliers(orbit), [-1, -r * r], rtol=0, atol=1e-11)
+    with mpmath.workdps(50):
+        exact = doubling(n, mpmath.mpf(str(w)), mpmath.mpf("0.8"), mpmath.mp)[0]
+        point = {"sigma": mpmath.nstr(exact, 45)}
+    sharp = ns.refine(solved("impact_oscillator", name, point), 30)
+    assert min(abs(m + 1) for m in sharp.multipliers) < 1e-28
+    # on the far side the motion settles on one of twice the period
+    behind = {"r": r, "w": w, "sigma": sigma + 0.01 / (w * w - 1)}
+    begin = orbit.trajectory()(orbit.period / 2)
+    motion = ns.simulate(page("impact_oscillator"), behind, begin, transitions=3000)
+    doubled = ns.compose(page("impact_oscillator"), behind, *ns.itinerary_of(motion))
+    assert doubled.stability.verdict == "stable"
+    assert doubled.period == pytest.approx(2 * orbit.period, rel=1e-10)
+    assert np.ptp(doubled.dwell_times) > 0.01 * orbit.period
+
+
+@pytest.mark.parametrize("n", NAMES)
+def test_at_a_fold_the_multiplier_is_one(n: int) -> None:
+    (name, w), r = NAMES[n], 0.8
+    edge = fold(n, w, r)
+    assert one_impact(n, w, r, edge * (1 + 1e-9)) == []
+    sigma = edge * (1 - 1e-8)
+    pair = one_impact(n, w, r, sigma)
+    assert len(pair) == 2
+    largest = []
+    for U, trace in pair:
+        guess = impact_start(n, w, r, sigma, U)
+        orbit = solved("impact_oscillator", name, {"sigma": repr(sigma)}, guess)
+        assert orbit.unknowns["v0"] == pytest.approx(-r * U, rel=1e-9)
+        np.testing.assert_allclose(multipliers(orbit), eigenvalues(trace, r * r), rtol=0, atol=1e-8)
+        largest.append(multipliers(orbit)[-1].real)
+    assert largest[0] < 1 < largest[1]
+    # their distance from 1 is the square root of that from the fold
+    assert sum(largest) / 2 == pytest.approx(1, abs=1e-6)
+    assert largest[1] - largest[0] < 0.01
+    U = (
+        -2
+        * edge
+        * (1 + r)
+        / math.tan(math.pi * n / w)
+        / ((1 + r) ** 2 / math.tan(math.pi * n / w) ** 2 + ((1 - r) / w) ** 2)
+    )
+    guess = impact_start(n, w, r, edge, U)
+    there = solved("impact_oscillator", name, {"sigma": repr(edge)}, guess, throw=False)
+    assert multipliers(there)[-1] == pytest.approx(1, abs=1e-6)
+    assert multipliers(there)[0] == pytest.approx(r * r, abs=1e-6)
+
+
+# --- impacts with the ground --------------------------------------------------------------
+
+
+@pytest.mark.parametrize("r", [0.3, 0.5, 0.9])
+def test_the_bounces_of_a_ball_sum_up(r: float) -> None:
+    gravity, height = 9.81, 0.7
+    first = math.sqrt(2 * height / gravity)
+    end = first * (1 + 2 * r / (1 - r))
+    motion = ns.simulate(
+        page("bouncing_ball"), {"gravity": gravity, "r": r}, {"x": height, "v": 0}, until=2 * end
+    )
+    assert motion.configurations[-1] == "contact"
+    bounces = first * (1 + 2 * np.cumsum(r ** np.arange(1, 9)))
+    np.testing.assert_allclose(motion.times[2:10], bounces, rtol=1e-13)
+    resting = motion.times[list(motion.configurations).index("contact")]
+    assert resting == pytest.approx(end, rel=1e-9)
+    assert np.all(motion(2 * end) == 0)
+
+
+def test_a_ball_without_rebound_stays() -> None:
+    motion = ns.simulate(page("bouncing_ball"), {"gravity": 2, "r": 0}, [1, 0], until=3.0)
+    assert motion.configurations[-1] == "contact"
+    assert motion.times[1:] == pytest.approx(1, rel=1e-15)
+
+
+def test_the_first_impact_of_siconos_example() -> None:
+    data = {"m": "1e-3", "k": 100, "gravity": "9.81", "e": "0.9"}
+    motion = ns.simulate(page("spring_and_ground"), data, [1, 0], transitions=3)
+    assert motion.times[1] == pytest.approx(4.966983943888618e-03, rel=1e-14)
+    assert motion.states[1, 1] / -0.9 == pytest.approx(-3.162587864392096e02, rel=1e-14)
+    # energy above the ground is what the impact leaves
+    w, d = math.sqrt(1e5), 9.81e-5
+    speed = 0.9 * w * math.sqrt(1 + 2 * d)
+    flight = (math.pi - 2 * math.atan2(w * d, speed)) / w
+    assert motion.times[2] - motion.times[1] == pytest.approx(flight, rel=1e-12)
+
+
+# --- switched damping ---------------------------------------------------------------------
+
+
+def test_switched_damping_from_two_exponentials() -> None:
+    fast, slow = (second_order(1, 2 * zeta, 2 * zeta) for zeta in (0.3, -0.1))
+
+    def misses(unknown: np.ndarray) -> list[float]:
+        x, ta, tb = unknown
+        turn = expm(fast * ta) @ [x, 1, 1]
+        end = expm(slow * tb) @ turn
+        return [turn[1] - 1, end[1] - 1, end[0] - x]
+
+    x, ta, tb = fsolve(misses, [-2.9, 2.4, 4.0], xtol=1e-12)
+    orbit = solved("switched_damping", "limit-cycle")
+    assert list(orbit.unknowns.values()) == pytest.approx([ta, tb, x, 1], abs=1e-10)
+    assert orbit.period == pytest.approx(6.367077, abs=5e-7)
+    assert orbit.multipliers[0] == pytest.approx(0.538924872, abs=5e-10)
+    # forces are continuous: areas shrink by the exponential of the damping
+    shrunk = math.exp(-2 * (0.3 * ta - 0.1 * tb))
+    assert orbit.multipliers[0] == pytest.approx(shrunk, rel=1e-10)
+    times = np.linspace(ta, orbit.period * (1 - 1e-12), 20001)
+    amplitude = (orbit.trajectory()(times)[:, 0] + 0.2).max()
+    assert amplitude == pytest.approx(2.150651224, abs=2e-8)
+
+
+# --- the piecewise-linear oscillator ------------------------------------------------------
+
+SHAW = {"alpha": "0.05", "beta": 1, "gap": 0, "k": 10}
+
+
+def shaw_directly(w: float, start: Sequence[float], angle: float, end: float) -> np.ndarray:
+    def rates(t: float, y: np.ndarray) -> list[float]:
+        spring = y[0] if y[0] < 0 else 10 * y[0]
+        return [y[1], math.cos(w * t + angle) - 0.1 * y[1] - spring]
+
+    found = solve_ivp(rates, (0, end), start, "DOP853", rtol=1e-11, atol=1e-12, max_step=2e-3)
+    return np.asarray(found.y[:, -1])
+
+
+@pytest.mark.parametrize(
+    ("name", "w", "turns"), [("one-contact", 2.3, 1), ("doubled", 2.4, 2), ("subharmonic", 3.0, 2)]
+)
+def test_the_elastic_stop_agrees_with_direct_integration(name: str, w: float, turns: int) -> None:
+    orbit = solved("piecewise_stiffness", name)
+    assert orbit.period == pytest.approx(2 * math.pi * turns / w, rel=1e-12)
+    x, v, c, s = orbit.states[0]
+    found = shaw_directly(w, [x, v], math.atan2(s, c), orbit.period)
+    np.testing.assert_allclose(found, [x, v], rtol=0, atol=1e-8)
+    area = np.prod(orbit.multipliers)
+    assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-11)
+
+
+def test_the_elastic_stop_doubles_periods() -> None:
+    def least(w: float) -> float:
+        return multipliers(solved("piecewise_stiffness", "one-contact", {"w": repr(w)}))[0].real
+
+    low, high = 2.34, 2.37  # least multiplier above and below -1
+    for _ in range(30):
+        middle = (low + high) / 2
+        low, high = (low, middle) if least(middle) < -1 else (middle, high)
+    assert 2.34 < low < 2.37
+    assert least(low) == pytest.approx(-1, abs=1e-6)
+    det = math.exp(-0.1 * 2 * math.pi / low)
+    found = solved("piecewise_stiffness", "one-contact", {"w": repr(low)})
+    assert multipliers(found)[1] == pytest.approx(-det, abs=1e-6)
+    # behind it the single orbit is unstable and the doubled one, near it, is stable
+    for w, near in ((low + 0.002, 0.1), (low + 0.03, 0.5)):
+        doubled = solved("piecewise_stiffness", "doubled", {"w": repr(w)})
+        assert doubled.stability.verdict == "stable"
+        apart = abs(doubled.dwell_times[:2] - doubled.dwell_times[2:]).max()
+        assert 1e-3 < apart < near * 2.5
+
+
+# --- three masses -------------------------------------------------------------------------
+
+CHAIN = {"F": "1", "d": "0.4", "r": "0.8", "w": "0.9", "zeta": "0.05"}
+TURNED = {"x1": "-x3", "x2": "-x2", "x3": "-x1", "v1": "-v3", "v2": "-v2", "v3": "-v1"}
+
+
+def test_an_itinerary_of_three_masses_from_a_motion() -> None:
+    rest = dict.fromkeys(("x1", "x2", "x3", "v1", "v2", "v3"), 0)
+    motion = ns.simulate(page("three_masses"), CHAIN, rest, transitions=600)
+    recurrence = ns.itinerary_of(motion)
+    orbit = ns.compose(page("three_masses"), CHAIN, *recurrence)
+    known = solved("three_masses", "two-each")
+    assert sorted(orbit.itinerary) == sorted(known.itinerary)
+    assert sorted(orbit.dwell_times) == pytest.approx(sorted(known.dwell_times), abs=1e-11)
+    assert orbit.period == pytest.approx(2 * math.pi / 0.9, rel=1e-13)
+    springs = np.array([[2, -1, 0], [-1, 2, -1], [0, -1, 2]])
+    field = forced(second_order(springs, 0.05 * springs), 0.9, np.array([0, 1, 0]))
+    assert_motion(
+        orbit,
+        {
+            ("free-free", "right-reaches-stop"): (field, lambda y: y[0] - 0.4, struck(3, 0.8)),
+            ("free-free", "left-reaches-stop"): (field, lambda y: -0.4 - y[2], struck(5, 0.8)),
+        },
+    )
+    # an impact multiplies areas by r^2, damping by exp(-trace t)
+    area = 0.8**8 * math.exp(-0.05 * 6 * orbit.period)
+    assert np.prod(orbit.multipliers) == pytest.approx(area, rel=1e-9)
+    half = ns.compose(
+        page("three_masses"), CHAIN, recurrence.itinerary[:2], recurrence.dwell_times[:2],
+        recurrence.start, symmetry={**TURNED, "c1": "-c1", "s1": "-s1"},
+    )  # fmt: skip
+    assert half.itinerary == orbit.itinerary
+    np.testing.assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
+
+
+@pytest.mark.compiled
+def test_three_masses_are_searched() -> None:
+    found = ns.find_orbits(page("three_masses"), CHAIN, 20, transitions=600)
+    assert found.orbits[0].share == 1
+    known = solved("three_masses", "two-each")
+    assert found.orbits[0].period == pytest.approx(known.period, rel=1e-12)
+
+
+# --- belts --------------------------------------------------------------------------------
+
+
+def test_two_belts_by_matrix_exponentials() -> None:
+    springs = np.array([[1.5, -0.5], [-0.5, 1.5]])
+
+    def field(*stuck: int) -> np.ndarray:
+        matrix = second_order(springs, None, np.array([0.5, 0.4]))
+        for place in stuck:
+            matrix[2 + place] = 0
+        return matrix
+
+    def pull(y: np.ndarray, place: int) -> float:
+        return float(springs[place] @ y[:2])
+
+    rules = {
+        ("slip-slip", "first-reaches-belt"): (field(), lambda y: y[2] - 0.5, kept),
+        ("stick-slip", "first-breaks-forward"): (field(0), lambda y: pull(y, 0) - 1, kept),
+        ("slip-slip", "second-reaches-belt"): (field(), lambda y: y[3] - 0.3, kept),
+        ("slip-stick", "second-breaks-forward"): (field(1), lambda y: pull(y, 1) - 1.2, kept),
+    }
+    for name in ("both-stick", "second-sticks"):
+        orbit = solved("two_belts", name)
+        assert_motion(orbit, rules)
+        motion = ns.simulate(
+            page("two_belts"), orbit.given, orbit.trajectory()(0.1), transitions=40
+        )
+        again = ns.compose(page("two_belts"), orbit.given, *ns.itinerary_of(motion))
+        assert again.period == pytest.approx(orbit.period, abs=1e-11)
+
+
+@pytest.mark.parametrize(("e", "V"), [("0.3", "0.5"), ("2", "0.1"), ("0.05", "3")])
+def test_stick_slip_on_a_belt_to_forty_digits(e: str, V: str) -> None:
+    orbit = ns.refine(solved("mass_on_belt", "stick-slip", {"e": e, "V": V}), 40)
+    with mpmath.workdps(60):
+        excess, speed = mpmath.mpf(e), mpmath.mpf(V)
+        period = 2 * mpmath.pi - 2 * mpmath.atan(excess / speed) + 2 * excess / speed
+        assert abs(orbit.period - period) < mpmath.mpf(10) ** -38
+        assert abs(orbit.unknowns["ts"] - 2 * excess / speed) < mpmath.mpf(10) ** -38
+    assert orbit.admissibility.verdict is True
+    assert abs(complex(orbit.multipliers[0])) < 1e-30
+
+
+def test_stick_slip_has_derived_kernels_too(tmp_path: Path) -> None:
+    folder = tmp_path / "kernels"
+    code, _, err = run("generate", page("mass_on_belt"), "--out", str(folder))
+    assert code == 0, err
+    orbit = ns.solve(f"{folder}:stick-slip", {"V": "0.7"})
+    assert isinstance(orbit, ns.Orbit)
+    angle = 0.3 / 0.7
+    assert orbit.period == pytest.approx(2 * (math.pi - math.atan(angle) + angle), rel=1e-14)
+    assert orbit.trace == 0
+
+
+# --- two stops ----------------------------------------------------------------------------
+
+
+def symmetric(w: float, r: float, d: float, n: int = 1) -> tuple[float, float]:
+    """Impact velocity of the symmetric orbit, and the trace of its half map."""
+    half, g = math.pi * n / w, 1 / (1 - w * w)
+    C = math.tan(half / 2)
+    a, b = ((1 + r) * C / 2) ** 2 + ((1 - r) / (2 * w)) ** 2, -(1 + r) * d * C
+    U = (-b + math.sqrt(b * b - 4 * a * (d * d - g * g))) / (2 * a)
+    force = ((1 + r) * C * U / 2 - d) / g + d
+    return U, 2 * r * math.cos(half) + (1 + r) * math.sin(half) * force / U
+
+
+def breaking(w: float, r: float, n: int = 1) -> float:
+    """Half the distance of the stops at which the symmetric orbit loses its stability."""
+    half, g = math.pi * n / w, 1 / (1 - w * w)
+    C = math.tan(half / 2)
+    bend = (1 + r * r + 2 * r * math.cos(half)) / ((1 + r) * math.sin(half))
+    q = -((1 - w * w) * (1 + r) * C / 2 + bend) / w**2
+    return q * abs(g) / math.hypot((1 + r) * C / 2 - q, (1 - r) / (2 * w))
+
+
+def half_orbit(d: float, w: float = 1.5) -> Any:
+    data = {"d": repr(d), "r": "0.8", "w": repr(w)}
+    phases = [("free-free", "right-reaches-stop")]
+    return ns.compose(page("two_stops"), data, phases, [math.pi / w], symmetry=FORCED)
+
+
+@pytest.mark.parametrize("d", [0.45, 0.54, 0.6])
+def test_the_symmetric_orbit_from_its_half(d: float) -> None:
+    orbit, (U, trace) = half_orbit(d), symmetric(1.5, 0.8, d)
+    assert orbit.states[0, 1] == pytest.approx(0.8 * U, rel=1e-12)
+    assert orbit.period == pytest.approx(4 * math.pi / 3, rel=1e-13)
+    squares = sorted((m * m for m in eigenvalues(trace, 0.64)), key=lambda m: (m.real, m.imag))
+    np.testing.assert_allclose(multipliers(orbit), squares, rtol=0, atol=1e-11)
+    assert orbit.admissibility.verdict is True
+    whole = ns.compose(
+        page("two_stops"), orbit.given, orbit.itinerary, orbit.dwell_times, orbit.states[0]
+    )
+    np.testing.assert_allclose(whole.states, orbit.states, rtol=0, atol=1e-11)
+
+
+def test_the_symmetry_breaks_where_the_half_map_has_minus_one() -> None:
+    d = breaking(1.5, 0.8)
+    orbit = half_orbit(d)
+    assert symmetric(1.5, 0.8, d)[1] == pytest.approx(-1.64, abs=1e-13)
+    np.testing.assert_allclose(multipliers(orbit), [0.64**2, 1], rtol=0, atol=1e-11)
+    assert half_orbit(d + 1e-4).stability.verdict == "stable"
+    assert half_orbit(d - 1e-4).stability.verdict == "unstable"
+
+
+@pytest.mark.compiled
+def test_two_orbits_that_are_images_of_each_other() -> None:
+    for d in (0.45, 0.5):
+        found = ns.find_orbits(
+            page("two_stops"), {"d": d, "r": "0.8", "w": "1.5"}, 12, transitions=1500
+        )
+        pair = [entry.orbit for entry in found.orbits if entry.share > 0]
+        assert len(pair) == 2
+        np.testing.assert_allclose(pair[0].dwell_times, pair[1].dwell_times[::-1], atol=1e-10)
+        np.testing.assert_allclose(pair[0].states, -pair[1].states[::-1], atol=1e-10)
+        assert abs(np.ptp(pair[0].dwell_times)) > 0.5
+    broken = solved("two_stops", "broken")
+    field = forced(second_order(1), 1.5, np.array([1.0]))
+    rules = {
+        ("free-free", "right-reaches-stop"): (field, lambda y: y[0] - 0.5, struck(1, 0.8)),
+        ("free-free", "left-reaches-stop"): (field, lambda y: -0.5 - y[0], struck(1, 0.8)),
+    }
+    assert_motion(broken, rules)
+    assert np.prod(broken.multipliers) == pytest.approx(0.8**4, rel=1e-10)
+
+
+# --- friction under forcing ---------------------------------------------------------------
+
+
+def den_hartog(S: str, W: str, digits: int = 15) -> Any:
+    w = float(Fraction(W))
+    R = 1 / (1 - w * w)
+    guess = [abs(R), 0, math.copysign(1, R), 0]
+    return ns.compose(
+        page("den_hartog"), {"S": S, "W": W}, [("slip", "ground-reaches-belt")], [math.pi / w],
+        guess, digits, symmetry=FORCED,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("S", "W"), [("0.2", "0.6"), ("0.1", "0.7"), ("0.3", "1.4"), ("0.2", "2")])
+def test_den_hartogs_amplitude(S: str, W: str) -> None:
+    R, U = 1 / (1 - float(W) ** 2), math.tan(math.pi / (2 * float(W))) / float(W)
+    orbit = den_hartog(S, W)
+    assert orbit.states[0, 0] == pytest.approx(math.sqrt(R**2 - (float(S) * U) ** 2), rel=1e-12)
+    assert orbit.admissibility.verdict is True
+    # at a turning point the acceleration jumps; nothing else changes areas
+    x, _, c, _ = orbit.states[0]
+    jump = (c - x + float(S)) / (c - x - float(S))
+    assert np.prod(orbit.multipliers) == pytest.approx(jump**2, rel=1e-11)
+
+
+def test_den_hartogs_oscillator_at_half_its_frequency() -> None:
+    orbit = den_hartog("0.2", "1/2", digits=30)
+    with mpmath.workdps(50):
+        assert abs(orbit.states[0, 0] - mpmath.mpf(4) / 3) < mpmath.mpf(10) ** -30
+        least, largest = sorted(m.real for m in orbit.multipliers)
+        assert abs(least - mpmath.mpf(1) / 16) < mpmath.mpf(10) ** -28
+        assert abs(largest - 1) < mpmath.mpf(10) ** -28
+    assert orbit.admissibility.verdict is True
+    # the multiplier 1: shifted, it comes back as well
+    shifted = [4 / 3 + 0.05, 0, 1, 0]
+    motion = ns.simulate(page("den_hartog"), {"S": "0.2", "W": "1/2"}, shifted, transitions=2)
+    np.testing.assert_allclose(motion.times[1:], [2 * math.pi, 4 * math.pi], rtol=1e-12)
+    np.testing.assert_allclose(motion.states[2], shifted, rtol=0, atol=1e-12)
+
+
+def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
+    orbit = solved("jenkins", "yielding-both-ways")
+    slide, turn = orbit.dwell_times[:2]
+    half = ns.compose(
+        page("jenkins"), orbit.given, orbit.itinerary[:2], [slide, turn], orbit.states[0],
+        symmetry={**FORCED, "s_joint": "-s_joint"},
+    )  # fmt: skip
+    np.testing.assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
+    amplitude = -orbit.states[0, 0]
+    # work of the forcing: F x' cos(w t), of the damper: 2 zeta x'^2
+    work = 0.0
+    motion, begin = orbit.trajectory(), 0.0
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    for dwell in orbit.dwell_times:
+        times = begin + dwell * (nodes + 1) / 2
+        states = motion(np.minimum(times, motion.end))
+        power = 0.6 * states[:, 2] * states[:, 1] - 0.1 * states[:, 1] ** 2
+        work += dwell / 2 * float(weights @ power)
+        begin += dwell
+    assert work == pytest.approx(4 * 0.2 * (amplitude - 0.2 / 3), rel=1e-11)
+
+
+def test_a_jenkins_element_by_matrix_exponentials() -> None:
+    orbit = solved("jenkins", "yielding-both-ways")
+    stuck = np.zeros((6, 6))
+    stuck[0, 1] = 1
+    stuck[1] = [-4, -0.1, 0.6, 0, 3, 0]
+    stuck[2, 3], stuck[3, 2] = -0.9, 0.9
+    forward = stuck.copy()
+    forward[1, [0, 4, 5]] = -1, 0, -0.2
+    forward[4, 1] = 1
+    backward = forward.copy()
+    backward[1, 5] = 0.2
+    assert_motion(
+        orbit,
+        {
+            ("stuck", "joint-slides-forward"): (stuck, lambda y: 3 * (y[0] - y[4]) - 0.2, kept),
+            ("stuck", "joint-slides-backward"): (stuck, lambda y: 3 * (y[4] - y[0]) - 0.2, kept),
+            ("forward", "joint-turns"): (forward, lambda y: -y[1], kept),
+            ("backward", "joint-turns"): (backward, lambda y: y[1], kept),
+        },
+    )
+
+
+# --- the brake pad ------------------------------------------------------------------------
+
+
+def test_a_brake_pad_lifts_as_its_load_says() -> None:
+    orbit = solved("brake_pad", "lifting")
+    height = 4 / math.hypot(4 - 1.3**2, 1.3 / 5)
+    assert float(orbit.dwell_times[0]) == pytest.approx(
+        2 / 1.3 * math.acos(0.5 / height), abs=1e-14
+    )
+    assert float(orbit.period) == pytest.approx(2 * math.pi / 1.3, abs=1e-14)
+    slip = forced(
+        second_order([[1, 0.6], [0, 4]], np.eye(2) / 5, [0.3, 0]), 1.3, np.array([0, 4])
+    )  # fmt: skip
+    lifted, stick = slip.copy(), slip.copy()
+    lifted[2, [1, -1]], stick[2] = 0, 0
+
+    def breaks(state: np.ndarray) -> float:
+        return float(state[0] + state[2] / 5 - 0.3 * (1 - 2 * state[1]))
+
+    assert_motion(
+        orbit,
+        {
+            ("lifted", "pad-lands"): (lifted, lambda s: 1 - 2 * s[1], kept),
+            ("slip", "pad-lifts"): (slip, lambda s: 2 * s[1] - 1, kept),
+            ("slip", "pad-reaches-belt"): (slip, lambda s: s[2] - 1, kept),
+            ("stick", "pad-breaks-forward"): (stick, breaks, kept),
+        },
+    )
+
+
+def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
+    lifting, pressed = (solved("brake_pad", name) for name in ("lifting", "pressed"))
+    for orbit in (lifting, pressed):
+        assert ns.certify(orbit).claims["admissibility"] == "proved"
+    beyond = solved("brake_pad", "pressed", {"A": "4"})
+    assert beyond.converged
+    assert beyond.admissibility.verdict is False
+    assert ns.certify(beyond).claims["admissibility"] == "refuted"
+    assert not ns.solve_many(
+        f"{page('brake_pad')}:pressed", A=np.array([1.17, 4.0])
+    ).admissible.any()
+    branch = ns.continue_orbit(pressed, "A", (1.1, 1.3))
+    (graze,) = (event for event in branch.events if event.kind == "grazing")
+    assert graze.boundary == "pad-lifts"
+    assert float(graze.value) == pytest.approx(math.hypot(4 - 1.3**2, 1.3 / 5) / 2, abs=1e-10)
+
+
+# --- the command line ---------------------------------------------------------------------
+
+
+def test_commands_take_the_files() -> None:
+    code, out, err = run("solve", f"{page('switched_damping')}:limit-cycle", "--json")
+    assert code == 0, err
+    told = json.loads(out)
+    assert float(told["period"]) == pytest.approx(6.367077, abs=5e-7)
+    assert float(told["multipliers"][0]["re"]) == pytest.approx(0.538924872, abs=5e-10)
+    assert told["admissible"] is True
+    code, out, err = run(
+        "verify", f"{page('mass_on_belt')}:stick-slip", "e=1/2", "V=1/2", "--digits", "30", "--json"
+    )
+    assert code == 0, err
+    with mpmath.workdps(40):
+        error = mpmath.mpf(json.loads(out)["period"]) - (3 * mpmath.pi / 2 + 2)
+        assert abs(error) < mpmath.mpf(10) ** -29
+    code, out, err = run(
+        "simulate", page("spring_and_ground"), "m=1e-3", "k=100", "gravity=9.81", "e=0.9",
+        "--from", "x=1,v=0", "--transitions", "1", "--json",
+    )  # fmt: skip
+    assert code == 0, err
+    assert float(json.loads(out)["times"][1]) == pytest.approx(4.966983943888618e-03, rel=1e-14)
+    code, out, err = run("equations", f"{page('mass_on_belt')}:stick-slip", "--format", "markdown")
+    assert code == 0, err
+    assert "The orbit stick-slip of the system mass-on-belt" in out
+
+
+def test_a_wrong_orbit_of_a_file_is_one_line() -> None:
+    code, out, err = run("solve", f"{page('two_stops')}:symetric")
+    assert (code, out) == (2, "")
+    assert "did you mean" in err
+    assert err.count("\n") == 1

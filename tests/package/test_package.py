@@ -1,0 +1,183 @@
+"""The distribution: one top-level name, complete, importable anywhere, quick to start."""
+
+import doctest
+import os
+import pkgutil
+import shutil
+import subprocess
+import sys
+import tarfile
+import zipfile
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import nonsmooth
+from tests.places import CHECKOUT
+
+FOLDERS = ("derive", "generated", "runtime")
+HEAVY = ("flint", "matplotlib", "mpmath", "numpy", "scipy", "sympy")
+MODULES = sorted(
+    module.name
+    for folder in FOLDERS
+    for module in pkgutil.walk_packages(
+        import_module(f"nonsmooth.{folder}").__path__, f"nonsmooth.{folder}."
+    )
+    if not module.name.rpartition(".")[2].startswith("_")
+)
+
+
+def run(*command: object, cwd: Path, **environment: str) -> str:
+    """Run a command without the network; on failure show what it said."""
+    inherited = {name: text for name, text in os.environ.items() if name != "PYTHONPATH"}
+    done = subprocess.run(
+        [str(part) for part in command],
+        cwd=cwd,
+        env=inherited | {"PIP_NO_INDEX": "1", "PIP_DISABLE_PIP_VERSION_CHECK": "1"} | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, f"{command}\n{done.stdout}\n{done.stderr}"
+    return done.stdout
+
+
+def build(kind: str, source: Path, out: Path, **environment: str) -> Path:
+    """Build an sdist or a wheel from a source tree and give its path."""
+    options = ("--no-isolation", "--skip-dependency-check", f"--{kind}", "--outdir", out)
+    run(sys.executable, "-m", "build", *options, source, cwd=out.parent, **environment)
+    (built,) = out.iterdir()
+    return built
+
+
+def contents(wheel: Path) -> set[str]:
+    """Names of the files in a wheel, without its metadata."""
+    with zipfile.ZipFile(wheel) as archive:
+        names = {name for name in archive.namelist() if not name.endswith("/")}
+    return {name for name in names if ".dist-info/" not in name}
+
+
+@pytest.fixture(scope="module")
+def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Copy the checkout without what was built in it."""
+    copy = tmp_path_factory.mktemp("source") / "checkout"
+    unwanted = (".*_cache", ".git", ".hypothesis", ".venv", "*.egg-info", "*.pyc", "*.so", "build")
+    shutil.copytree(CHECKOUT, copy, ignore=shutil.ignore_patterns(*unwanted, "dist"))
+    return copy
+
+
+@pytest.fixture(scope="module")
+def wheel(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build the wheel of the checkout, without the extension."""
+    out = tmp_path_factory.mktemp("wheel") / "dist"
+    return build("wheel", source, out, NONSMOOTH_WITHOUT_EXTENSION="1")
+
+
+def install(wheel: Path, target: Path) -> Path:
+    """Install a wheel, without its dependencies, into a folder of its own."""
+    options = ("--no-deps", "--no-index", "--quiet", "--target", target)
+    run(sys.executable, "-m", "pip", "install", *options, wheel, cwd=target.parent)
+    return target
+
+
+@pytest.mark.packaging
+def test_wheel_has_one_top_level_name(wheel: Path) -> None:
+    assert {name.partition("/")[0] for name in contents(wheel)} == {"nonsmooth"}
+    # The face is the package itself and appears nowhere else.
+    assert not any(name.startswith("nonsmooth/runtime/face") for name in contents(wheel))
+    assert not any(name.endswith((".so", ".pyd")) for name in contents(wheel))
+
+
+@pytest.mark.packaging
+def test_wheel_is_complete(source: Path, wheel: Path) -> None:
+    suffixes = {".py", ".h", ".c", ".md", ".json", ".html"}
+    expected = {"nonsmooth/__init__.py", "nonsmooth/py.typed"}
+    for folder in FOLDERS:
+        expected |= {
+            f"nonsmooth/{path.relative_to(source).as_posix()}"
+            for path in (source / folder).rglob("*")
+            if (path.suffix in suffixes or path.name == "py.typed") and "face" not in path.parts
+        }
+    assert contents(wheel) == expected
+
+
+@pytest.mark.packaging
+def test_sdist_is_complete_and_gives_the_same_wheel(
+    source: Path, wheel: Path, tmp_path: Path
+) -> None:
+    sdist = build("sdist", source, tmp_path / "dist")
+    with tarfile.open(sdist) as archive:
+        archive.extractall(tmp_path, filter="data")
+    (unpacked,) = tmp_path.glob("nonsmooth-*")
+    ours = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
+    theirs = {path.relative_to(unpacked) for path in unpacked.rglob("*") if path.is_file()}
+    kept = {path for path in ours if path.parts[0] in {*FOLDERS, "tests", "scripts", ".ci"}}
+    kept |= {Path("LICENSE"), Path("README.md"), Path("pyproject.toml"), Path("setup.py")}
+    assert kept <= theirs
+    again = build("wheel", unpacked, tmp_path / "again", NONSMOOTH_WITHOUT_EXTENSION="1")
+    assert contents(again) == contents(wheel)
+
+
+@pytest.mark.packaging
+def test_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: Path) -> None:
+    target = install(wheel, tmp_path / "site")
+    program = (
+        "import nonsmooth, nonsmooth.derive, nonsmooth.runtime, nonsmooth.generated;"
+        "print(nonsmooth.__file__, nonsmooth.__version__)"
+    )
+    told = run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(target))
+    assert told.split() == [str(target / "nonsmooth" / "__init__.py"), nonsmooth.__version__]
+    script = target / "bin" / "nonsmooth"
+    assert "verify" in run(sys.executable, script, "--help", cwd=tmp_path, PYTHONPATH=str(target))
+
+
+@pytest.mark.packaging
+@pytest.mark.compiled
+def test_installed_wheel_has_the_compiled_kernels(source: Path, tmp_path: Path) -> None:
+    target = install(build("wheel", source, tmp_path / "dist"), tmp_path / "site")
+    program = "import nonsmooth.generated._kernels as kernels; print(kernels.__file__)"
+    told = run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(target))
+    assert Path(told.strip()).parent == target / "nonsmooth" / "generated"
+
+
+def imported_by(statement: str, tmp_path: Path) -> set[str]:
+    """Top-level modules that a fresh process holds after a statement."""
+    program = (
+        "import sys\n"
+        f"try:\n    {statement}\nexcept SystemExit as end:\n    assert not end.code\n"
+        "print('MODULES', *{name.partition('.')[0] for name in sys.modules})"
+    )
+    told = run(sys.executable, "-c", program, cwd=tmp_path)
+    return set(told.rpartition("MODULES")[2].split())
+
+
+def test_import_loads_nothing_heavy(tmp_path: Path) -> None:
+    assert not imported_by("import nonsmooth; dir(nonsmooth)", tmp_path) & {*HEAVY, "typer"}
+    assert not imported_by("import nonsmooth.derive", tmp_path) & {*HEAVY}
+
+
+def test_help_loads_nothing_heavy(tmp_path: Path) -> None:
+    statement = (
+        "sys.argv = ['nonsmooth', '--help']; import nonsmooth.runtime.cli.program as c; c.main()"
+    )
+    modules = imported_by(statement, tmp_path)
+    assert "nonsmooth" in modules
+    assert not modules & {*HEAVY}
+
+
+@pytest.mark.parametrize("name", nonsmooth.__all__)
+def test_public_names_exist(name: str) -> None:
+    assert name in dir(nonsmooth)
+    assert getattr(nonsmooth, name) is not None
+
+
+def test_unknown_public_name_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="module 'nonsmooth' has no attribute 'sovle'"):
+        _ = nonsmooth.sovle
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_doctests(name: str) -> None:
+    failed, _ = doctest.testmod(import_module(name))
+    assert not failed

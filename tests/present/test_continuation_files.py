@@ -1,0 +1,156 @@
+"""Branches in files, pictures, tables and on the command line."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth
+from nonsmooth.runtime.cli.program import app
+
+STICK = "dry-friction/global-stick"
+
+
+@cache
+def branch() -> nonsmooth.Branch:
+    return nonsmooth.continue_orbit(nonsmooth.solve(STICK), "V", (0.8, 1.3), step=0.05)
+
+
+def same(first: nonsmooth.Branch, second: nonsmooth.Branch) -> None:
+    for name in ("parameter_values", "unknowns", "period", "multipliers", "trace", "admissible"):
+        np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
+    for name in ("name", "parameter", "unknown_names", "stability", "events", "ends", "start"):
+        assert getattr(first, name) == getattr(second, name)
+
+
+def test_saved_and_read(tmp_path: Path) -> None:
+    path = tmp_path / "branch.json"
+    branch().save(path)
+    read = nonsmooth.load_branch(path)
+    same(read, branch())
+    assert read.orbit.unknowns == branch().orbit.unknowns
+    assert read.orbit_at(3).trace == branch().orbit_at(3).trace
+
+
+def test_composed_branch_saved_and_read(tmp_path: Path) -> None:
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    orbit = nonsmooth.compose(
+        "rigid-stop", data, [("free", "first-reaches-stop")], [6.28], period="2*pi"
+    )
+    found = nonsmooth.continue_orbit(orbit, "period", (6.0, 6.5), step=0.1)
+    found.save(tmp_path / "branch.json")
+    same(nonsmooth.load_branch(tmp_path / "branch.json"), found)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda text: text[:-40], "cut, or not JSON"),
+        (lambda text: text.replace('"start": ', '"start": 1'), "the checksum differs"),
+        (lambda text: text.replace("nonsmooth branch", "nonsmooth orbit"), "not a saved branch"),
+        (lambda text: "[]", "not a saved branch"),
+        (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
+    ],
+)
+def test_damaged_files_are_refused(tmp_path: Path, change, message: str) -> None:
+    path = tmp_path / "branch.json"
+    branch().save(path)
+    path.write_text(change(path.read_text()))
+    with pytest.raises(nonsmooth.InputError, match=message) as refusal:
+        nonsmooth.load_branch(path)
+    assert str(path) in str(refusal.value)
+
+
+def test_as_dataset() -> None:
+    pytest.importorskip("xarray")
+    found = branch().to_xarray()
+    np.testing.assert_array_equal(found["V"], branch().parameter_values)
+    np.testing.assert_array_equal(found["ta"], branch().quantity("ta"))
+    assert found["multiplier"].shape == branch().multipliers.shape
+
+
+def test_picture(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    orbit = nonsmooth.solve("dry-friction/symmetric")
+    found = nonsmooth.continue_orbit(orbit, "V", (0.5, 1.3), step=0.05)
+    (axes,) = found.plot("tau").axes
+    labels = axes.get_legend_handles_labels()[1]
+    assert sorted(labels) == ["flip", "grazing", "no motion", "stable", "unstable"]
+    lines = {line.get_label(): line for line in axes.lines}
+    assert lines["unstable"].get_linestyle() == "--"
+    assert lines["stable"].get_linestyle() == "-"
+    assert max(lines["no motion"].get_xdata()) <= min(lines["unstable"].get_xdata()) + 1e-12
+    flip = next(e for e in found.events if e.kind == "flip")
+    assert lines["flip"].get_xdata()[0] == flip.value
+    assert lines["flip"].get_ydata()[0] == flip.unknowns["tau"]
+    assert found.plot("trace", axes) is axes
+    with pytest.raises(nonsmooth.InputError, match="unknown quantity"):
+        found.plot("nothing")
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, list(arguments))
+    return result.exit_code, result.stdout, result.stderr
+
+
+def test_command(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    saved, picture = tmp_path / "branch.json", tmp_path / "branch.png"
+    code, out, _ = run(
+        "continue", STICK, "V=0.8:1.3", "--step", "0.05", "--save", str(saved),
+        "--plot", str(picture), "--quantity", "ta", "--beyond",
+    )  # fmt: skip
+    assert code == 0
+    assert "vanishing-phase" in out
+    assert "ends: ta goes to zero" in out
+    assert "beyond V = 1.20019: stick-slip > slip-slip > slip-stick > slip-slip (stable)" in out
+    assert picture.stat().st_size > 5000
+    same(nonsmooth.load_branch(saved), branch())
+    drawn = tmp_path / "again.png"
+    assert run("plot", str(saved), "--out", str(drawn))[0] == 0
+    assert drawn.stat().st_size > 5000
+    code, _, err = run("plot", str(saved), "--kind", "phase")
+    assert code != 0
+    assert "a branch has one kind of picture" in err
+
+
+def test_command_as_json() -> None:
+    code, out, _ = run("continue", STICK, "V=1.05:1.3", "eta=1.01", "--step", "0.1", "--json")
+    told = json.loads(out)
+    assert code == 0
+    assert told["orbit"] == STICK
+    assert len(told["values"]) == len(told["unknowns"]["ta"]) == len(told["admissible"])
+    assert [event["kind"] for event in told["events"]] == ["vanishing-phase"]
+    assert told["ends"][1] == "ta goes to zero"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["eta=1"], "one parameter has to be a range"),
+        (["V=0.8:1.2", "eta=1:2"], "one parameter has to be a range"),
+        (["V=0.8:1.2", "V=1"], "parameter V is given twice"),
+        (["V=0.8:1.2:5"], "is not NAME=A:B"),
+        (["V=0.8:0.9", "--at", "1"], "is not in 0.8 to 0.9"),
+        (["V=0.8:1.2", "--plot", "branch.txt"], "does not end in"),
+    ],
+)
+def test_wrong_commands(arguments: list[str], message: str) -> None:
+    code, _, err = run("continue", STICK, *arguments)
+    assert code == 2
+    assert message in err
+
+
+def test_a_picture_that_fails_does_not_lose_the_branch(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    command = ["continue", "dry-friction/global-stick", "V=0.9:1.1", "--points", "5", "--json",
+               "--plot", str(tmp_path / "branch.png"), "--quantity", "amplitude_q"]  # fmt: skip
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 2
+    assert len(json.loads(found.stdout)["values"]) > 3
+    assert "no picture: unknown state 'q'" in found.stderr

@@ -1,0 +1,101 @@
+"""Forced systems as they are drawn: strobed sweeps, and frequency responses by default."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.continuation.response import forcing_frequencies, usual_quantities
+from nonsmooth.runtime.explore.finding.sweep import sweep
+from tests.places import GALLERY
+
+PAGE = str(GALLERY / "impact_oscillator.py")
+
+
+@pytest.mark.parametrize("phase", [0.0, 1.0, 4.0])
+def test_without_contact_a_strobe_shows_the_closed_form(phase: float, tmp_path: Path) -> None:
+    """x'' + x = cos(w t) from x = g, v = 0 is x = g cos(w t), far from the stop."""
+    values = np.array([1.7, 2.4])
+    for place, w in enumerate(values):
+        gain = 1 / (1 - w**2)
+        diagram = sweep(
+            PAGE, {"r": "0.8", "sigma": 50}, "w", values[place : place + 1],
+            {"x": gain, "v": 0}, state="x", phase=phase, transient=7, samples=5,
+        )  # fmt: skip
+        np.testing.assert_allclose(diagram.samples, gain * np.cos(phase), rtol=0, atol=1e-11)
+        diagram.save(tmp_path / "sweep.json")
+        read = ns.load_sweep(tmp_path / "sweep.json")
+        np.testing.assert_array_equal(read.samples, diagram.samples)
+        assert (read.phase, read.configuration, read.done) == (phase, None, 1)
+
+
+def test_a_strobe_shows_one_point_of_an_orbit_of_the_forcings_period() -> None:
+    orbit = ns.solve(f"{PAGE}:one-period", {"w": "2.4"})
+    start = dict(zip(orbit.names[1:], orbit.states[0], strict=False))
+    begin = {name.removesuffix("0"): value for name, value in start.items()}
+    diagram = sweep(
+        PAGE, {"r": "0.8", "sigma": 0}, "w", [2.4], begin, state="v", phase=2.0,
+        transient=3, samples=4,
+    )  # fmt: skip
+    wait = (2.0 - np.arctan2(begin["s1"], begin["c1"])) % (2 * np.pi) / 2.4
+    wanted = orbit.trajectory(2)(wait)[1]
+    np.testing.assert_allclose(diagram.samples, wanted, rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"phase": None}, "give one of them"),
+        ({"configuration": "free"}, "give one of them"),
+        ({"system": "rigid-stop", "parameters": {}, "start": {}}, "has no forcing"),
+    ],
+)
+def test_wrong_strobes(changes: dict, match: str) -> None:
+    arguments = {
+        "system": PAGE,
+        "parameters": {"r": "0.8", "sigma": 50},
+        "name": "w",
+        "values": [2.0],
+        "start": {"x": 0, "v": 0},
+        "state": "x" if "system" not in changes else "x1",
+        "phase": 0.0,
+    }
+    with pytest.raises(InputError, match=match):
+        sweep(**(arguments | changes))
+
+
+@cache
+def branch(name: str) -> ns.Branch:
+    orbit = ns.solve(f"{PAGE}:one-period", {"w": "2.4"})
+    interval = {"w": (2.38, 2.42), "sigma": (-0.01, 0.01)}[name]
+    return ns.continue_orbit(orbit, name, interval, step=0.5)
+
+
+def test_a_frequency_response_is_drawn_by_default() -> None:
+    pytest.importorskip("matplotlib")
+    response = branch("w")
+    assert usual_quantities(response) == ("amplitude_x",)
+    np.testing.assert_array_equal(forcing_frequencies(response), response.parameter_values)
+    (angular,) = response.plot().axes
+    (cycles,) = response.plot(frequency="cycles").axes
+    assert "angular" in angular.get_xlabel()
+    assert "cycles" in cycles.get_xlabel()
+    assert "amplitude" in angular.get_ylabel()
+    lines = [axes.lines[0].get_xydata() for axes in (angular, cycles)]
+    np.testing.assert_allclose(lines[0][:, 0], 2 * np.pi * lines[1][:, 0])
+    np.testing.assert_allclose(lines[0][:, 1], response.quantity("amplitude_x"))
+    with pytest.raises(InputError, match="unknown frequency 'hertz'"):
+        response.plot(frequency="hertz")
+
+
+def test_other_parameters_are_no_frequency() -> None:
+    other = branch("sigma")
+    assert usual_quantities(other) == ("amplitude_x",)
+    assert forcing_frequencies(other) is None
+    free = ns.continue_orbit(ns.solve("dry-friction/global-stick"), "V", (0.99, 1.01), step=0.5)
+    assert usual_quantities(free) == ("period",)

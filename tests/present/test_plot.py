@@ -1,0 +1,469 @@
+"""Pictures of orbits, and how a notebook shows an orbit and its equations."""
+
+import re
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+import nonsmooth
+from nonsmooth.derive.equations import derive_equations
+from nonsmooth.derive.systems import dry_friction
+from nonsmooth.runtime.cli.options import Kind
+from nonsmooth.runtime.core.errors import InputError, MissingExtra
+from nonsmooth.runtime.model.kernels import orbit_names
+from nonsmooth.runtime.model.naming import symbol
+from nonsmooth.runtime.orbits.stability import Stability
+from nonsmooth.runtime.present.pictures.plot import (
+    KINDS,
+    PANELS,
+    orbit_figure,
+    plot_orbit,
+    save_figure,
+)
+from nonsmooth.runtime.shooting.multipliers import Multiplier
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+ORBIT = "dry-friction/global-stick"
+CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
+
+
+@cache
+def orbit(name: str = ORBIT) -> nonsmooth.Orbit:
+    return nonsmooth.solve(name)
+
+
+@pytest.fixture(autouse=True)
+def closed() -> Iterator[None]:
+    yield
+    pyplot.close("all")
+
+
+def axes_of(count: int = 1) -> list[Axes]:
+    return list(np.ravel(Figure(layout="constrained").subplots(count, squeeze=False)))
+
+
+def curve(axes: Axes, label: str) -> np.ndarray:
+    """Points of the one curve of that label."""
+    (line,) = [line for line in axes.get_lines() if line.get_label() == label]
+    return np.array(line.get_xydata())
+
+
+def legend(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.get_legend().get_texts()]
+
+
+# --- what is drawn
+
+
+def test_the_command_knows_every_kind() -> None:
+    assert tuple(kind.value for kind in Kind) == KINDS
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_draws_into_a_new_figure(kind: str) -> None:
+    found = orbit().plot(kind)
+    if kind == "all":
+        assert len(found) == len(PANELS)
+        assert found[0].figure.get_suptitle() == ORBIT
+    else:
+        assert isinstance(found, Axes)
+        assert found.get_title(loc="left") == ORBIT
+    (number,) = pyplot.get_fignums()
+    pyplot.figure(number).canvas.draw()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_draws_into_given_axes_without_pyplot(kind: str) -> None:
+    places = axes_of(len(PANELS) if kind == "all" else 1)
+    given = places if kind == "all" else places[0]
+    found = plot_orbit(orbit(), kind, given)
+    assert found == tuple(places) if kind == "all" else found is places[0]
+    assert not pyplot.get_fignums()
+    for axes in places:
+        assert "nondimensional" in axes.get_xlabel()
+        assert re.search("nondimensional|configuration", axes.get_ylabel())
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_is_drawn(name: str) -> None:
+    places = axes_of(len(PANELS))
+    orbit(name).plot("all", places)
+    motion = orbit(name).motion()
+    time, velocity, strip, phase, multipliers = places
+    letter = motion.names[0][0]
+    for mass in (0, 1):
+        label = f"${letter}_{{{mass + 1}}}$"
+        points = curve(time, label)
+        inside = ~np.isin(points[:, 0], motion.breaks)
+        assert inside.sum() > 400
+        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, mass], atol=1e-12)
+        points = curve(velocity, f"{label[:-1]}'$")
+        inside = ~np.isin(points[:, 0], motion.breaks)
+        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, 2 + mass], atol=1e-11)
+    assert [t.get_text() for t in strip.get_yticklabels()] == list(
+        dict.fromkeys(motion.configurations)
+    )
+    assert len(strip.patches) == len(motion.configurations)
+    assert len(legend(multipliers)) == len(orbit(name).stability.multipliers)
+    assert sum("trivial" in text for text in legend(multipliers)) == name.startswith(
+        ("rigid", "elastic")
+    )
+    assert len(curve(phase, f"(${letter}_{{1}}$, ${letter}_{{1}}'$)")) > 1000
+    time.figure.canvas.draw()
+
+
+@pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
+def test_the_stop_is_drawn_where_it_is(name: str) -> None:
+    (axes,) = axes_of()
+    orbit(name).plot("time", axes, periods=2)
+    (stop,) = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
+    assert set(stop.get_ydata()) == {1.0}
+    assert [text.get_text() for text in axes.texts if text.get_text()] == ["$x_{1} = 1$"]
+    places = axes_of(2)
+    orbit(name).plot("phase", places)
+    counts = [sum(line.get_linestyle() == ":" for line in a.get_lines()) for a in places]
+    assert counts == [1, 0]
+    assert "sticking" not in [*legend(places[0]), *legend(places[1])]
+
+
+def test_an_impact_is_drawn_before_and_behind() -> None:
+    (axes,) = axes_of()
+    orbit("rigid-stop/one-impact").plot("velocity", axes, periods=2)
+    points, u = curve(axes, "$x_{1}'$"), orbit("rigid-stop/one-impact").unknowns["u"]
+    (switch,) = np.flatnonzero(np.diff(points[:, 0]) == 0)
+    assert_allclose(points[[switch, switch + 1], 1], [-u, u], atol=1e-12)
+
+
+@pytest.mark.parametrize("masses", [(0,), [1], (1, 0), range(2)])
+def test_some_masses_alone(masses: Sequence[int]) -> None:
+    (axes,) = axes_of()
+    orbit().plot("time", axes, masses=masses)
+    assert legend(axes)[: len(masses)] == [f"$z_{{{m + 1}}}$" for m in masses]
+    assert legend(axes)[len(masses) :] == CONFIGURATIONS
+
+
+@pytest.mark.parametrize("masses", [(), (2,), (-1,), (0, 5)])
+def test_masses_that_are_none(masses: Sequence[int]) -> None:
+    with pytest.raises(InputError, match=r"masses = .*global-stick has \[0, 1\]"):
+        orbit().plot("time", axes_of(), masses=masses)
+
+
+def test_a_phase_that_takes_no_time_has_its_name_in_the_strip() -> None:
+    (axes,) = axes_of()
+    orbit("dry-friction/solution-ii").plot("strip", axes)
+    assert [text.get_text() for text in axes.texts] == [
+        *("$t_{a} = 0$", "$\\tau$", "$\\tau_{1}$", "$\\tau_{2}$")
+    ]
+    assert axes.patches[0].get_width() == 0
+
+
+@pytest.mark.parametrize("periods", [1, 2])
+@pytest.mark.parametrize(("kind", "first"), [("time", 0), ("velocity", 2)])
+def test_histories_are_the_motion(kind: str, first: int, periods: int) -> None:
+    (axes,) = axes_of()
+    orbit().plot(kind, axes, periods=periods)
+    motion = orbit().motion()
+    labels = ["$z_{1}$", "$z_{2}$"] if kind == "time" else ["$z_{1}'$", "$z_{2}'$"]
+    for mass, label in enumerate(labels):
+        points = curve(axes, label)
+        assert len(points) > 500 * periods
+        assert_allclose(points[:, 1], motion(points[:, 0])[:, first + mass], atol=1e-12)
+        assert label in axes.get_ylabel()
+    assert axes.get_xlabel() == "time $t$ (nondimensional)"
+    assert legend(axes) == labels + CONFIGURATIONS
+    assert_allclose(axes.get_xlim(), (0, periods * motion.period))
+    assert len(axes.patches) == 4 * periods
+    edges = np.unique([patch.get_x() for patch in axes.patches])
+    assert_allclose(edges[:4], motion.breaks[:-1])
+
+
+def test_phase_portraits_are_the_motion() -> None:
+    (axes,) = axes_of()
+    orbit().plot("phase", axes)
+    states = orbit().motion().sample(1200).states
+    for mass in (0, 1):
+        points = curve(axes, f"($z_{{{mass + 1}}}$, $z_{{{mass + 1}}}'$)")
+        assert_array_equal(points, states[:, [mass, 2 + mass]])
+        assert_allclose(points[0], points[-1], atol=1e-12)
+    assert axes.get_xlabel() == "positions $z_{1}$, $z_{2}$ (nondimensional)"
+    assert axes.get_ylabel() == "velocities $z_{1}'$, $z_{2}'$ (nondimensional)"
+    assert legend(axes)[-1] == "sticking"
+    assert [text.get_text() for text in axes.texts if text.get_text()] == ["$V$"]
+
+
+def test_phase_portraits_in_axes_of_their_own() -> None:
+    places = axes_of(2)
+    assert orbit().plot("phase", places) == tuple(places)
+    for mass, axes in enumerate(places, 1):
+        assert axes.get_xlabel() == f"position $z_{{{mass}}}$ (nondimensional)"
+        assert legend(axes) == [f"($z_{{{mass}}}$, $z_{{{mass}}}'$)", "sticking"]
+
+
+def test_sticking_parts_and_belt_are_drawn_at_its_velocity() -> None:
+    found = nonsmooth.solve(ORBIT, {"V": "0.9"})
+    for kind in ("phase", "velocity"):
+        (axes,) = axes_of()
+        found.plot(kind, axes)
+        belts = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
+        assert [set(line.get_ydata()) for line in belts] == [{0.9}]
+    (axes,) = axes_of()
+    found.plot("phase", axes)
+    bands = [np.array(b.get_xydata()) for b in axes.get_lines() if b.get_linewidth() == 6]
+    drawn = [band for band in bands if len(band)]
+    assert len(drawn) == 4
+    assert all((band[:, 1] == 0.9).all() for band in drawn)
+    # masses ride the belt in three phases together
+    assert sum(np.ptp(band[:, 0]) for band in drawn) == pytest.approx(
+        0.9 * sum(found.values[n] * c for n, c in (("ta", 2), ("tau", 1), ("tau2", 1)))
+    )
+
+
+def test_strip_shows_which_configuration_when() -> None:
+    (axes,) = axes_of()
+    orbit().plot("strip", axes, periods=2)
+    assert [text.get_text() for text in axes.get_yticklabels()] == CONFIGURATIONS
+    motion = orbit().motion()
+    assert len(axes.patches) == 8
+    for bar in axes.patches:
+        middle = bar.get_x() + bar.get_width() / 2
+        row = round(bar.get_y() + bar.get_height() / 2)
+        assert motion.configuration(middle) == CONFIGURATIONS[row]
+    texts = [text.get_text() for text in axes.texts]
+    assert texts == ["$t_{a}$", "$\\tau$", "$\\tau_{1}$", "$\\tau_{2}$"] * 2
+
+
+def test_multipliers_stand_in_the_unit_circle() -> None:
+    (axes,) = axes_of()
+    orbit().plot("multipliers", axes)
+    circle = np.array(axes.get_lines()[0].get_xydata())
+    assert_allclose(np.hypot(*circle.T), 1)
+    assert axes.get_aspect() == 1
+    for number, multiplier in enumerate(orbit().stability.multipliers, 1):
+        (label,) = [text for text in legend(axes) if text.startswith(f"$\\mu_{{{number}}}")]
+        assert_array_equal(curve(axes, label), [[multiplier.real, multiplier.imaginary]])
+
+
+def test_multipliers_outside_the_circle_and_trivial_ones() -> None:
+    found = replace(orbit())
+    multipliers = (Multiplier(1.7, 2.4), Multiplier(1.7, -2.4), Multiplier(1.0, 0.0, True))
+    vars(found)["stability"] = Stability(multipliers, 4.4, 3, -1.94, "unstable", "")
+    (axes,) = axes_of()
+    found.plot("multipliers", axes)
+    assert legend(axes) == [
+        "$\\mu_{1} = 1.7+2.4\\,\\mathrm{i}$",
+        "$\\mu_{2} = 1.7-2.4\\,\\mathrm{i}$",
+        "$\\mu_{3} = 1$, trivial",
+    ]
+    marks = [line for line in axes.get_lines() if line.get_label() in legend(axes)]
+    assert [mark.get_markerfacecolor() == "none" for mark in marks] == [False, False, True]
+    assert min(axes.get_ylim()) < -2.4 < 2.4 < max(axes.get_ylim())
+
+
+def test_a_configuration_has_one_colour_in_all_pictures() -> None:
+    places = orbit().plot("all")
+    time, velocity, strip = (
+        [patch.get_facecolor()[:3] for patch in axes.patches] for axes in places[:3]
+    )
+    assert time == velocity == strip
+    assert len(set(time)) == 4
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_legends_and_titles_cover_nothing(kind: str) -> None:
+    figure = orbit_figure(orbit(), kind)
+    figure.canvas.draw()
+    for axes in figure.axes:
+        frame, box = axes.get_window_extent(), axes.get_legend()
+        texts = [axes.title, axes._left_title] if kind != "all" else []
+        boxes = [text.get_window_extent() for text in texts if text.get_text()]
+        if box is not None:
+            boxes.append(box.get_window_extent())
+            assert box.get_window_extent().x1 <= figure.bbox.x1
+        assert all(found.y0 >= frame.y1 - 1 for found in boxes)
+        assert all(not a.overlaps(b) for a in boxes for b in boxes if a is not b)
+
+
+def test_digits_do_not_change_the_picture() -> None:
+    (rough,), (sharp,) = axes_of(), axes_of()
+    orbit().plot("time", rough)
+    nonsmooth.refine(orbit(), 30).plot("time", sharp)
+    assert_allclose(curve(sharp, "$z_{1}$"), curve(rough, "$z_{1}$"), atol=1e-12)
+
+
+# --- files
+
+
+@pytest.mark.parametrize("ending", [".svg", ".pdf", ".png"])
+def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
+    paths = [tmp_path / f"{name}{ending}" for name in ("first", "second")]
+    for path in paths:
+        save_figure(orbit_figure(orbit(), "all"), path)
+    first, second = (path.read_bytes() for path in paths)
+    assert first == second
+    assert len(first) > 10_000
+    assert b"Date" not in first
+    assert not pyplot.get_fignums()
+
+
+def test_wrong_files(tmp_path: Path) -> None:
+    figure = orbit_figure(orbit(), "strip")
+    with pytest.raises(InputError, match=r"orbit.gif does not end in \.png, \.svg, \.pdf"):
+        save_figure(figure, tmp_path / "orbit.gif")
+    with pytest.raises(InputError, match=r"cannot write .*missing"):
+        save_figure(figure, tmp_path / "missing" / "orbit.png")
+
+
+# --- wrong input
+
+
+def test_unknown_kind() -> None:
+    with pytest.raises(InputError, match="unknown kind of picture 'phases'; did you mean 'phase'"):
+        orbit().plot("phases")
+
+
+@pytest.mark.parametrize(
+    ("kind", "count"), [("time", 2), ("strip", 0), ("all", 1), ("all", 4), ("phase", 3)]
+)
+def test_wrong_number_of_axes(kind: str, count: int) -> None:
+    with pytest.raises(InputError, match=f"'{kind}' is drawn into .* Axes"):
+        orbit().plot(kind, axes_of(count) if count else [])
+
+
+def test_axes_that_are_none() -> None:
+    with pytest.raises(InputError, match="given: 1 Figure"):
+        orbit().plot("time", Figure())
+
+
+def test_counts_are_checked() -> None:
+    with pytest.raises(InputError, match="periods = 0"):
+        orbit().plot(periods=0)
+    assert not pyplot.get_fignums()
+
+
+def test_no_picture_without_an_orbit() -> None:
+    lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
+    with pytest.raises(InputError, match="has no motion"):
+        lost.plot()
+
+
+def test_without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    for draw in (plot_orbit, orbit_figure):
+        with pytest.raises(MissingExtra, match=r'pip install "nonsmooth\[plot\]"'):
+            draw(orbit(), "time")
+
+
+# --- notebooks
+
+
+class Table(HTMLParser):
+    """Reads tables and fails on tags that do not match."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: set[str] = set()
+        self.texts: list[str] = []
+        self.feed(text)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag: str, attrs: object) -> None:
+        self.tags.add(tag)
+        if tag != "br":
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append(data)
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_notebooks_show_every_orbit(name: str) -> None:
+    text = " ".join(Table(orbit(name)._repr_html_()).texts)
+    told = orbit(name).to_json()
+    for number in (told["period"], *told["unknowns"].values()):
+        assert number[:10] in text
+    for multiplier in told["multipliers"]:
+        assert multiplier["re"][:10] in text
+    assert "+ -" not in text
+    assert told["stability"] in text
+    rows = orbit(name)._repr_latex_().splitlines()[1:-1]
+    assert len(rows) == len(told["unknowns"])
+
+
+@pytest.mark.parametrize("digits", [None, 40])
+def test_html_of_an_orbit(digits: int | None) -> None:
+    found = nonsmooth.solve(ORBIT, {"chi": "1/2", "us2": "0.8"})
+    if digits is not None:
+        found = nonsmooth.refine(found, digits)
+    table = Table(found._repr_html_())
+    assert table.tags == {"table", "caption", "tr", "th", "td", "br"}
+    text = " ".join(table.texts)
+    told = found.to_json()
+    for part in ("chi = 1/2", "us2 = 0.8", "stable", "conditional, it takes", "us1 > 0"):
+        assert part in text
+    for number in (told["period"], told["trace"], *told["unknowns"].values()):
+        assert number[:12] in text
+    assert f"{found.digits} digits" in text
+
+
+def test_html_says_what_is_wrong() -> None:
+    refused = nonsmooth.solve(ORBIT, {"us2": "0.7"})
+    assert "second-breaks-backward is crossed in phase 1" in refused._repr_html_()
+    lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
+    assert lost.message in " ".join(Table(lost._repr_html_()).texts)
+    assert lost.message in lost._repr_latex_()
+
+
+def test_latex_of_an_orbit() -> None:
+    latex = nonsmooth.refine(orbit(), 30)._repr_latex_()
+    assert latex.startswith("$$\\begin{aligned}\n")
+    assert latex.endswith("\n\\end{aligned}$$")
+    rows = latex.splitlines()[1:-1]
+    assert [row.partition(" &= ")[0] for row in rows] == [
+        *("z_{10}", "z_{20}", "t_{a}", "\\tau", "\\tau_{1}", "\\tau_{2}")
+    ]
+    numbers = [row.partition(" &= ")[2].removesuffix(" \\\\") for row in rows]
+    assert_allclose([float(n) for n in numbers], list(orbit().unknowns.values()), rtol=1e-12)
+    assert all(len(number) > 30 for number in numbers)
+
+
+@pytest.mark.parametrize(
+    ("name", "latex"),
+    [("e1", "e_{1}"), ("us1", "u_{s1}"), ("chi", "\\chi"), ("w", "w"), ("mass", "\\mathrm{mass}")],
+)
+def test_symbols(name: str, latex: str) -> None:
+    assert symbol(name) == latex
+
+
+def test_equations_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
+    equations = derive_equations(dry_friction.global_stick)
+    latex = equations._repr_latex_()
+    rows = latex.splitlines()[1:-1]
+    assert len(rows) == 6
+    assert rows[2] == "& v_{1}^{(3)} - V = 0 && \\text{first-reaches-belt ends slip-slip} \\\\"
+    assert "*" not in latex
+    pytest.importorskip("latex2mathml")
+    html = equations._repr_html_()
+    assert html is not None
+    table = Table(html)
+    assert html.count("<tr>") == 6
+    assert "first-reaches-belt ends slip-slip" in table.texts
+    assert "$" not in "".join(table.texts)
+    monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
+    assert equations._repr_html_() is None

@@ -1,0 +1,53 @@
+"""The report's page in a real browser: quiet, offline and no wider than the window."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.browser import inspect_page
+from tests.present.test_report_writers import page, report
+
+pytestmark = pytest.mark.browser
+BROKEN = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>broken</title></head><body><main>
+<section id="seen"><p>words</p></section>
+<section id="hidden" style="display: none"><p>words</p></section>
+<div style="width: 900px">wide</div>
+<img src="https://example.org/picture.png" alt="">
+<script>console.warn("a warning");</script>
+</main></body></html>
+"""
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_page_opens_offline_and_fits(width: int, tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(page(), encoding="utf-8")
+    facts = inspect_page(path, width)
+    assert facts.width == width
+    assert facts.scroll_width <= width
+    assert facts.wide == ()
+    assert facts.messages == ()
+    assert facts.requests == ()
+    assert facts.chapters == tuple(chapter.anchor for chapter in report().chapters)
+
+
+def test_what_is_broken_is_noticed(tmp_path: Path) -> None:
+    path = tmp_path / "broken.html"
+    path.write_text(BROKEN, encoding="utf-8")
+    facts = inspect_page(path, 390)
+    assert facts.chapters == ("seen",)
+    assert facts.scroll_width > 890
+    assert len(facts.wide) == 1
+    assert any("a warning" in message for message in facts.messages)
+    assert facts.requests == ("https://example.org/picture.png",)
+
+
+def test_missing_browser_fails_only_where_it_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.setenv("NONSMOOTH_NEEDS_BROWSER", "1")
+    with pytest.raises(pytest.fail.Exception, match="no browser"):
+        inspect_page(Path("report.html"), 390)
+    monkeypatch.delenv("NONSMOOTH_NEEDS_BROWSER")
+    with pytest.raises(pytest.skip.Exception, match="no browser"):
+        inspect_page(Path("report.html"), 390)

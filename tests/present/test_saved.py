@@ -1,0 +1,413 @@
+"""Orbits in files: every digit comes back, whatever is not such a file is refused."""
+
+import hashlib
+import json
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import pytest
+
+import nonsmooth
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import decimal_string
+from nonsmooth.runtime.model.kernels import orbit_names
+from nonsmooth.runtime.present.files import orbits as saved
+
+ORBIT = "dry-friction/global-stick"
+
+
+@cache
+def orbit() -> nonsmooth.Orbit:
+    return nonsmooth.solve(ORBIT, {"eta": "0.98", "us2": "4/5"})
+
+
+@cache
+def exchanged() -> nonsmooth.Orbit:
+    return nonsmooth.solve(
+        ORBIT, {"chi": 0.5}, unknown=["e1", "e2"], given={"ta": 1, "tau": "2*pi/3"}
+    )
+
+
+def checksum(content: dict[str, Any]) -> str:
+    covered = {name: entry for name, entry in content.items() if name != "sha256"}
+    return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "orbit.json"
+
+
+@pytest.fixture
+def content(path: Path) -> dict[str, Any]:
+    """What the file of an orbit holds."""
+    orbit().save(path)
+    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return found
+
+
+def refusal(path: Path) -> str:
+    """The one line with which a file is refused."""
+    with pytest.raises(InputError) as caught:
+        nonsmooth.load(path)
+    message = str(caught.value)
+    assert message.startswith(f"{path}: ")
+    assert "\n" not in message
+    return message.removeprefix(f"{path}: ")
+
+
+# --- round trips
+
+
+@pytest.mark.parametrize(
+    ("make", "digits", "arithmetic"),
+    [
+        (orbit, None, ""),
+        (exchanged, None, ""),
+        (orbit, 1, "flint"),
+        (orbit, 50, "flint"),
+        (orbit, 50, "mpmath"),
+        (exchanged, 50, "flint"),
+        (exchanged, 3000, "flint"),
+    ],
+)
+def test_round_trip(
+    make: Callable[[], nonsmooth.Orbit], digits: int | None, arithmetic: str, path: Path
+) -> None:
+    before = make()
+    if digits is not None:
+        before = nonsmooth.refine(before, digits, arithmetic=arithmetic)
+    before.save(path)
+    after = nonsmooth.load(path)
+    assert after == before
+    assert list(after.unknowns) == list(before.unknowns)
+    assert list(after.given) == list(before.given)
+    assert [v.exact for v in after.given.values()] == [v.exact for v in before.given.values()]
+    assert after.precise is before.precise
+    assert after.period == before.period
+    assert after.trace == before.trace
+    assert decimal_string(after.trace, after.digits) == decimal_string(before.trace, before.digits)
+    assert after.to_json() == before.to_json()
+
+
+@pytest.mark.parametrize("digits", [None, 60])
+@pytest.mark.parametrize("name", orbit_names())
+def test_every_orbit_comes_back(name: str, digits: int | None, path: Path) -> None:
+    before = nonsmooth.solve(name)
+    if digits is not None:
+        before = nonsmooth.refine(before, digits)
+    before.save(path)
+    after = nonsmooth.load(path)
+    assert after == before
+    assert list(after.unknowns) == list(before.unknowns)
+    assert after.stability == before.stability
+    assert after.admissibility == before.admissibility
+    assert after.dwell_times == before.dwell_times
+    assert after.to_json() == before.to_json()
+    assert (after.motion()([0.1, 5]) == before.motion()([0.1, 5])).all()
+    written = path.read_bytes()
+    after.save(path)
+    assert path.read_bytes() == written
+
+
+def test_an_exchange_in_a_border_collision_comes_back(path: Path) -> None:
+    before = nonsmooth.solve(
+        "dry-friction/solution-ii", {"us1": "1"}, unknown=["V"], given={"e1": "5/2"}
+    )
+    nonsmooth.refine(before, 30).save(path)
+    after = nonsmooth.load(path)
+    assert after.given["e1"].text == "5/2"
+    assert after.opened["us1"].text == "1"
+    assert after.to_json() == nonsmooth.refine(before, 30).to_json()
+
+
+@pytest.mark.parametrize(
+    ("name", "where", "text", "part"),
+    [
+        ("rigid-stop/one-impact", "given/T", "3", "not a solution of rigid-stop/one-impact"),
+        ("rigid-stop/one-impact", "given/T", "0", "T is outside its domain"),
+        ("rigid-stop/one-impact", "given/r", "1", "rigid-stop/one-impact has T, k1,"),
+        ("elastic-stop/one-contact", "unknowns/tau", "7", "dwell time tau1 is negative"),
+        ("elastic-stop/one-contact", "given/k3", "-1", "k3 is outside its domain"),
+        ("dry-friction/solution-ii", "unknowns/e1", "-1", "e1 is outside its domain"),
+        ("dry-friction/solution-ii", "unknowns/ta", "0", "dry-friction/solution-ii has V, chi,"),
+        ("dry-friction/symmetric", "opened/us1", "1", "unknown open parameter 'us1'"),
+    ],
+)
+def test_wrong_content_of_other_orbits_is_refused(
+    name: str, where: str, text: str, part: str, path: Path
+) -> None:
+    nonsmooth.solve(name).save(path)
+    content = json.loads(path.read_text(encoding="utf-8"))
+    put(where, text)(content)
+    content["sha256"] = checksum(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert part in refusal(path)
+
+
+def test_numbers_keep_their_precision(path: Path) -> None:
+    sharp = nonsmooth.refine(orbit(), 60)
+    sharp.save(path)
+    again = nonsmooth.load(path)
+    for name, number in sharp.unknowns.items():
+        assert again.unknowns[name]._mpf_ == number._mpf_
+        assert again.unknowns[name].context.prec == number.context.prec
+    assert nonsmooth.refine(again, 80).unknowns == nonsmooth.refine(sharp, 80).unknowns
+
+
+def test_a_loaded_orbit_is_an_orbit(path: Path) -> None:
+    orbit().save(path)
+    again = nonsmooth.load(path)
+    assert again.stability == orbit().stability
+    assert again.admissibility == orbit().admissibility
+    assert again.sensitivity("eta") == orbit().sensitivity("eta")
+    assert (again.motion()([0.1, 5]) == orbit().motion()([0.1, 5])).all()
+
+
+@pytest.mark.parametrize(
+    "eta", [1, 0.98, Fraction(49, 50), "49/50", "0.9800", mpmath.mpf("0.98"), "sqrt(24)/5"]
+)
+def test_given_values_stay_as_they_were_written(eta: object, path: Path) -> None:
+    found = nonsmooth.solve(ORBIT, {"eta": eta})
+    found.save(path)
+    assert nonsmooth.load(path).given["eta"].text == found.given["eta"].text
+    assert nonsmooth.load(path) == found
+
+
+def test_a_long_exact_value(path: Path) -> None:
+    with mpmath.workdps(900):
+        eta = 1 + mpmath.mpf(1) / 3**100
+    found = nonsmooth.solve(ORBIT, {"eta": eta})
+    assert len(found.given["eta"].text) > 1000
+    found.save(path)
+    assert nonsmooth.load(path) == found
+
+
+def test_the_file_tells_where_it_is_from(content: dict[str, Any]) -> None:
+    assert content["format"] == "nonsmooth orbit"
+    assert content["version"] == 1
+    assert content["package"] == nonsmooth.__version__
+    assert content["derivation"] == orbit().kernels.system.module.DERIVATION
+    assert content["given"]["eta"] == "0.98"
+    assert content["opened"] == {"us2": "4/5"}
+    assert content["unknowns"]["tau"] == repr(orbit().unknowns["tau"])
+    assert content["sha256"] == checksum(content)
+
+
+def test_saving_again_changes_no_byte(path: Path, content: dict[str, Any]) -> None:
+    first = path.read_bytes()
+    nonsmooth.load(path).save(path)
+    assert path.read_bytes() == first
+    assert os.listdir(path.parent) == [path.name]
+
+
+# --- files that are refused
+
+
+@pytest.mark.parametrize("digits", [None, 50])
+def test_a_cut_file_is_refused(digits: int | None, path: Path) -> None:
+    found = orbit() if digits is None else nonsmooth.refine(orbit(), digits)
+    found.save(path)
+    whole = path.read_bytes()
+    for length in range(0, len(whole) - 1, 10):
+        path.write_bytes(whole[:length])
+        assert refusal(path) == "cut, or not JSON"
+
+
+def test_a_changed_character_is_refused(path: Path, content: dict[str, Any]) -> None:
+    whole = path.read_text(encoding="utf-8")
+    for place in range(0, len(whole), 7):
+        if whole[place].isdigit():
+            other = str(9 - int(whole[place]))
+            path.write_text(whole[:place] + other + whole[place + 1 :], encoding="utf-8")
+            refusal(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [
+        (b"", "cut, or not JSON"),
+        (b"chi = 0.5\n", "cut, or not JSON"),
+        (b"\xff\xfe\x00", "cut, or not JSON"),
+        (b"[" * 200_000, "cut, or not JSON"),
+        (b"9" * 10_000, "cut, or not JSON"),
+        (b"[]", "not a saved orbit"),
+        (b"null", "not a saved orbit"),
+        (b"{}", "not a saved orbit"),
+        (b'{"format": "nonsmooth chart", "version": 1}', "not a saved orbit"),
+        (b'{"format": "nonsmooth orbit"}', "version None"),
+        (b'{"format": "nonsmooth orbit", "version": 1}', "is missing"),
+    ],
+)
+def test_foreign_files_are_refused(text: bytes, part: str, path: Path) -> None:
+    path.write_bytes(text)
+    assert part in refusal(path)
+
+
+def test_a_report_is_no_saved_orbit(path: Path) -> None:
+    path.write_text(json.dumps(orbit().to_json()), encoding="utf-8")
+    assert "not a saved orbit, such as --save or save() writes" in refusal(path)
+
+
+def put(where: str, entry: object) -> Callable[[dict[str, Any]], None]:
+    """Change that replaces an entry; "unknowns/tau" is one of a mapping."""
+    *outer, name = where.split("/")
+
+    def change(content: dict[str, Any]) -> None:
+        for key in outer:
+            content = content[key]
+        content[name] = entry
+
+    return change
+
+
+def drop(where: str) -> Callable[[dict[str, Any]], None]:
+    *outer, name = where.split("/")
+
+    def change(content: dict[str, Any]) -> None:
+        for key in outer:
+            content = content[key]
+        del content[name]
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("change", "part"),
+    [
+        (put("version", 2), "version 2 of the format, where 1 is known"),
+        (put("version", "1"), "version '1' of the format"),
+        (put("more", 1), "'more' is unknown"),
+        (drop("derivation"), "'derivation' is missing"),
+        (put("digits", "13"), "'digits' is of the wrong type"),
+        (put("digits", 13.0), "'digits' is of the wrong type"),
+        (put("digits", True), "'digits' is of the wrong type"),
+        (put("digits", float("nan")), "'digits' is of the wrong type"),
+        (put("unknowns", []), "'unknowns' is of the wrong type"),
+        (put("unknowns/tau", 2.0), "'unknowns' holds something else than decimal strings"),
+        (put("given/eta", None), "'given' holds something else than decimal strings"),
+        (put("unknowns/tau", "nan"), "tau is nan, not a finite number"),
+        (put("unknowns/tau", "-Infinity"), "tau is -Infinity, not a finite number"),
+        (put("unknowns/tau", "two"), "tau is not a decimal number"),
+        (put("unknowns/tau", "1e999999999"), "tau is too large or too small"),
+        (put("residual", "nan"), "residual is nan"),
+        (put("given/eta", "nan"), "eta: 'nan' is not a number"),
+        (put("given/eta", "1/0"), "division by zero"),
+        (put("given/eta", "9" * 2000 + "x"), "eta: "),
+        (put("given/eta", "-1"), "eta is outside its domain"),
+        (put("opened/us2", "0"), "us2 is outside its domain"),
+        (put("opened/us3", "1"), "unknown open parameter 'us3'"),
+        (put("unknowns/tau", "-2.0"), "dwell time tau is negative"),
+        (put("unknowns/tau", "2.0"), "not a solution of dry-friction/global-stick"),
+        (put("unknowns/tau", "2.0006e300"), "not a solution of dry-friction/global-stick"),
+        (put("unknowns/tau", "1e307"), "not a solution of dry-friction/global-stick"),
+        (put("given/eta", "0.97"), "not a solution of dry-friction/global-stick"),
+        (put("orbit", "dry-friction/global-stik"), "did you mean 'dry-friction/global-stick'"),
+        (put("orbit", "no-system"), "unknown orbit 'no-system'"),
+        (drop("unknowns/tau"), "has V, chi, e1, e2, eta, ta, tau,"),
+        (put("unknowns/tau9", "2"), "the file has V, chi, e1, e2, eta, ta, tau,"),
+        (put("given/tau", "2"), "the file has"),
+        (put("unknowns", {}), "the file has"),
+        (put("status", 2), "status is 2, which no saved orbit has"),
+        (put("digits", -1), "digits is -1"),
+        (put("digits", 16), "digits is 16"),
+        (put("digits", 10**6), "digits is 1000000"),
+        (put("iterations", -1), "iterations is -1"),
+        (put("bits", 64), "bits is 64"),
+        (put("arithmetic", "decimal"), "arithmetic is 'decimal'"),
+    ],
+)
+def test_wrong_content_is_refused(
+    change: Callable[[dict[str, Any]], None], part: str, path: Path, content: dict[str, Any]
+) -> None:
+    change(content)
+    content["sha256"] = checksum(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert part in refusal(path)
+
+
+def test_an_exchange_that_is_none_is_refused(path: Path, content: dict[str, Any]) -> None:
+    content["given"]["tau"] = content["unknowns"].pop("tau")
+    content["sha256"] = checksum(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert "the file has" in refusal(path)
+
+
+def test_an_edit_is_refused(path: Path, content: dict[str, Any]) -> None:
+    content["package"] = "9"
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert refusal(path) == "edited or damaged: the checksum differs"
+
+
+def test_more_digits_than_there_are_are_refused(path: Path) -> None:
+    nonsmooth.refine(orbit(), 30).save(path)
+    content = json.loads(path.read_text(encoding="utf-8"))
+    content["digits"] = 300
+    content["sha256"] = checksum(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert "not a solution" in refusal(path)
+
+
+def test_kernels_of_another_derivation_serve_if_the_orbit_solves_them(
+    path: Path, content: dict[str, Any]
+) -> None:
+    content["derivation"] = "0123456789abcdef"
+    content["sha256"] = checksum(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert nonsmooth.load(path) == orbit()
+
+
+def test_files_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert refusal(tmp_path / "missing.json") == "cannot be read: no such file or directory"
+    assert refusal(tmp_path).startswith("cannot be read: ")
+    (tmp_path / "large").write_bytes(b" " * 101)
+    monkeypatch.setattr(saved, "ORBIT", replace(saved.ORBIT, most=100))
+    assert refusal(tmp_path / "large") == "too large for a saved orbit"
+
+
+# --- files that cannot be written
+
+
+def test_no_orbit_is_not_saved(path: Path) -> None:
+    lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
+    with pytest.raises(InputError, match="is not saved: "):
+        lost.save(path)
+    assert not path.exists()
+
+
+def test_unwritable_targets(tmp_path: Path) -> None:
+    for target in (tmp_path / "missing" / "orbit.json", tmp_path):
+        with pytest.raises(InputError, match="cannot write"):
+            orbit().save(target)
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("step", ["fsync", "replace"])
+def test_a_failure_loses_nothing(
+    step: str, path: Path, content: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = path.read_bytes()
+
+    def fail(*arguments: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, step, fail)
+    with pytest.raises(InputError, match=r"cannot write .*: no space left on device"):
+        exchanged().save(path)
+    assert path.read_bytes() == before
+    assert os.listdir(path.parent) == [path.name]
+
+
+def test_a_link_stays_a_link(path: Path, tmp_path: Path) -> None:
+    link = tmp_path / "link.json"
+    path.touch()
+    link.symlink_to(path)
+    orbit().save(link)
+    assert link.is_symlink()
+    assert nonsmooth.load(path) == orbit()

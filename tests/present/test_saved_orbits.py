@@ -1,0 +1,180 @@
+"""Orbits in files, found or saved: every command takes them by name."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.explore.charting.classes import title_of
+from tests.places import GALLERY
+
+DATA = {"d": "1/2", "r": "0.8", "w": "1.5"}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a declaration that names no orbit, and what was found of it."""
+    folder = tmp_path_factory.mktemp("saved")
+    text = (GALLERY / "two_stops.py").read_text()
+    (folder / "gear.py").write_text(text[: text.index("RIGHT, LEFT")])
+    found = ns.find_orbits(folder / "gear.py", DATA, 20, transitions=300, seed=1)
+    assert len(found.orbits) > 1
+    found.save(folder / "found.json")
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def there(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)
+
+
+def run(*arguments: str) -> tuple[int, Any, str]:
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def answered(*arguments: str) -> Any:
+    code, out, err = run(*arguments, "--json")
+    assert code == 0, err
+    return json.loads(out)
+
+
+def test_each_found_orbit_is_solved_at_its_own_parameters():
+    found = ns.load_found("found.json")
+    for number, entry in enumerate(found.orbits, 1):
+        orbit = ns.solve(f"found.json:{number}")
+        assert {name: value.text for name, value in orbit.given.items()} == DATA
+        np.testing.assert_allclose(orbit.dwell_times, entry.orbit.dwell_times, rtol=1e-12)
+        np.testing.assert_allclose(orbit.states, entry.orbit.states, atol=1e-12)
+
+
+def test_parameters_are_changed_by_name():
+    orbit = ns.solve("found.json:2", {"d": "0.48"})
+    composed = ns.compose(
+        "gear.py", {**DATA, "d": "0.48"}, orbit.itinerary, orbit.dwell_times, orbit.states[0]
+    )
+    np.testing.assert_allclose(orbit.dwell_times, composed.dwell_times, rtol=1e-13)
+    found = ns.load_found("found.json").orbits[1].orbit
+    assert (orbit.dwell_times[0] > np.pi / 1.5) == (found.dwell_times[0] > np.pi / 1.5)
+    with pytest.raises(ns.InputError, match="nonsense"):
+        ns.solve("found.json:2", {"nonsense": 1})
+
+
+def test_every_command_takes_one_of_the_orbits(folder):
+    solved = answered("solve", "found.json:2", "d=0.48", "--digits", "30", "--save", "one.json")
+    assert solved["digits"] == 30
+    again = answered("solve", "one.json")
+    assert float(again["parameters"]["d"]) == 0.48
+    assert again["unknowns"]["tau1"][:14] == solved["unknowns"]["tau1"][:14]
+    assert answered("verify", "found.json:1")["stability"] == "stable"
+    branch = answered("continue", "found.json:2", "d=0.49:0.51", "--step", "0.1")
+    assert branch["ends"] == ["end of the interval", "end of the interval"]
+    claims = answered("certify", "found.json:2", "--save", "proof.json")["claims"]
+    assert set(claims.values()) == {"proved"}
+    assert answered("certify", "--check", "proof.json")["same"]
+    chart = answered("chart", "found.json:2", "d=0.49:0.5:2", "w=1.5:1.51:2", "--out", "c.zarr")
+    assert chart["points"]["stable"] == 4
+    assert title_of(ns.load_chart("c.zarr")) == "two-stops"
+    assert answered("plot", "found.json:2", "--kind", "phase")["file"] == "found-2.png"
+    assert (folder / "found-2.png").is_file()
+
+
+def test_a_saved_derived_orbit_is_the_reference():
+    first = answered("solve", "dry-friction/global-stick", "V=1.1", "us1=1", "--save", "gs.json")
+    again = answered("solve", "gs.json")
+    assert {**first, "residual": ""} == {**again, "residual": "", "file": "gs.json"}
+    moved = answered("solve", "gs.json", "eta=1.01")
+    wanted = answered("solve", "dry-friction/global-stick", "V=1.1", "eta=1.01", "us1=1")
+    assert moved["trace"][:14] == wanted["trace"][:14]
+    assert moved["parameters"] == wanted["parameters"]
+    exchange = ("--unknown", "e1,e2", "--given", "ta=1,tau=2", "--save", "ex.json")
+    swapped = answered("solve", "dry-friction/global-stick", *exchange)
+    assert answered("solve", "ex.json")["trace"][:13] == swapped["trace"][:13]
+
+
+def test_a_symmetric_orbit_is_saved_with_its_symmetry():
+    turned = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}
+    half = [("free-free", "right-reaches-stop")]
+    orbit = ns.compose("gear.py", {**DATA, "d": "0.6"}, half, [2.1], symmetry=turned)
+    orbit.save("half.json")
+    again = ns.solve("half.json", {"d": "0.61"})
+    assert again.symmetry is not None
+    assert again.dwell_times[0] == again.dwell_times[1]
+
+
+def test_a_timed_orbit_keeps_its_period():
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    phases = [("free", "first-reaches-stop")]
+    ns.compose("rigid-stop", data, phases, [3.7], period="3.7").save("timed.json")
+    assert ns.solve("timed.json").period == pytest.approx(3.7, abs=1e-13)
+    assert ns.solve("timed.json", {"period": "3.8"}).period == pytest.approx(3.8, abs=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("found.json", "orbits: say which, found.json:1 ... found.json:"),
+        ("found.json:0", "holds no orbit 0"),
+        ("found.json:99", "holds no orbit 99; there is found.json:1 ... found.json:"),
+        ("found.json:two", "'two' is no number of an orbit"),
+        ("none.json:1", "there is no file none.json"),
+        ("gear.py", "nonsmooth find gear.py"),
+        ("broken.json:1", "not a saved orbit"),
+    ],
+)
+def test_what_is_no_orbit_is_told_in_one_line(folder, name, message):
+    (folder / "broken.json").write_text("{}")
+    code, out, err = run("solve", name)
+    assert (code, out) == (2, "")
+    assert message in err
+    assert err.count("\n") == 1
+
+
+def test_found_orbits_are_appended_to_the_declaration(folder):
+    shutil.copy(folder / "gear.py", folder / "mine.py")
+    data = [f"{name}={value}" for name, value in DATA.items()]
+    options = ("--starts", "10", "--transitions", "200", "--write", "mine.py")
+    first = answered("find", "mine.py", *data, *options)["itineraries"]
+    second = answered("find", "mine.py", *data, *options)["itineraries"]
+    assert [*first, *second] == [f"found-{k + 1}" for k in range(len(first) + len(second))]
+    names = [orbit["name"] for orbit in answered("list", "mine.py")["systems"][0]["orbits"]]
+    assert names == [f"mine.py:{name}" for name in (*first, *second)] or all(
+        name.endswith(f":found-{k + 1}") for k, name in enumerate(names)
+    )
+    again = ns.solve("mine.py:found-1")
+    found = ns.solve("mine.py:found-1", {"d": "1/2"})
+    assert again.period == pytest.approx(found.period, rel=1e-12)
+
+
+def test_nothing_is_appended_to_another_file(folder):
+    shutil.copy(folder / "gear.py", folder / "other.py")
+    for target in ("other.py", "missing.py", "found.json"):
+        code, _, err = run("find", "gear.py", "d=0.5", "r=0.8", "w=1.5", "--write", target)
+        assert code == 2
+        assert "not the" in err
+    code, _, err = run("find", "rigid-stop", "m1=1", "--write", "other.py")
+    assert code == 2
+
+
+def test_a_declaration_that_would_not_import_stays(folder):
+    path = folder / "tail.py"
+    text = (folder / "gear.py").read_text() + "\norbits = []\ndel orbits\n\nif True:\n    pass\n\\"
+    path.write_text(text)
+    found = ns.load_found("found.json")
+    from dataclasses import replace
+
+    from nonsmooth.runtime.present.files.declaring import write_itineraries
+
+    with pytest.raises(ns.InputError):
+        write_itineraries(replace(found, system=str(path)), path)
+    assert path.read_text() == text

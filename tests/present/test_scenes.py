@@ -1,0 +1,378 @@
+"""Pictures of simulated motions, of basins and of bifurcations."""
+
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from nonsmooth.runtime.core.errors import InputError, MissingExtra
+from nonsmooth.runtime.present.pictures.plot import save_figure
+from nonsmooth.runtime.present.pictures.scenes import (
+    KINDS,
+    basin_figure,
+    bifurcation_figure,
+    plot_trajectory,
+    trajectory_figure,
+)
+from nonsmooth.runtime.simulation.observables import observe
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection, PolyCollection, QuadMesh
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.patches import StepPatch
+
+FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.8"}
+CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
+
+
+@cache
+def few() -> Trajectory:
+    return simulate("dry-friction", FRICTION, [5, 3, 1, 1], transitions=4)
+
+
+@cache
+def many() -> Trajectory:
+    return simulate("dry-friction", FRICTION, [0, 0, 0, 0], transitions=4000)
+
+
+@cache
+def impacts(count: int = 6) -> Trajectory:
+    return simulate("rigid-stop", {**STOP, "r": 1}, [0, 0.5, 3, 0], transitions=count)
+
+
+MOTIONS = {
+    "few": few,
+    "many": many,
+    "impacts": impacts,
+    "many impacts": lambda: impacts(3000),
+    "elastic": lambda: simulate(
+        "elastic-stop",
+        {**{k: v for k, v in STOP.items() if k != "r"}, "k3": 3},
+        [0, 0, 2, 0],
+        until=40,
+    ),
+    "no transition": lambda: simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=9),
+    "long phase": lambda: simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=9000),
+}
+
+
+@pytest.fixture(autouse=True)
+def closed() -> Iterator[None]:
+    yield
+    pyplot.close("all")
+
+
+def axes_of(count: int = 1) -> list[Axes]:
+    return list(np.ravel(Figure(layout="constrained").subplots(count, squeeze=False)))
+
+
+def curve(axes: Axes, label: str) -> np.ndarray:
+    (line,) = [line for line in axes.get_lines() if line.get_label() == label]
+    return np.array(line.get_xydata(), dtype=float)
+
+
+def legend(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.get_legend().get_texts()]
+
+
+def levels(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.texts if text.get_text() and "%" not in str(text)]
+
+
+# --- every kind
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", list(MOTIONS))
+def test_every_kind_draws_every_motion(name: str, kind: str) -> None:
+    motion = MOTIONS[name]()
+    figure = trajectory_figure(motion, kind)
+    figure.canvas.draw()
+    assert not pyplot.get_fignums()
+    assert len(figure.axes) == {"all": 5, "phase": 2}.get(kind, 1)
+    stated = motion.name == "dry-friction"  # the others are in the user's own units
+    for axes in figure.axes:
+        assert ("nondimensional" in axes.get_xlabel()) == stated
+        named = axes.get_ylabel() != "configuration"
+        assert ("nondimensional" in axes.get_ylabel()) == (stated and named)
+        frame = axes.get_window_extent()
+        boxes = [axes._left_title, *([axes.get_legend()] if axes.get_legend() else [])]
+        extents = [b.get_window_extent() for b in boxes if b is axes.get_legend() or b.get_text()]
+        assert all(box.y0 >= frame.y1 - 1 for box in extents)
+        assert all(box.x1 <= figure.bbox.x1 for box in extents)
+    title = figure.get_suptitle() if kind == "all" else figure.axes[0].get_title(loc="left")
+    plural = "" if motion.transitions == 1 else "s"
+    assert title == f"{motion.name}, {motion.transitions:,} transition{plural}"
+
+
+def test_new_and_given_axes() -> None:
+    assert isinstance(few().plot("time"), Axes)
+    assert len(few().plot("phase")) == 2
+    assert len(plot_trajectory(few(), "all")) == 5
+    assert len(pyplot.get_fignums()) == 3
+    for count, kind in ((1, "strip"), (2, "phase"), (5, "all")):
+        places = axes_of(count)
+        found = few().plot(kind, places if count > 1 else places[0])
+        assert found == tuple(places) if count > 1 else found is places[0]
+    (one,) = axes_of()
+    assert few().plot("phase", one) is one
+    assert {"($x_{1}$, $x_{1}'$)", "($x_{2}$, $x_{2}'$)", "sticking"} <= set(legend(one))
+    assert len(legend(one)) == len(set(legend(one)))
+    assert len(pyplot.get_fignums()) == 3
+
+
+# --- what is drawn
+
+
+def test_histories_are_the_motion() -> None:
+    for kind, first, mark in (("time", 0, ""), ("velocity", 2, "'")):
+        (axes,) = axes_of()
+        few().plot(kind, axes)
+        for mass in (0, 1):
+            points = curve(axes, f"$x_{{{mass + 1}}}${mark}".replace("$'", "'$"))
+            assert len(points) > 1900
+            assert_allclose(points[:, 1], few()(points[:, 0])[:, first + mass], atol=1e-12)
+        assert legend(axes)[2:] == CONFIGURATIONS
+        assert levels(axes) == ([] if kind == "time" else ["$V$"])
+
+
+def test_the_background_is_the_configuration() -> None:
+    (axes,) = axes_of()
+    few().plot("time", axes)
+    colors = {}
+    for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+        if label in CONFIGURATIONS:
+            colors[tuple(handle.get_facecolor()[0][:3])] = label
+    assert len(colors) == 4
+    found = []
+    for band in axes.collections:
+        if isinstance(band, PolyCollection) and band.get_label() not in CONFIGURATIONS:
+            label = colors[tuple(band.get_facecolor()[0][:3])]
+            found += [(path.get_extents(), label) for path in band.get_paths()]
+    assert len(found) == 4
+    for box, label in found:
+        assert few().configuration((box.x0 + box.x1) / 2) == label
+        assert np.isin([box.x0, box.x1], [*few().times, few().end]).all()
+
+
+def test_many_transitions_become_ranges_and_shares() -> None:
+    found = observe(many())
+    (axes,) = axes_of()
+    many().plot("time", axes)
+    high = curve(axes, "$x_{1}$, range")
+    assert_allclose(high[:, 1].max(), found.maxima["x1"].value, atol=5e-3)
+    (low,) = [
+        line
+        for line in axes.get_lines()
+        if line.get_color() == axes.get_lines()[0].get_color() and line.get_label()[0] == "_"
+    ]
+    assert_allclose(np.min(low.get_ydata()), found.minima["x1"].value, atol=5e-3)
+    assert (np.asarray(low.get_ydata()) <= high[:, 1]).all()
+    shares = [patch for patch in axes.patches if isinstance(patch, StepPatch)]
+    order = list(dict.fromkeys(many().configurations))
+    assert legend(axes)[2:] == [f"{name}, share" for name in order]
+    heights = [np.mean(p.get_data().values - p.get_data().baseline) for p in shares]
+    assert_allclose(np.divide(heights, sum(heights)), [found.fractions[n] for n in order], 1e-9)
+    assert len(axes.get_lines()) < 10
+
+
+def test_the_strip_shows_which_configuration_when() -> None:
+    (axes,) = axes_of()
+    few().plot("strip", axes)
+    assert [text.get_text() for text in axes.get_yticklabels()] == CONFIGURATIONS
+    boxes = [path.get_extents() for bars in axes.collections for path in bars.get_paths()]
+    assert len(boxes) == 4
+    for box in boxes:
+        row = round((box.y0 + box.y1) / 2)
+        assert few().configuration((box.x0 + box.x1) / 2) == CONFIGURATIONS[row]
+    found = observe(few()).fractions
+    parts = [float(text.get_text().split()[0]) for text in axes.texts]
+    assert_allclose(parts, [100 * found[name] for name in CONFIGURATIONS], atol=0.051)
+
+
+def test_the_strip_of_many_transitions_is_as_high_as_the_share() -> None:
+    (axes,) = axes_of()
+    many().plot("strip", axes)
+    names = [text.get_text() for text in axes.get_yticklabels()]
+    fractions = observe(many()).fractions
+    for name, patch in zip(names, axes.patches, strict=True):
+        data = patch.get_data()
+        assert np.mean(data.values - data.baseline) == pytest.approx(0.8 * fractions[name])
+
+
+def test_portraits_are_the_motion_with_impacts_apart() -> None:
+    motion = impacts()
+    first, second = motion.plot("phase")
+    points = curve(first, "($x_{1}$, $x_{1}'$)")
+    gaps = np.flatnonzero(np.isnan(points[:, 0]))
+    gaps = gaps[: motion.transitions]
+    assert_allclose(points[gaps - 1], motion.before[1:, [0, 2]], atol=1e-12)
+    assert_allclose(points[gaps + 1], motion.states[1:, [0, 2]], atol=1e-12)
+    jumps = curve(first, "impact").reshape(-1)
+    jumps = jumps[np.isfinite(jumps)].reshape(-1, 2, 2)
+    assert_allclose(jumps[:, 0, 1], -jumps[:, 1, 1])
+    assert len(jumps) == motion.transitions
+    (line,) = [line for line in first.get_lines() if line.get_label() == "impact"]
+    assert line.get_linestyle() == "--"
+    assert "impact" not in legend(second)
+    assert levels(first) == ["$x_{1}$ = $1$"]
+    assert levels(second) == []
+    assert_array_equal(curve(first, "start"), [[0, 3]])
+    assert_allclose(curve(second, "end"), motion.states[-1:, [1, 3]])
+
+
+def test_belt_and_sticking_in_portraits() -> None:
+    motion = simulate("dry-friction", {**FRICTION, "V": "0.9"}, [5, 3, 0.9, 0.9], transitions=4)
+    for axes in motion.plot("phase"):
+        assert levels(axes) == ["$V$"]
+        (belt,) = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
+        assert set(belt.get_ydata()) == {0.9}
+        bands = [b for b in axes.get_lines() if b.get_linewidth() == 6 and len(b.get_xdata())]
+        drawn = np.concatenate([np.array(b.get_xydata(), dtype=float) for b in bands])
+        assert_allclose(drawn[np.isfinite(drawn[:, 0]), 1], 0.9, rtol=1e-14)
+        assert "sticking" in legend(axes)
+
+
+def test_a_level_is_the_parameter_that_moves_it() -> None:
+    """V = us1 = us2 = 1 in these data, and the stop's 1 is no parameter."""
+    (axes,) = axes_of()
+    few().plot("velocity", axes)
+    assert levels(axes) == ["$V$"]
+    (axes,) = axes_of()
+    impacts().plot("time", axes)
+    assert levels(axes) == ["$x_{1}$ = $1$"]
+
+
+def test_dense_portraits_are_faint_pieces() -> None:
+    axes, _ = impacts(3000).plot("phase")
+    lines = [c for c in axes.collections if isinstance(c, LineCollection)]
+    assert len(lines) == 2
+    segments = np.concatenate(lines[0].get_segments())
+    assert segments[:, 0].max() == pytest.approx(1, abs=1e-9)
+    assert lines[0].get_alpha() < 0.2
+    assert lines[0].get_rasterized()
+    low, high = axes.get_xlim()
+    assert low < segments[:, 0].min()
+    assert high > 1
+
+
+@pytest.mark.parametrize("masses", [(0,), [1]])
+def test_one_mass_alone(masses: list[int]) -> None:
+    figure = trajectory_figure(few(), "all", masses=masses)
+    assert len(figure.axes) == 4
+    assert figure.axes[0].get_ylabel().startswith(f"position $x_{{{masses[0] + 1}}}$")
+
+
+# --- basins and bifurcations
+
+
+def test_a_basin_is_the_labels() -> None:
+    x, y = np.linspace(-1, 2, 7), np.array([0.0, 0.1, 0.4])
+    labels = np.arange(21).reshape(3, 7) % 3 - 1
+    labels[0] = 0
+    figure = basin_figure(x, y, labels, ["first", "second"], axes_labels=("x1", "start velocity"))
+    figure.canvas.draw()
+    (axes,) = figure.axes
+    (mesh,) = [c for c in axes.collections if isinstance(c, QuadMesh)]
+    colors = mesh.to_rgba(mesh.get_array()).reshape(3, 7, 4)[..., :3]
+    handles, names = axes.get_legend_handles_labels()
+    found = {name.split(" (")[0]: to_rgb(h.get_facecolor()[0]) for h, name in
+             zip(handles, names, strict=True)}  # fmt: skip
+    assert list(found) == ["first", "second", "unclassified"]
+    for number, name in enumerate(("unclassified", "first", "second"), -1):
+        assert_allclose(colors[labels == number], [found[name]] * (labels == number).sum())
+    parts = [float(name.split("(")[1].split()[0]) for name in names]
+    assert sum(parts) == pytest.approx(100, abs=0.2)
+    assert axes.get_xlabel() == "$x_{1}$"
+    assert axes.get_ylabel() == "start velocity"
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "labels", "names", "part"),
+    [
+        ([0, 1], [0, 1], [[0, 1, 0]], "ab", r"the shape \(1, 3\), not \(2, 2\)"),
+        ([0, 1], [0, 1], [[0, 1], [0, 2]], "ab", "not between -1 and 1"),
+        ([0, 1], [0, 1], [[0, 1], [0, -2]], "ab", "not between -1 and 1"),
+        ([0, 1], [0, 1], [[0, 1], [0, 0.5]], "ab", "not integers"),
+        ([1, 0], [0, 1], [[0, 1], [0, 1]], "ab", "x does not increase strictly"),
+        ([0, 1], [0, np.nan], [[0, 1], [0, 1]], "ab", "y is not a row of finite"),
+        ([0, 1], [0, 1], [[0, 1], [0, 1]], "abcdefghij", "10 attractors, of which 9"),
+    ],
+)
+def test_wrong_basins(x: list, y: list, labels: list, names: str, part: str) -> None:
+    with pytest.raises(InputError, match=part):
+        basin_figure(x, y, labels, list(names))
+
+
+def test_a_bifurcation_is_its_samples() -> None:
+    values = [0.1, 0.2, 0.3]
+    samples = {"up": [[1.0], [1.5, np.nan, 2.5], []], "down": np.full((3, 2), 4.0)}
+    figure = bifurcation_figure("V", values, samples, state="x1", title="two sweeps")
+    figure.canvas.draw()
+    (axes,) = figure.axes
+    points = [np.array(line.get_xydata()) for line in axes.get_lines() if len(line.get_xdata())]
+    assert points[0].tolist() == [[0.1, 1.0], [0.2, 1.5], [0.2, 2.5]]
+    assert len(points[1]) == 6
+    assert legend(axes) == ["up", "down"]
+    assert axes.get_xlabel() == "$V$"
+    assert axes.get_ylabel() == "$x_{1}$"
+    single = bifurcation_figure("V", values, np.ones((3, 4))).axes[0]
+    assert single.get_legend() is None
+    with pytest.raises(InputError, match="3 values of V, but 2 samples"):
+        bifurcation_figure("V", values, np.ones((2, 4)))
+    with pytest.raises(InputError, match="not a row of finite numbers"):
+        bifurcation_figure("V", [0.1, np.inf], np.ones((2, 4)))
+
+
+# --- files and wrong input
+
+
+@pytest.mark.parametrize("ending", [".png", ".svg", ".pdf"])
+def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
+    paths = [tmp_path / f"{name}{ending}" for name in ("first", "second")]
+    for path in paths:
+        save_figure(trajectory_figure(few()), path)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("kind", "options", "part"),
+    [
+        ("phases", {}, "unknown kind of picture 'phases'; did you mean 'phase'"),
+        ("multipliers", {}, "unknown kind of picture"),
+        ("time", {"masses": [2]}, r"masses = \[2\]: dry-friction has \[0, 1\]"),
+        ("time", {"masses": []}, r"masses = \[\]"),
+        ("time", {"points": 0}, "points = 0 is not a positive integer"),
+        ("time", {"points": 1.5}, r"points = 1\.5"),
+        ("time", {"axes": axes_of(2)}, "'time' is drawn into 1 Axes; given: 2 Axes"),
+        ("phase", {"axes": axes_of(3)}, "'phase' is drawn into 1 or 2 Axes"),
+        ("all", {"axes": axes_of(4)}, "'all' is drawn into 5 Axes"),
+        ("time", {"axes": 3}, "given: 1 int"),
+    ],
+)
+def test_wrong_input(kind: str, options: dict, part: str) -> None:
+    with pytest.raises(InputError, match=part):
+        plot_trajectory(few(), kind, **options)
+    assert not pyplot.get_fignums()
+
+
+def test_without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    for draw in (
+        lambda: few().plot(),
+        lambda: basin_figure([0], [0], [[0]], ["a"]),
+        lambda: bifurcation_figure("V", [0], [[0]]),
+    ):
+        with pytest.raises(MissingExtra, match=r"nonsmooth\[plot\]"):
+            draw()

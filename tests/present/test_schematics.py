@@ -1,0 +1,215 @@
+"""The paper's schematics: what they show, where it lies, and that files do not change."""
+
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
+from itertools import combinations, product
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.errors import MissingExtra
+from nonsmooth.runtime.present.paper.schematics import (
+    belt_schematic,
+    poincare_schematic,
+    stop_schematic,
+)
+from nonsmooth.runtime.present.pictures.plot import save_figure
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+from matplotlib import pyplot
+from matplotlib.artist import Artist
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.path import Path as Outline
+from matplotlib.text import Text
+from matplotlib.transforms import Bbox
+
+SCHEMATICS = [stop_schematic, belt_schematic, poincare_schematic]
+LABELS = {
+    stop_schematic: ["m1", "m2", "k1", "k2", "k3", "x1", "x2", "1"],
+    belt_schematic: ["m1", "m2", "k1", "k2", "x1", "x2", "F1", "F2", "V"],
+    poincare_schematic: [
+        *("Σ0=Σn", "Σ1", "Σk−1", "Σk", "Σn−1", "Φ1", "Φk", "Φn", "⋮", "⋮"),
+        *("P1", "Pk", "Pn", "P=Pn∘⋯∘P1", "Z", "P(Z)", "Z0"),
+        *("periodicorbit", "neighbouringtrajectory"),
+    ],
+}
+
+schematics = pytest.mark.parametrize("schematic", SCHEMATICS, ids=lambda draw: draw.__name__)
+
+
+def drawn(figure: Figure) -> list[Artist]:
+    """All artists of the one Axes, without its own frame."""
+    FigureCanvasAgg(figure)
+    figure.canvas.draw()
+    (axes,) = figure.axes
+    assert axes.get_position().bounds == (0, 0, 1, 1)
+    assert not axes.axison
+    return [*axes.lines, *axes.patches, *axes.texts, *axes.collections]
+
+
+def texts(figure: Figure) -> dict[str, Bbox]:
+    """Boxes of the labels, in pixels."""
+    return {
+        f"{number} {artist.get_text()}": artist.get_window_extent()
+        for number, artist in enumerate(drawn(figure))
+        if isinstance(artist, Text)
+    }
+
+
+def place(figure: Figure, label: str) -> np.ndarray:
+    """Where the one label with that text is."""
+    (text,) = [text for text in figure.axes[0].texts if text.get_text() == f"${label}$"]
+    return np.array(text.get_position())
+
+
+def strokes(artist: Line2D | Patch) -> list[Outline]:
+    """Lines and edges of an artist, in pixels."""
+    path = artist.get_transform().transform_path(artist.get_path())
+    return [Outline(points) for points in path.to_polygons(closed_only=False)]
+
+
+def read(text: ElementTree.Element) -> str:
+    """Letters of a label, from left to right, without spaces."""
+    spans = [(span.get("x", "").split(), span.text or "") for span in text]
+    letters = sorted(
+        (float(x), letter) for places, span in spans for x, letter in zip(places, span, strict=True)
+    )
+    return "".join([*(text.text or "").split(), *(letter for _, letter in letters)])
+
+
+# --- files
+
+
+@schematics
+@pytest.mark.parametrize("ending", ["svg", "png"])
+def test_the_same_schematic_has_the_same_bytes(
+    schematic: Callable[[], Figure], ending: str, tmp_path: Path
+) -> None:
+    paths = [tmp_path / f"{name}.{ending}" for name in ("first", "again", "anew")]
+    figure = schematic()
+    for path, source in zip(paths, (figure, figure, schematic()), strict=True):
+        save_figure(source, path)
+    first, *others = [path.read_bytes() for path in paths]
+    assert first.startswith({"svg": b"<?xml", "png": b"\x89PNG"}[ending])
+    assert others == [first, first]
+
+
+@schematics
+def test_the_labels_are_those_of_the_paper(schematic: Callable[[], Figure], tmp_path: Path) -> None:
+    with matplotlib.rc_context({"svg.fonttype": "none"}):
+        save_figure(schematic(), tmp_path / "labels.svg")
+    tree = ElementTree.parse(tmp_path / "labels.svg")
+    found = [read(text) for text in tree.iter("{http://www.w3.org/2000/svg}text")]
+    assert sorted(found) == sorted(LABELS[schematic])
+
+
+@schematics
+def test_the_paper_is_white_and_pyplot_knows_nothing(
+    schematic: Callable[[], Figure], tmp_path: Path
+) -> None:
+    with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
+        figure = schematic()
+        save_figure(figure, tmp_path / "white.png")
+    assert not pyplot.get_fignums()
+    pixels = pyplot.imread(tmp_path / "white.png")
+    assert (pixels[[0, 0, -1, -1], [0, -1, 0, -1]] == 1).all()
+    assert all(text.get_color() == "black" for text in figure.axes[0].texts)
+
+
+@schematics
+def test_without_matplotlib_the_extra_is_named(
+    schematic: Callable[[], Figure], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    with pytest.raises(MissingExtra, match=r"nonsmooth\[plot\]"):
+        schematic()
+
+
+# --- where it lies
+
+
+@schematics
+def test_everything_lies_inside_the_figure(schematic: Callable[[], Figure]) -> None:
+    figure = schematic()
+    for artist in drawn(figure):
+        box = artist.get_window_extent()
+        assert box.width + box.height > 0
+        assert np.all(np.array(box.min) >= 0), artist
+        assert np.all(np.array(box.max) <= np.array(figure.bbox.max)), artist
+
+
+@schematics
+def test_no_label_overlaps_another(schematic: Callable[[], Figure]) -> None:
+    boxes = texts(schematic())
+    assert len(boxes) == len(LABELS[schematic])
+    for (one, first), (other, second) in combinations(boxes.items(), 2):
+        assert Bbox.intersection(first, second) is None, (one, other)
+
+
+@schematics
+def test_no_line_crosses_a_label(schematic: Callable[[], Figure]) -> None:
+    figure = schematic()
+    boxes = texts(figure)
+    lines, patches = figure.axes[0].lines, figure.axes[0].patches
+    dots = [line for line in lines if line.get_linestyle() == "None"]
+    edges: list[Line2D | Patch] = [*(line for line in lines if line not in dots), *patches]
+    for edge in edges:
+        for stroke, (label, box) in product(strokes(edge), boxes.items()):
+            assert not stroke.intersects_bbox(box, filled=False), (label, edge)
+    for line, (label, box) in product(dots, boxes.items()):
+        points = line.get_transform().transform(line.get_xydata())
+        assert not box.padded(line.get_markersize()).count_contains(points), label
+
+
+# --- what it shows
+
+
+def test_the_second_mass_is_tied_to_the_ground_and_the_stop_faces_the_first() -> None:
+    figure = stop_schematic()
+    row = [place(figure, label)[0] for label in ("k_2", "m_2", "k_1", "m_1", "1", "k_3")]
+    assert (np.diff(row) > 0).all()
+
+
+def test_the_first_mass_is_tied_to_the_ground_on_the_belt() -> None:
+    figure = belt_schematic()
+    row = [place(figure, label)[0] for label in ("k_1", "m_1", "k_2", "m_2")]
+    assert (np.diff(row) > 0).all()
+    for number in (1, 2):
+        force, mass = place(figure, f"F_{number}"), place(figure, f"m_{number}")
+        assert place(figure, "V")[1] < force[1] < mass[1]
+
+
+@pytest.mark.parametrize("schematic", [stop_schematic, belt_schematic])
+def test_each_coordinate_is_above_its_mass(schematic: Callable[[], Figure]) -> None:
+    figure = schematic()
+    for number in (1, 2):
+        across, up = place(figure, f"x_{number}") - place(figure, f"m_{number}")
+        assert 0 < across < up + 0.1
+
+
+def test_the_trajectory_returns_nearer_to_the_periodic_orbit() -> None:
+    figure = poincare_schematic()
+    curves = [line for line in figure.axes[0].lines if line.get_marker() == "o"]
+    trajectory, orbit = (np.array(curve.get_xydata()) for curve in curves)
+    assert len(orbit) == 5
+    assert len(trajectory) == 6
+    start, image = np.linalg.norm(trajectory[[0, -1]] - orbit[0], axis=1)
+    assert 0.1 < image < 0.6 * start
+
+
+def test_the_configurations_and_their_maps_follow_the_clock() -> None:
+    figure = poincare_schematic()
+    middle = place(figure, r"P = P_n \circ \cdots \circ P_1")
+    order = [r"\Sigma_1", r"\Sigma_{k{-}1}", r"\Phi_k", r"\Sigma_k", r"\Sigma_{n{-}1}", r"\Phi_n"]
+    for labels in (
+        [r"\Phi_1", *order],
+        ["P_1", *order[:2], "P_k", *order[3:5], "P_n"],
+    ):
+        across, up = np.transpose([place(figure, label) - middle for label in labels])
+        assert (np.diff(np.arctan2(across, up) % (2 * np.pi)) > 0).all()

@@ -1,0 +1,437 @@
+"""Proofs over boxes of parameters: true at every point that is looked at, and never too much."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import sys
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.proof.boxes.tile_places import Place
+from tests.certified import loop
+
+STICK = "dry-friction/global-stick"
+SYMMETRIC = "dry-friction/symmetric"
+PROVED = dict.fromkeys(("existence", "admissibility", "stability"), "proved")
+
+
+@cache
+def paper() -> ns.BoxCertificate:
+    """Five percent around the paper's data."""
+    box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
+    return ns.certify_box(ns.solve(STICK), box)
+
+
+@cache
+def line() -> ns.BoxCertificate:
+    """Not admissible, unstable and stable along V: a grazing and a flip are in between."""
+    return ns.certify_box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")})
+
+
+def test_the_paper_s_orbit_is_stable_for_all_parameters_around_its_data() -> None:
+    found = paper()
+    assert found.claims == PROVED
+    assert found.proved
+    assert found.decided == 1
+    assert found.reasons == {}
+    assert found.undecided == ()
+    assert len(found.tiles) < 12
+    assert -1 < found.enclosures["trace"].lower < found.enclosures["trace"].upper < -0.95
+    one = ns.certify_box(ns.solve(STICK), {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")})
+    assert one.claims == PROVED
+    assert len(one.tiles) == 1
+
+
+@settings(max_examples=12, deadline=None, derandomize=True,
+          suppress_health_check=[HealthCheck.too_slow])  # fmt: skip
+@given(speed=st.integers(950, 1050), eta=st.integers(950, 1050))
+def test_enclosures_hold_the_refined_values_of_every_point(speed: int, eta: int) -> None:
+    point = {"V": Fraction(speed, 1000), "eta": Fraction(eta, 1000)}
+    orbit = ns.refine(ns.solve(STICK, {name: str(value) for name, value in point.items()}), 100)
+    tile = paper().tile_at(point)
+    for name, number in (("trace", orbit.trace), ("period", orbit.period),
+                         *orbit.dwell_times.items()):  # fmt: skip
+        for enclosures in (tile.enclosures, paper().enclosures):
+            assert enclosures[name].ball.contains(exact_ball(number))
+
+
+def test_verdicts_along_a_line_are_those_of_the_points() -> None:
+    found = line()
+    branch = ns.continue_orbit(ns.solve(SYMMETRIC), "V", (0.6, 1.3))
+    (grazing,) = [e.value for e in branch.events if e.kind == "grazing"]
+    (flip,) = [e.value for e in branch.events if e.kind == "flip"]
+    for value in (grazing, flip):
+        assert found.tile_at({"V": value}).verdict == "undecided"
+    assert found.decided > Fraction(999, 1000)
+    assert found.claims == {"existence": "proved", "admissibility": "refuted",
+                            "stability": "refuted"}  # fmt: skip
+    for value in np.linspace(0.6, 1.3, 29):
+        wanted = "not admissible" if value < grazing else "unstable" if value < flip else "proved"
+        assert found.tile_at({"V": float(value)}).verdict in (wanted, "undecided")
+        nearest = int(abs(branch.parameter_values - value).argmin())
+        orbit = ns.solve(SYMMETRIC, {"V": float(value)}, branch.orbit_at(nearest).unknowns)
+        assert bool(orbit.admissibility.verdict) == (wanted != "not admissible")
+    assert sum(found.shares.values()) == 1
+    assert "outside the unit circle" in found.reasons["stability"]
+
+
+def test_a_map_of_the_plane_agrees_with_its_points() -> None:
+    # below us2 = 0.7228 (at V = 1) the second mass breaks away
+    orbit = ns.solve(STICK, {"us1": "1", "us2": "0.76"})
+    found = ns.certify_box(orbit, {"V": ("0.9", "1.1"), "us2": ("0.7", "0.8")}, tiles=60)
+    assert found.decided > Fraction(4, 5)
+    rng = np.random.default_rng(7)
+    seen = set()
+    for speed, friction in zip(rng.uniform(0.9, 1.1, 25), rng.uniform(0.7, 0.8, 25), strict=True):
+        tile = found.tile_at({"V": speed, "us2": friction})
+        if tile.verdict == "undecided":
+            continue
+        point = ns.solve(STICK, {"us1": "1", "us2": float(friction), "V": float(speed)})
+        assert (tile.verdict == "proved") == bool(point.admissibility.verdict)
+        assert tile.enclosures["trace"].lower <= point.trace <= tile.enclosures["trace"].upper
+        seen.add(tile.verdict)
+    assert seen == {"proved", "not admissible"}
+
+
+def test_closed_forms_over_boxes() -> None:
+    # the period is pi/sqrt(k) + pi/2, the multiplier r, the speed at the start 1/(1 - r)
+    found = ns.certify_box(loop(), {"k": ("0.9", "1.1"), "r": ("0.45", "0.55")})
+    assert found.proved
+    trace, period, speed = (found.enclosures[name] for name in ("trace", "period", "v0"))
+    assert trace.lower <= 0.45
+    assert trace.upper >= 0.55
+    assert trace.upper - trace.lower < 0.11
+    ends = [math.pi / math.sqrt(k) + math.pi / 2 for k in (1.1, 0.9)]
+    assert period.lower <= ends[0] < ends[1] <= period.upper < ends[1] + 0.02
+    assert speed.lower <= 1 / 0.55 < 1 / 0.45 <= speed.upper
+
+
+def test_a_wall_that_is_touched_inside_the_box_is_undecided_there() -> None:
+    # the orbit reaches v0/sqrt(k) = 2, where the wall stands
+    found = ns.certify_box(loop(), {"a": ("3/2", "7/2")}, tiles=40)
+    assert found.tile_at({"a": 2}).verdict == "undecided"
+    assert {found.tile_at({"a": a}).verdict for a in (1.6, 1.9)} == {"not admissible"}
+    assert {found.tile_at({"a": a}).verdict for a in (2.1, 3.4)} == {"proved"}
+    assert "wall" in found.reasons["admissibility"]
+
+
+def test_a_multiplier_on_the_unit_circle_is_never_decided() -> None:
+    found = ns.certify_box(loop(r="1/2"), {"r": ("0.4", "1.6")}, tiles=60)
+    assert found.tile_at({"r": 1}).verdict == "undecided"  # there the orbit is infinite
+    assert found.tile_at({"r": Fraction(1, 2)}).verdict == "proved"
+    down = ns.certify_box(loop(r="-1/2"), {"r": ("-3/2", "-1/4")}, tiles=60)
+    assert down.tile_at({"r": -1}).verdict == "undecided"
+    assert down.tile_at({"r": Fraction(-5, 4)}).verdict == "unstable"
+    assert down.tile_at({"r": Fraction(-3, 4)}).verdict == "proved"
+
+
+def test_parameters_beside_the_box_may_be_irrational() -> None:
+    found = ns.certify_box(loop(k="sqrt(2)"), {"r": ("0.45", "0.55")})
+    assert found.proved
+    wanted = math.pi / 2**0.25 + math.pi / 2
+    assert found.enclosures["period"].contains(wanted) or math.isclose(
+        float(found.enclosures["period"]), wanted, rel_tol=1e-14
+    )
+
+
+@pytest.mark.parametrize(("name", "parameter"), [
+    ("rigid-stop/one-impact", "m1"), ("rigid-stop/one-impact", "k2"),
+    ("elastic-stop/one-contact", "k3"),
+])  # fmt: skip
+def test_conservative_orbits_are_neutral_over_boxes(name: str, parameter: str) -> None:
+    orbit = ns.solve(name)
+    middle = orbit.given[parameter].exact
+    assert middle is not None
+    box = {parameter: (middle * Fraction(999, 1000), middle * Fraction(1001, 1000))}
+    found = ns.certify_box(orbit, box)
+    assert found.proved
+    assert found.stability == "neutral"
+    for end in (*box[parameter], middle):
+        trace = ns.solve(name, {parameter: str(end)}).trace
+        assert found.enclosures["trace"].lower <= trace <= found.enclosures["trace"].upper
+
+
+def test_a_given_period_may_span_the_box() -> None:
+    orbit = ns.solve("rigid-stop/one-impact", {"T": "6"})
+    found = ns.certify_box(orbit, {"T": ("5.9", "6.1")})
+    assert found.proved
+    period = found.enclosures["period"]
+    assert period.lower <= 5.9
+    assert 6.1 <= period.upper < 6.103
+
+
+@cache
+def impacts() -> ns.ComposedOrbit:
+    """An impact in each period of the forcing."""
+    w, size, c = sp.symbols("w F c")
+    system = load_system(
+        oscillator(
+            "forced-impacts", ["x"], [[1]], [[1]], [[c]],
+            forcing=[Harmonic(w, (size,))], elements=[RigidStop("x", 0, "4/5", name="wall")],
+            parameters=[Parameter("w", "frequency"), Parameter("F", "force"),
+                        Parameter("c", "damping")],
+        )
+    )  # fmt: skip
+    return ns.compose(
+        system,
+        {"w": "13/5", "F": "7/10", "c": "1/10"},
+        [("free", "wall-reaches-stop")],
+        [2 * math.pi / 2.6],
+    )
+
+
+def test_forced_orbits_over_frequency_and_force() -> None:
+    found = ns.certify_box(impacts(), {"w": ("2.58", "2.62"), "F": ("0.69", "0.71")})
+    assert found.proved, found.reasons
+    period = found.enclosures["period"]
+    assert period.lower <= 2 * math.pi / 2.62 < 2 * math.pi / 2.58 <= period.upper
+    # Liouville: the product of the multipliers is r^2 e^(-c T), whatever the force is
+    for w in ("2.58", "2.6", "2.62"):
+        values = {"w": w, "F": "0.7", "c": "0.1"}
+        orbit = ns.compose(impacts().kernels, values, impacts().itinerary, [2 * math.pi / 2.6])
+        trace = found.enclosures["trace"]
+        assert trace.lower <= orbit.trace <= trace.upper
+
+
+def same(left: ns.BoxCertificate, right: ns.BoxCertificate) -> bool:
+    """Whether the tiles are the same, in whatever order."""
+
+    def told(found: ns.BoxCertificate) -> list[str]:
+        return sorted(json.dumps(tile) for tile in found.to_json()["tiles"])
+
+    return told(left) == told(right)
+
+
+def test_what_was_stopped_goes_on_from_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "map.json"
+    orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}
+    part = ns.certify_box(orbit, box, tiles=6)
+    assert part.decided < line().decided
+    assert any(not tile.looked_at for tile in part.tiles)
+    part.save(path)
+    again = ns.load_box_certificate(path)
+    assert again.to_json() == part.to_json()
+    told = []
+    whole = ns.certify_box(orbit, box, resume=again, progress=lambda *now: told.append(now))
+    assert same(whole, line())
+    assert told[-1][0] == pytest.approx(float(line().decided))
+    assert told[-1][1] == len(told)
+    # larger tiles were decided before: they are not proved again
+    assert len(told) < len(line().tiles) * 2
+    finished = ns.certify_box(orbit, box, resume=whole)
+    assert finished.to_json() == whole.to_json()
+
+
+def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    from nonsmooth.runtime.proof.boxes import certify_box as certify
+
+    monkeypatch.setattr(certify, "_EVERY", 0.0)
+    kept: list[ns.BoxCertificate] = []
+    box = {"V": ("0.6", "1.3")}
+    ns.certify_box(ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append)
+    assert len(kept) == 5
+    for state in kept:
+        assert sum(state.shares.values()) == 1
+    assert same(ns.certify_box(ns.solve(SYMMETRIC), box, resume=kept[2]), line())
+
+
+def test_damaged_files_are_refused(tmp_path: Path) -> None:
+    path = tmp_path / "map.json"
+    paper().save(path)
+    text = path.read_text()
+    content = json.loads(text)
+
+    def refused(damaged: str, told: str) -> None:
+        path.write_text(damaged)
+        with pytest.raises(InputError, match=told) as caught:
+            ns.load_box_certificate(path)
+        assert str(path) in str(caught.value)
+
+    refused(text[: len(text) // 2], "cut|JSON")
+    refused("{}", "not a proven map")
+    refused(text.replace('"proved"', '"refuted"', 1), "checksum")
+    refused(json.dumps({**content, "version": 99}), "version")
+    refused(json.dumps({k: v for k, v in content.items() if k != "tiles"}), "tiles")
+    with pytest.raises(InputError, match="nowhere"):
+        ns.load_box_certificate(tmp_path / "nowhere.json")
+
+
+@pytest.mark.parametrize(("box", "told"), [
+    ({}, "no parameter"),
+    ({"W": ("0.9", "1.1")}, "did you mean|known"),
+    ({"V": ("1.1", "0.9")}, "below the upper"),
+    ({"V": ("1", "1")}, "below the upper"),
+    ({"V": ("1.1", "1.2")}, "is not in"),
+    ({"V": ("0.9", "sqrt(2)")}, "rational"),
+    ({"V": (0.9, float("nan"))}, "nan"),
+    ({"V": (0.9, float("inf"))}, "inf"),
+    ({"chi": ("0.4", "1.5")}, "chi"),
+    ({"V": 3}, "lower and an upper"),
+    ({"V": "12"}, "lower and an upper"),
+    ({"V": (1, 2, 3)}, "lower and an upper"),
+    ([("V", (0, 1))], "no parameter"),
+])  # fmt: skip
+def test_wrong_boxes_are_refused(box: Any, told: str) -> None:
+    orbit = ns.solve(STICK)
+    with pytest.raises(InputError, match=told):
+        ns.certify_box(orbit, box)
+
+
+def test_wrong_states_and_counts_are_refused() -> None:
+    orbit = ns.solve(STICK)
+    box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
+    with pytest.raises(InputError, match="tiles"):
+        ns.certify_box(orbit, box, tiles=0)
+    with pytest.raises(InputError, match="another box"):
+        ns.certify_box(orbit, {"V": ("0.95", "1.05")}, resume=paper())
+    with pytest.raises(InputError, match="another chi"):
+        ns.certify_box(ns.solve(STICK, {"chi": "0.49"}), box, resume=paper())
+    with pytest.raises(InputError, match="another orbit"):
+        ns.certify_box(ns.solve(SYMMETRIC), {"V": ("0.6", "0.7")}, resume=paper())
+    far = ns.solve(STICK, {"V": "40"}, throw=False)
+    assert not far.converged
+    with pytest.raises(InputError, match="cannot be certified"):
+        ns.certify_box(far, {"V": ("30", "50")})
+
+
+def test_an_orbit_without_exact_parameters_is_undecided() -> None:
+    found = ns.certify_box(ns.solve("dry-friction/solution-ii"), {"V": ("0.9", "1.1")})
+    assert found.claims == dict.fromkeys(PROVED, "undecided")
+    assert "border collision" in found.reasons["existence"]
+    assert found.decided == 0
+
+
+def test_places_are_exact() -> None:
+    box = ((Fraction(0), Fraction(1)), (Fraction(-1), Fraction(2)))
+    place = Place(((0, 0), (0, 0)))
+    left, right = place.halves(1)
+    assert left.interval(1, box) == (-1, Fraction(1, 2))
+    assert right.halves(0)[1].interval(0, box) == (Fraction(1, 2), 1)
+    assert left.share + right.share == place.share == 1
+
+
+def test_maps_are_drawn(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    from nonsmooth.runtime.present.pictures.proven_maps import box_figure
+
+    for found, labels in ((paper(), {"stable, proved (100 %)"}), (line(), {"unstable, proved"})):
+        figure = box_figure(found)
+        (axes,) = figure.axes
+        texts = [text.get_text() for text in axes.get_legend().get_texts()]
+        assert all(any(text.startswith(label) for text in texts) for label in labels)
+        figure.savefig(tmp_path / "map.png")
+    names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
+    with pytest.raises(InputError, match="two parameters"):
+        ns.certify_box(loop(), names).plot()
+
+
+@pytest.mark.parametrize("parameter", ["V", "eta", "chi"])
+def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> None:
+    orbit = ns.solve(STICK)
+    width = Fraction(1, 10**5)
+    middle = orbit.given[parameter].exact
+    assert middle is not None
+    found = ns.certify_box(orbit, {parameter: (middle - width, middle + width)})
+    trace = found.enclosures["trace"]
+    slope = abs(orbit.sensitivity(parameter).trace)
+    assert (trace.upper - trace.lower) / float(2 * width) == pytest.approx(slope, rel=0.02)
+
+
+def test_the_orbit_is_handed_on_from_its_own_point() -> None:
+    # Newton's method from far away leads to other roots, which are none of this orbit
+    for orbit, box in (
+        (loop(), {"k": ("1/100", "100")}),
+        (ns.solve(SYMMETRIC), {"V": ("0.2", "5")}),
+        (loop(), {"k": ("1/100", "11/10"), "r": ("1/4", "3/4")}),
+    ):
+        found = ns.certify_box(orbit, box, tiles=120)
+        tile = found.tile_at({name: orbit.given[name] for name in box})
+        period = tile.enclosures["period"]
+        assert period.lower <= float(orbit.period) <= period.upper
+        for other in found.tiles:
+            if other.verdict == "not admissible":
+                assert "negative" not in other.reasons["admissibility"]
+    wide = ns.certify_box(loop(), {"k": ("1/100", "100")}, tiles=400)
+    # the period is pi/sqrt(k) + pi/2 wherever the orbit is proved
+    for tile in wide.tiles:
+        if tile.claims["existence"] == "proved" and tile.enclosures:
+            ends = wide.where(tile)["k"]
+            for k in ends:
+                period = math.pi / math.sqrt(k) + math.pi / 2
+                assert tile.enclosures["period"].lower <= period <= tile.enclosures["period"].upper
+    assert wide.decided > Fraction(99, 100)
+
+
+def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
+    found = ns.certify_box(loop(), {"k": ("1/2", "3"), "a": ("1.9", "4")}, tiles=150)
+    assert len(found.tiles) > 40
+    period = found.enclosures["period"]
+    proved = [t.enclosures["period"] for t in found.tiles if t.enclosures]
+    assert min(x.lower for x in proved) - period.lower < 1e-2
+    assert period.upper - max(x.upper for x in proved) < 1e-2
+
+
+def test_open_parameters_are_large_enough_for_the_whole_box() -> None:
+    found = ns.certify_box(ns.solve(STICK), {"e1": ("2.6", "5")})
+    assert set(found.chosen) == {"us1", "us2"}
+    tile = found.tile_at({"e1": "4.9"})
+    assert ns.solve(STICK, {"e1": "4.9"}).admissibility.verdict
+    assert tile.verdict == "proved"
+
+
+def test_domains_hold_in_every_corner() -> None:
+    for box in ({"r": ("-6", "0.9")}, {"k": ("-1", "1.1")}):
+        with pytest.raises(InputError, match="domain"):
+            ns.certify_box(loop(), box)
+
+
+@pytest.mark.parametrize("line", random.Random(7).sample(range(150), 6))
+def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(line: int, tmp_path: Path) -> None:
+    orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}
+    lines, before = 0, sys.gettrace()
+
+    def trace(frame: Any, event: str, argument: Any) -> Any:
+        nonlocal lines
+        if not frame.f_code.co_filename.endswith("boxes/certify.py"):
+            return None
+        lines += event == "line"
+        if event == "line" and lines > line and "look" in _callers(frame):
+            sys.settrace(before)
+            raise KeyboardInterrupt
+        return trace
+
+    sys.settrace(trace)
+    try:
+        with pytest.raises(Interrupted) as stopped:
+            ns.certify_box(orbit, box, tiles=5)
+    finally:
+        sys.settrace(before)
+    state: Any = stopped.value.partial
+    assert sum(tile.place.share for tile in state.tiles) == 1
+    state.save(tmp_path / "map.json")
+    read = ns.load_box_certificate(tmp_path / "map.json")
+    resumed = ns.certify_box(orbit, box, resume=read, tiles=2)
+    assert len(resumed.tiles) > len(read.tiles)
+
+
+def _callers(frame: Any) -> set[str]:
+    found = set()
+    while frame is not None:
+        found.add(frame.f_code.co_name)
+        frame = frame.f_back
+    return found

@@ -1,0 +1,166 @@
+"""Bifurcations and limits of admissibility enclosed: closed forms to many digits, other routes."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import mpmath
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.errors import InputError
+from tests.certified import kicked, loop
+from tests.explore import test_continuation_forced as impacts
+
+STICK = "dry-friction/global-stick"
+SYMMETRIC = "dry-friction/symmetric"
+
+
+@cache
+def branch(name: str, parameter: str, lower: float, upper: float) -> ns.Branch:
+    return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
+
+
+def of_kind(found: ns.Branch, kind: str) -> ns.Event:
+    """The last of a kind along the branch."""
+    return [event for event in found.events if event.kind == kind][-1]
+
+
+def holds(certificate: ns.EventCertificate, number: Any) -> bool:
+    return bool(certificate.value.ball.contains(exact_ball(number)))
+
+
+@pytest.mark.parametrize("bits", [64, 200, 1000])
+def test_closed_forms_of_folds_flips_and_tori(bits: int) -> None:
+    with mpmath.workprec(bits + 100):
+        w, r = mpmath.mpf(28) / 10, mpmath.mpf(8) / 10
+        period = 2 * mpmath.pi / w
+        cotangent, gain = 1 / mpmath.tan(period / 2), 1 / (1 - w * w)
+        fold = gain * mpmath.sqrt(1 + (w * cotangent * (1 + r) / (1 - r)) ** 2)
+        torus = 2 * mpmath.log(r) / period
+        found = ns.certify_event(impacts.branch(), of_kind(impacts.branch(), "fold"), bits)
+        assert found.proved
+        assert holds(found, fold)
+        assert float(found.value.ball.rad()) < 1e3 * 2.0**-bits
+        damped = ns.continue_orbit(impacts.orbit(-0.5), "c", (-0.4, 0.4), step=0.02)
+        found = ns.certify_event(damped, of_kind(damped, "neimark-sacker"), bits)
+        assert found.proved
+        assert holds(found, torus)
+
+
+def test_both_flips_of_an_impact_oscillator_are_found() -> None:
+    flips = [e for e in impacts.branch().events if e.kind == "flip"]
+    values = [ns.certify_event(impacts.branch(), event).value for event in flips]
+    _, flip = impacts.closed_forms()
+    assert sorted(float(value) for value in values) == pytest.approx([-abs(flip), abs(flip)])
+
+
+def test_the_flip_lies_where_the_box_is_undecided() -> None:
+    whole = branch(SYMMETRIC, "V", 0.6, 1.3)
+    flip = ns.certify_event(whole, of_kind(whole, "flip"), 128)
+    assert flip.proved
+    assert flip.value.upper - flip.value.lower < 1e-15
+    middle = flip.value.mid
+    orbit = ns.refine(ns.solve(SYMMETRIC, {"V": middle}), 35)
+    nearest = min(orbit.stability.multipliers, key=lambda m: abs(m.real + 1))
+    assert abs(nearest.real + 1) < 1e-30
+    box = ns.certify_box(ns.solve(SYMMETRIC, {"V": "1.1"}), {"V": ("1", "1.2")})
+    assert box.tile_at({"V": middle}).verdict == "undecided"
+    # beside it everything is decided: there is no other in this range
+    assert sum(tile.verdict == "undecided" for tile in box.tiles) == 1
+
+
+def test_a_grazing_is_a_double_root_in_time() -> None:
+    whole = branch(SYMMETRIC, "V", 0.6, 1.3)
+    event = of_kind(whole, "grazing")
+    found = ns.certify_event(whole, event, 160)
+    assert found.proved
+    assert (found.phase, found.boundary) == (0, "first-reaches-belt")
+    inside, outside = (
+        ns.solve(SYMMETRIC, {"V": float(found.value) + side}, dict(event.unknowns))
+        for side in (1e-6, -1e-6)
+    )
+    assert inside.admissibility.verdict
+    assert not outside.admissibility.verdict
+    (violation,) = outside.admissibility.violations[:1]
+    assert float(found.enclosures["time"]) == pytest.approx(violation.time, abs=1e-2)
+
+
+@pytest.mark.parametrize(("parameter", "lower", "upper"), [("V", 0.5, 1.6), ("eta", 0.3, 2)])
+def test_a_phase_that_vanishes(parameter: str, lower: float, upper: float) -> None:
+    whole = branch(STICK, parameter, lower, upper)
+    found = ns.certify_event(whole, of_kind(whole, "vanishing-phase"), 128)
+    assert found.proved
+    # the dwell time itself is exactly zero, and positive on the one side
+    assert found.enclosures["ta"].contains(0)
+    assert float(found.enclosures["ta"].ball.rad()) < 1e-35
+    # on the side of the orbit it grows with the distance, which tells where it was zero
+    side = 1e-6 if parameter == "eta" else -1e-6
+    near, far = (
+        ns.solve(STICK, {parameter: float(found.value) + k * side}).dwell_times["ta"]
+        for k in (1, 2)
+    )
+    assert 0 < near < 1e-4
+    assert far / near == pytest.approx(2, abs=1e-4)
+
+
+def test_solution_ii_is_the_collision_of_the_global_stick() -> None:
+    collision = ns.refine(ns.solve("dry-friction/solution-ii"), 45)
+    e1 = collision.unknowns["e1"]
+    whole = branch(STICK, "e1", 2.3, 3.2)
+    found = ns.certify_event(whole, of_kind(whole, "vanishing-phase"), 128)
+    assert found.proved
+    assert abs(float(found.value) - float(e1)) < 1e-14
+    assert abs(mpmath.mpf(found.value.mid) - mpmath.mpf(str(e1))) < 1e-30
+
+
+def test_composed_orbits_and_touched_walls() -> None:
+    # the orbit reaches v0/sqrt(k) = 2: a wall there is touched
+    found = ns.continue_orbit(loop(), "a", (1.5, 3.5))
+    event = of_kind(found, "grazing")
+    certificate = ns.certify_event(found, event, 200)
+    assert certificate.proved
+    assert certificate.value.contains(2)
+    over = ns.continue_orbit(loop(r="-1/2"), "r", (-1.5, -0.25))
+    flip = ns.certify_event(over, of_kind(over, "flip"), 200)
+    assert flip.proved
+    assert flip.value.contains(-1)
+    assert kicked().name in flip.orbit
+
+
+def test_what_is_no_regular_root_is_undecided_and_says_why() -> None:
+    whole = branch("rigid-stop/one-impact", "T", 5.5, 7.5)
+    found = ns.certify_event(whole, of_kind(whole, "branch-point"))
+    assert found.claim == "undecided"
+    assert not found.proved
+    assert "no regular root" in found.reason
+    assert found.to_json()["enclosures"] == {}
+
+
+def test_an_event_that_is_elsewhere_is_not_proved() -> None:
+    from dataclasses import replace
+
+    whole = branch(SYMMETRIC, "V", 0.6, 1.3)
+    flip = of_kind(whole, "flip")
+    moved = replace(flip, value=flip.value + 1e-3)
+    with pytest.raises(InputError, match="no event of the branch"):
+        ns.certify_event(whole, moved)
+    wrong = replace(whole, events=(moved,))
+    found = ns.certify_event(wrong, moved)
+    assert found.claim == "undecided"
+    for bits in (10, 1.5, True, 10**6):
+        with pytest.raises(InputError, match="bits"):
+            ns.certify_event(whole, flip, bits)  # type: ignore[arg-type]  # that is what is refused
+
+
+def test_json_has_every_digit() -> None:
+    whole = branch(SYMMETRIC, "V", 0.6, 1.3)
+    found = ns.certify_event(whole, of_kind(whole, "flip"), 256)
+    told = found.to_json()
+    assert told["claim"] == "proved"
+    assert told["kind"] == "flip"
+    assert told["enclosures"]["V"]["mid"] == found.value.mid
+    assert len(told["enclosures"]["V"]["mid"]) > 70
+    assert {side["name"] for side in told["box"]} == set(told["enclosures"])

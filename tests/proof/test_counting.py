@@ -1,0 +1,457 @@
+"""Counted orbits: none is missed, none counts twice, and what cannot be told is undecided."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb, arb_mat
+from mpmath import MPContext
+from scipy.linalg import expm
+from scipy.optimize import brentq
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.display_census import show_census
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.parameters import resolve
+from nonsmooth.runtime.model.piecewise import system_parameters
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.proof.counting.branch_and_prune import search
+from nonsmooth.runtime.proof.counting.contraction import (
+    Linear,
+    Sides,
+    balls_of,
+    middles_of,
+)
+from nonsmooth.runtime.proof.counting.dwell_equations import DwellProblem, Given, setting_of
+from nonsmooth.runtime.proof.counting.reduced_equations import ReducedProblem, reducible
+from nonsmooth.runtime.proof.exact_tables import tables_of
+from nonsmooth.runtime.shooting.newton import CONVERGED, solve_reduced
+from nonsmooth.runtime.shooting.shooting_map import cycle_of
+from tests.certified import LOOP, kicked
+from tests.places import GALLERY
+
+STICK = "dry-friction/global-stick"
+BELT = f"{GALLERY / 'mass_on_belt.py'}:stick-slip"
+IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
+PAPER = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+TWO = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
+
+
+def times(census: ns.Census) -> np.ndarray:
+    """Certified dwell times, an orbit in each row."""
+    certificates = [orbit.certificate for orbit in census.orbits]
+    assert all(c is not None for c in certificates)
+    return np.array([[float(c.enclosures[n]) for n in c.dwell_names] for c in certificates if c])
+
+
+class Toy:
+    """A problem without coordinates: functions of arb, and their derivatives."""
+
+    def __init__(self, domain: Any, values: Any, slopes: Any) -> None:
+        self.domain, self.values, self.slopes = domain, values, slopes
+
+    def linear(self, sides: Sides) -> Linear:
+        """Values in the middle, derivatives over the box."""
+        centre = arb_mat([[x] for x in self.values(*middles_of(sides))])
+        rows = self.slopes(*balls_of(sides))
+        slopes = [arb_mat([[row[j]] for row in rows]) for j in range(len(sides))]
+        return Linear.of(centre, slopes, sides)
+
+
+class Pole:
+    """The two equations q = u and q sin u = 1: u sin u = 1."""
+
+    domain = ((0.5, 20.0),)
+
+    def linear(self, sides: Sides) -> Linear:
+        """Rows [1, -u] and [sin u, -1] on (q, 1)."""
+        (u,), (m,) = balls_of(sides), middles_of(sides)
+        centre = arb_mat([[arb(1), -m], [m.sin(), arb(-1)]])
+        slope = arb_mat([[arb(0), arb(-1)], [u.cos(), arb(0)]])
+        return Linear.of(centre, [slope], sides)._replace(largest=100.0)
+
+
+def test_a_circle_and_a_line_meet_twice_or_never_and_a_tangent_is_undecided() -> None:
+    def found(distance: str) -> Any:
+        shift = arb(distance)
+        toy = Toy(
+            ((-3.0, 4.0), (-3.0, 5.0)),
+            lambda x, y: [x * x + y * y - 2, x + y - shift],
+            lambda x, y: [[2 * x, 2 * y], [arb(1), arb(1)]],
+        )
+        with flint_precision(64):
+            return search(toy, 20_000)
+
+    two, none, tangent = found("1"), found("2.001"), found("2")
+    assert (len(two.roots), two.undecided) == (2, ())
+    for root in two.roots:
+        (x, y) = (low for low, _ in root.sides)
+        assert abs(x + y - 1) < 1e-12
+        assert abs(x * x + y * y - 2) < 1e-12
+        assert max(high - low for low, high in root.sides) < 1e-14
+    assert (none.roots, none.undecided) == ((), ())
+    assert tangent.roots == ()
+    assert len(tangent.undecided) == 1
+    assert all(low < 1 < high for low, high in tangent.undecided[0])
+
+
+def test_a_root_where_boxes_are_cut_counts_once() -> None:
+    toy = Toy(
+        ((-1.0, 1.0), (-1.0, 1.0)),
+        lambda x, y: [x + y * y, y - x * x],
+        lambda x, y: [[arb(1), 2 * y], [-2 * x, arb(1)]],
+    )
+    with flint_precision(64):
+        found = search(toy, 10_000)
+    # the other one is x = -1, y = 1, a corner: it is found from inside, or left undecided
+    at_zero = [r for r in found.roots if all(low <= 0 <= high for low, high in r.sides)]
+    assert len(at_zero) == 1
+    assert len(found.roots) <= 2
+
+
+def test_singular_linear_equations_are_no_obstacle() -> None:
+    with flint_precision(64):
+        found = search(Pole(), 10_000)
+    grid = np.linspace(0.5, 20, 20_001)
+    signs = np.sign(grid * np.sin(grid) - 1)
+    exact = [
+        brentq(lambda u: u * math.sin(u) - 1, a, b, xtol=1e-15)
+        for a, b, s, t in zip(grid, grid[1:], signs, signs[1:], strict=False)
+        if s != t
+    ]
+    assert found.undecided == ()
+    centres = sorted(root.sides[0][0] for root in found.roots)
+    assert np.allclose(centres, exact, atol=1e-12, rtol=0)
+    assert len(centres) == len(exact) == 7
+
+
+def test_all_orbits_of_the_paper_in_a_box_and_newton_finds_no_other() -> None:
+    told: list[float] = []
+    census = ns.certify_all(STICK, box={"tau": (0, "12.6"), "tau1": (0, 20)}, progress=told.append)
+    assert census.decided
+    assert (census.count, census.admissible) == (6, 1)
+    assert "exactly 6 orbits" in census.statement
+    assert "0 < tau <= 12.6" in census.statement
+    assert told == sorted(told)
+    assert 0 < told[-1] <= 1 + 1e-9
+    found = times(census)
+    # hundreds of starts of Newton's method in doubles
+    kernels = load_orbit(STICK)
+    point = resolve(kernels, {})
+    starts = np.array(list(product(np.linspace(0.1, 12.6, 40), np.linspace(0.1, 20, 60))))
+    solved = solve_reduced(kernels, np.array([float(x) for x in point.values.values()]), starts)
+    reached = solved.unknowns[solved.status == CONVERGED][:, 2:]
+    inside = (reached[:, 1] <= 12.6) & (reached[:, 2] <= 20)
+    distances = np.abs(reached[inside][:, None] - found).max(axis=-1)
+    assert len(distances) > 200
+    assert distances.min(axis=1).max() < 1e-7  # none that was not counted
+    assert distances.min(axis=0).max() < 1e-7  # and all that were
+    (admissible,) = (o.certificate for o in census.orbits if o.admissible)
+    assert admissible is not None
+    orbit = ns.solve(STICK)
+    assert admissible.enclosures["tau"].contains(ns.refine(orbit, 30).unknowns["tau"])
+
+
+def test_dwell_times_that_follow_may_be_bounded_too() -> None:
+    census = ns.certify_all(STICK, box={"tau": 3, "tau1": 10, "ta": (1, 2)})
+    assert census.decided
+    assert census.count == 1
+    everywhere = ns.certify_all(STICK, box={"tau": 3, "tau1": 10})
+    assert everywhere.count + everywhere.beyond == census.count + census.beyond
+
+
+def test_its_four_dwell_times_give_the_same_orbit() -> None:
+    phases = [(c, b) for c, b, _ in load_orbit(STICK).table["phases"]]
+    box = {"tau1": (1, "1.1"), "tau2": ("1.9", "2.1"), "tau3": ("1.4", "1.6"), "tau4": (3, "3.5")}
+    census = ns.certify_all("dry-friction", PAPER, box, itinerary=phases)
+    assert census.decided
+    orbit = ns.solve(STICK)
+    assert np.allclose(times(census), [list(orbit.dwell_times.values())], atol=1e-10)
+    assert census.admissible == 1
+
+
+def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
+    census = ns.certify_all("dry-friction", PAPER, {"tau1": (3, 7), "tau2": 6}, itinerary=TWO)
+    assert census.decided
+    found = times(census)
+    random = np.random.default_rng(3)
+    starts = random.uniform((3, 0.01), (7, 6), size=(400, 2))
+    values = {name: float(text) for name, text in PAPER.items()}
+    orbits = ns.compose_many("dry-friction", TWO, values, starts)
+    reached = orbits.dwell_times[orbits.status == CONVERGED]
+    inside = (reached[:, 0] >= 3) & (reached <= (7, 6)).all(axis=1) & (reached > 1e-6).all(axis=1)
+    small = np.abs(orbits.states[orbits.status == CONVERGED][:, 0]).max(axis=-1) < 90
+    distances = np.abs(reached[inside & small][:, None] - found).max(axis=-1)
+    assert distances.min(axis=1).max() < 1e-6
+    assert distances.min(axis=0).max() < 1e-6
+
+
+def test_a_kicked_mass_has_an_orbit_for_each_pair_of_half_turns() -> None:
+    # v returns after m half turns on the right and n on the left, whatever m and n are
+    values = {"k": 9, "r": "1/3", "a": 10}
+    box = {"tau1": "2.5", "tau2": "4"}  # half turns take pi/3 and pi/2
+    census = ns.certify_all(kicked(), values, box, itinerary=LOOP)
+    assert census.decided
+    exact = [(m * math.pi / 3, n * math.pi / 2) for m in (1, 2) for n in (1, 2)]
+    assert np.allclose(sorted(map(tuple, times(census))), exact, atol=1e-12)
+    assert census.admissible == 1
+    # of sqrt(81) it is not known that it is 9: the entries are functions of it
+    rough = ns.certify_all(kicked(), {**values, "k": "sqrt(81)"}, box, itinerary=LOOP)
+    assert rough.decided
+    assert (rough.count, rough.admissible) == (4, 1)
+
+
+def test_an_orbit_counts_once_wherever_it_begins() -> None:
+    # half turns on the right take pi/3, m1 and m2 of them, those on the left pi/2, one each:
+    # (1, 2) and (2, 1) are one orbit, (1, 1) and (2, 2) are orbits of half the itinerary
+    box = {"tau1": (1, "2.2"), "tau2": ("1.5", "1.6"), "tau3": (1, "2.2"), "tau4": ("1.5", "1.6")}
+    values = {"k": 9, "r": "1/3", "a": 10}
+    census = ns.certify_all(kicked(), values, box, itinerary=LOOP * 2)
+    assert census.decided
+    (found,) = times(census)
+    assert np.allclose(sorted(found), [math.pi / 3, *[math.pi / 2] * 2, 2 * math.pi / 3])
+    assert "repeat themselves" in census.statement
+
+
+def test_the_mass_on_a_belt_turns_any_number_of_times() -> None:
+    census = ns.certify_all(BELT, box={"ts": 10, "tau": 20})
+    exact = [(1.2, 2 * math.pi * m - 2 * math.atan(0.3 / 0.5)) for m in (1, 2, 3)]
+    assert census.decided
+    assert np.allclose(sorted(map(tuple, times(census))), exact, atol=1e-12)
+    assert census.admissible == 1
+    assert ns.certify_all(BELT, box={"ts": 10, "tau": 5}).statement.count("exactly 0 orbits") == 1
+
+
+@pytest.mark.parametrize(
+    ("stick", "count", "undecided"),
+    [((1, 2), 1, 0), (("1.2", 2), 0, 1), (("1.20000001", 2), 0, 0), ((1, "1.2"), 0, 1)],
+)
+def test_a_solution_on_the_edge_is_never_counted(stick: Any, count: int, undecided: int) -> None:
+    census = ns.certify_all(BELT, box={"ts": stick, "tau": (4, 6)})
+    assert (census.count, len(census.undecided)) == (count, undecided)
+    for box in census.undecided:
+        assert "edge" in box.reason
+        assert float(box.bounds["ts"][0]) <= 1.2 <= float(box.bounds["ts"][1])
+
+
+def test_phases_of_no_time_are_told_apart_by_the_default_bound_only() -> None:
+    # after a whole turn it slips again at once: a solution with ts = 0 at tau = 2 pi
+    whole = ns.certify_all(BELT, box={"ts": (0, 10), "tau": (6, 7)})
+    assert whole.count == 0
+    assert len(whole.undecided) == 1
+    assert "at least 0" in whole.statement
+    assert ns.certify_all(BELT, box={"ts": 10, "tau": (6, 7)}).decided
+
+
+def impacts(sigma: float, number: int, r: float = 0.8, w: float = 2.4) -> list[float]:
+    """Impact velocities of orbits that strike once in so many periods of the forcing."""
+    g, c = 1 / (1 - w * w), 1 / math.tan(math.pi * number / w)
+    a, b = (1 + r) * c / 2, (1 - r) / (2 * w)
+    # (sigma + a U)^2 + (b U)^2 = g^2
+    square = (a * sigma) ** 2 - (a * a + b * b) * (sigma**2 - g * g)
+    if square < 0:
+        return []
+    return sorted((-a * sigma + s * math.sqrt(square)) / (a * a + b * b) for s in (-1, 1))
+
+
+@pytest.mark.parametrize("sigma", ["0", "0.3", "-0.7", "4"])
+def test_an_impact_oscillator_has_two_orbits_of_each_period_or_none(sigma: str) -> None:
+    census = ns.certify_all(IMPACT, {"sigma": sigma}, {"T": 13})
+    exact = [(k, u) for k in range(1, 5) for u in impacts(float(sigma), k)]
+    assert census.decided
+    assert census.count == len(exact)
+    period = 2 * math.pi / 2.4
+    certificates = [orbit.certificate for orbit in census.orbits if orbit.certificate]
+    found = sorted(
+        (round(float(c.enclosures["T"]) / period), -float(c.enclosures["v0"]) / 0.8)
+        for c in certificates
+    )
+    assert np.allclose(found, exact, atol=1e-10)
+
+
+def test_where_two_orbits_meet_nothing_is_counted() -> None:
+    mp = MPContext()
+    mp.dps = 40
+    w, r = mp.mpf("2.4"), mp.mpf("0.8")
+    slope = w * mp.cot(mp.pi / w) * (1 + r) / (1 - r)
+    fold = mp.sqrt(1 + slope**2) / (w * w - 1)
+    below, at, above = (
+        ns.certify_all(IMPACT, {"sigma": mp.nstr(fold + shift, 30)}, {"T": (2, 3)})
+        for shift in (-mp.mpf("1e-6"), mp.mpf(0), mp.mpf("1e-6"))
+    )
+    assert (below.count, below.decided) == (2, True)
+    assert (at.count, at.decided) == (0, False)
+    assert (above.count, above.decided) == (0, True)
+    (box,) = at.undecided
+    assert "singular" in box.reason
+
+
+def test_conservative_orbits_are_counted_at_their_period() -> None:
+    census = ns.certify_all("elastic-stop/one-contact", box={"tau": 10, "tau1": 10})
+    orbit = ns.solve("elastic-stop/one-contact")
+    assert census.decided
+    assert np.allclose(times(census), [list(map(float, orbit.dwell_times.values()))], atol=1e-10)
+    assert ns.certify_all("rigid-stop/one-impact", box={"T": 7}).admissible == 1
+    assert ns.certify_all("rigid-stop/one-impact", box={"T": 6}).count == 0
+
+
+def test_equations_over_boxes_enclose_those_at_points() -> None:
+    random = np.random.default_rng(7)
+    kernels, system = load_orbit(STICK), load_system("dry-friction")
+    assert reducible(kernels)
+    assert not reducible(load_orbit("dry-friction/symmetric"))
+    with flint_precision(64):
+        values = system_parameters(system, PAPER)
+        tables = tables_of(system, tuple(values.values()), 64)
+        cycle = cycle_of(structure_of(system), TWO)
+        setting = setting_of(tables, cycle)
+        assert setting.orders == (1, 0)  # a mass leaves the belt at the belt's velocity
+        problems = [
+            DwellProblem(tables, cycle, setting, Given(), [(0, 9)] * 2, 100.0),
+            ReducedProblem(kernels, list(resolve(kernels, {}).values.values()), [(0, 9)] * 2),
+        ]
+        for problem, _ in product(problems, range(40)):
+            low = random.uniform(0, 8, 2) * random.integers(0, 2, 2)
+            wide = low + 10.0 ** random.uniform(-6, -0.5, 2)
+            sides = tuple(zip(low.tolist(), wide.tolist(), strict=True))
+            over = problem.linear(sides)
+            if over is None:
+                continue
+            for _ in range(3):
+                point = [(float(u), float(u)) for u in random.uniform(low, wide)]
+                at = problem.linear(tuple(point))
+                if at is None:
+                    continue
+                # over a box that is not short a condition is not divided by its time
+                pairs = zip(over.over.entries(), at.centre.entries(), strict=True)
+                whole = [b.overlaps(p) for b, p in pairs]
+                assert all(whole) or (problem is problems[0] and wide[0] > 1)
+
+
+def test_divided_conditions_are_the_flow_over_the_time() -> None:
+    system = load_system("dry-friction")
+    with flint_precision(64):
+        values = system_parameters(system, PAPER)
+        tables = tables_of(system, tuple(values.values()), 64)
+        cycle = cycle_of(structure_of(system), TWO)
+        problem = DwellProblem(tables, cycle, setting_of(tables, cycle), Given(), [], 100.0)
+        field, row = problem.chain.fields[0], problem.chain.rows[0]
+        numbers = np.array([[float(x.mid()) for x in line] for line in field.tolist()])
+        normal = np.array([float(x.mid()) for x in row.entries()])
+        for time in (1e-3, 0.2, 0.7):
+            divided, rate = problem._divided(0, arb(time))
+            flow = expm(numbers * time)
+            exact = (normal @ flow - normal) / time
+            slope = normal @ flow @ numbers / time - exact / time
+            for found, wanted, error in ((divided, exact, 1e-11), (rate, slope, 1e-8)):
+                numbers_found = [float(x.mid()) for x in found.entries()]
+                assert np.allclose(numbers_found, wanted, atol=error)
+
+
+def test_too_few_boxes_leave_the_rest_undecided() -> None:
+    census = ns.certify_all(STICK, box={"tau": 12, "tau1": 20}, limit=500)
+    assert census.looked == 500
+    assert not census.decided
+    assert census.undecided[0].reason == "too many boxes"
+    assert "at least" in census.statement
+
+
+def test_an_orbit_without_a_certificate_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    census = ns.certify_all(BELT, box={"ts": 10, "tau": 8})
+    (orbit,) = census.orbits
+    bare = replace(census, orbits=(replace(orbit, certificate=None, reason="no reason"),))
+    assert bare.count == 1
+    assert "0 admissible, 0 not admissible, 1 undecided" in bare.statement
+    show_census(bare)
+    assert "no certificate: no reason" in " ".join(capsys.readouterr().out.split())
+
+
+def test_a_census_is_kept_in_a_file(tmp_path: Path) -> None:
+    census = ns.certify_all(BELT, box={"ts": (0, 10), "tau": 8})
+    path = tmp_path / "census.json"
+    census.save(path)
+    again = ns.load_census(path)
+    assert again.to_json() == census.to_json()
+    assert json.loads(path.read_text())["count"] == 1
+    path.write_text(path.read_text().replace('"beyond": 0', '"beyond": 1'))
+    with pytest.raises(InputError, match="the checksum differs"):
+        ns.load_census(path)
+    path.write_text("{}")
+    with pytest.raises(InputError, match=r"census\.json: not a census"):
+        ns.load_census(path)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "culprit"),
+    [
+        ((STICK, {}, {"tau": 3}), {}, "no bounds of tau1"),
+        ((STICK, {}, {"tau": 3, "tau9": 3}), {}, "tau9"),
+        ((STICK, {}, {"tau": (3, 2), "tau1": 3}), {}, "tau: 3 and 2"),
+        ((STICK, {}, {"tau": (1, 2, 3), "tau1": 3}), {}, "tau: 3 bounds"),
+        ((STICK, {}, {"tau": "x", "tau1": 3}), {}, "tau: 'x'"),
+        ((STICK, {}, {"tau": 3, "tau1": 3}), {"limit": 0}, "limit = 0"),
+        ((STICK, {}, {"tau": 3, "tau1": 3}), {"bits": 8}, "bits = 8"),
+        ((STICK, {}, {"tau": 3, "tau1": 3}), {"largest": -1.0}, "largest = -1.0"),
+        ((STICK, {}, {"tau": 3, "tau1": 3}), {"period": 3}, "period"),
+        (("dry-friction/solution-ii", {}, {}), {}, "border collision"),
+        (("dry-friction/symmetric", {}, {"tau": 3, "tau1": 3}), {}, "us2 left open"),
+        ((IMPACT, {}, {"T": 3}), {"period": 3}, "the forcing's"),
+        ((IMPACT, {"w": "sqrt(2)"}, {"T": 3}), {}, "rational"),
+        (("elastic-stop", {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}, {"tau1": 3, "tau2": 3}),
+         {"itinerary": [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]},
+         "keeps its energy"),
+    ],
+)  # fmt: skip
+def test_wrong_input_is_refused_by_name(arguments: Any, options: Any, culprit: str) -> None:
+    with pytest.raises(InputError, match=culprit):
+        ns.certify_all(*arguments, **options)
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    """Exit code, stdout and stderr of `nonsmooth certify --all`."""
+    result = CliRunner().invoke(app, ["certify", "--all", *arguments])
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def test_the_command_counts_and_tells(tmp_path: Path) -> None:
+    path = tmp_path / "census.json"
+    code, out, err = run(STICK, "tau=:3", "tau1=0:3", "--json", "--save", str(path))
+    assert (code, err) == (0, "")
+    told = json.loads(out)
+    assert (told["count"], told["decided"]) == (1, True)
+    assert ns.load_census(path).box[1] == "1e-6 <= tau <= 3"
+    code, out, _ = run(BELT, "ts=0:10", "tau=:8")
+    assert code == 1
+    assert "at least 1 orbit" in " ".join(out.split())
+    assert "1.200000000" in out
+    code, _, err = run(BELT, "ts=0:10", "tau=:8", "--require", "proved")
+    assert code == 3
+    assert "undecided" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "culprit"),
+    [
+        (("tau=1:2:3", "tau1=0:3"), "tau=1:2:3"),
+        (("tau=0:3", "tau=0:4"), "tau are given twice"),
+        (("tau=0:3",), "no bounds of tau1"),
+        (("tau=0:3", "tau1=0:3", "--guess", "tau=1"), "no guess"),
+    ],
+)
+def test_the_command_refuses_wrong_bounds(arguments: tuple[str, ...], culprit: str) -> None:
+    code, _, err = run(STICK, *arguments)
+    assert code == 2
+    assert culprit in err

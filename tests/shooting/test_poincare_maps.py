@@ -1,0 +1,227 @@
+"""Sec. 4 for every orbit: saltation matrices, monodromy and Poincare map by a second route.
+
+The second route composes matrix exponentials, root finding and resets from the declaration.
+"""
+
+from functools import cache
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+from scipy.optimize import linear_sum_assignment
+
+from nonsmooth.derive.saltation import saltation_matrix
+from nonsmooth.runtime.model.kernels import orbit_names
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.orbits.refine import refine
+from nonsmooth.runtime.orbits.solve import solve
+from tests.declared import Declared, random_points
+
+PROPERTY = settings(deadline=None, max_examples=40, derandomize=True)
+every_orbit = pytest.mark.parametrize("name", orbit_names())
+
+
+@cache
+def orbits(name):
+    """The orbit at its reference point, and admissible ones nearby."""
+    points, found = random_points(name, 51, 40), [solve(name)]
+    many = solve_many(name, **points)
+    for i in np.flatnonzero(many.admissible)[:4]:
+        guess = {n: float(a[i]) for n, a in many.unknowns.items()}
+        found.append(solve(name, {n: float(a[i]) for n, a in points.items()}, guess))
+    assert len(found) == 5
+    return tuple(found)
+
+
+def multipliers(orbit):
+    return np.array([complex(m.real, m.imaginary) for m in orbit.stability.multipliers])
+
+
+def without_one(eigenvalues):
+    """All but the eigenvalue nearest to 1, which belongs to the motion itself."""
+    return np.delete(eigenvalues, np.argmin(abs(eigenvalues - 1)))
+
+
+def distance(first, second):
+    """Largest difference of two sets of numbers, paired as well as can be."""
+    differences = abs(np.asarray(first)[:, None] - np.asarray(second)[None])
+    return differences[linear_sum_assignment(differences)].max()
+
+
+@every_orbit
+def test_the_orbit_closes_under_exponentials_and_resets(name):
+    for orbit in orbits(name):
+        declared = Declared(orbit)
+        scale = max(1.0, abs(declared.start).max())
+        assert abs(declared.end - declared.start).max() < 1e-11 * scale
+        for index, (piece, _, end) in enumerate(declared.steps):
+            assert abs((piece.normal @ end).item()) < 1e-11 * scale
+            behind = piece.jump @ end
+            assert_allclose(orbit.states[index + 1], behind[:-1, 0], atol=1e-11 * scale)
+
+
+@every_orbit
+def test_saltation_matrices_are_those_of_the_declaration(name):
+    for orbit in orbits(name):
+        expected = Declared(orbit).saltations()
+        assert orbit.saltations.shape == (len(orbit.dwell_times), 4, 4)
+        for found, matrix in zip(orbit.saltations, expected, strict=True):
+            assert_allclose(found, matrix, rtol=1e-9, atol=1e-9)
+
+
+@every_orbit
+def test_a_saltation_matrix_carries_the_motion_across(name):
+    """S f- = f+, and what lies in the boundary is only reset."""
+    for orbit in orbits(name):
+        declared = Declared(orbit)
+        steps = declared.steps
+        for index, (piece, _, end) in enumerate(steps):
+            following = steps[(index + 1) % len(steps)][0]
+            before = (piece.field @ end)[:-1]
+            behind = (following.field @ piece.jump @ end)[:-1]
+            saltation = orbit.saltations[index]
+            assert_allclose(saltation @ before, behind, rtol=1e-9, atol=1e-9)
+            normal, reset = piece.normal[:, :-1], piece.jump[:-1, :-1]
+            tangent = np.eye(4) - normal.T @ normal / (normal @ normal.T)
+            assert_allclose(saltation @ tangent, reset @ tangent, rtol=1e-9, atol=1e-9)
+
+
+def test_the_field_is_continuous_at_an_elastic_stop():
+    """Its spring begins without a force: there is no jump to correct for."""
+    for orbit in orbits("elastic-stop/one-contact"):
+        assert_allclose(orbit.saltations, np.stack([np.eye(4)] * 2), atol=1e-11)
+
+
+def test_the_saltation_matrix_of_an_impact_in_closed_form():
+    """Newton's law reflects position and velocity, and shears by the difference of the forces."""
+    for orbit in orbits("rigid-stop/one-impact"):
+        y, u, m1, k1 = (orbit.values[n] for n in ("y", "u", "m1", "k1"))
+        force = -k1 * (1 - y) / m1
+        expected = np.diag([-1.0, 1, -1, 1])
+        expected[2, 0] = 2 * force / -u
+        assert_allclose(orbit.saltations[0], expected, rtol=1e-10, atol=1e-10)
+
+
+@PROPERTY
+@given(st.integers(0, 10**6))
+def test_saltation_is_the_derivative_of_crossing_and_resetting(seed):
+    """Random fields, boundary and reset, against the map itself: at one and the same time."""
+    random = np.random.default_rng(seed)
+    size = int(random.integers(2, 5))
+    reset, shift = random.normal(size=(size, size)), random.normal(size=size)
+    normal = random.normal(size=(1, size))
+    before, behind = random.normal(size=(size, 1)), random.normal(size=(size, 1))
+    if (normal @ before).item() < 0.1:
+        normal = before.T / np.linalg.norm(before)
+
+    def passed(state):
+        """State one unit of time later, in constant fields, from in front of the boundary."""
+        wait = -(normal @ state).item() / (normal @ before).item()
+        at_boundary = state + wait * before[:, 0]
+        return reset @ at_boundary + shift + (1 - wait) * behind[:, 0]
+
+    start = -0.5 * before[:, 0]  # reaches the boundary n y = 0 after half the time
+    columns = [(passed(start + d) - passed(start - d)) / 2e-3 for d in 1e-3 * np.eye(size)]
+    matrices = (sp.Matrix(m) for m in (reset, normal, before, behind))
+    found = np.array(saltation_matrix(*matrices), dtype=float).reshape(size, size)
+    assert_allclose(np.array(columns).T, found, rtol=1e-8, atol=1e-8)
+
+
+@every_orbit
+def test_the_monodromy_matrix_is_the_product(name):
+    for orbit in orbits(name):
+        declared = Declared(orbit)
+        expected = declared.monodromy()
+        scale = abs(expected).max()
+        assert_allclose(orbit.monodromy, expected, atol=1e-10 * scale)
+        field = (declared.pieces[0].field @ declared.start)[:-1]
+        assert_allclose(orbit.monodromy @ field, field, atol=1e-9 * scale)
+
+
+@every_orbit
+def test_multipliers_are_its_other_eigenvalues(name):
+    for orbit in orbits(name):
+        found = without_one(np.linalg.eigvals(Declared(orbit).monodromy()))
+        expected = np.zeros(len(found), dtype=complex)
+        expected[: len(multipliers(orbit))] = multipliers(orbit)
+        # of the defective double one of a conservative orbit half the digits are lost
+        assert distance(found, expected) < 1e-5
+        if "stop" not in name:
+            assert distance(found, expected) < 1e-8 * abs(found).max()
+        assert orbit.trace == pytest.approx(np.trace(orbit.monodromy) - 1, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", [n for n in orbit_names() if not n.startswith("elastic")])
+def test_without_saltation_the_multipliers_are_wrong(name):
+    for orbit in orbits(name):
+        wrong = without_one(np.linalg.eigvals(Declared(orbit).monodromy(saltations=False)))
+        expected = np.zeros(len(wrong), dtype=complex)
+        expected[: len(multipliers(orbit))] = multipliers(orbit)
+        assert distance(wrong, expected) > 1e-2
+
+
+@every_orbit
+def test_the_section_jacobian_is_that_of_the_simulated_map(name):
+    """Fourth-order differences of the map, each phase left where its boundary is."""
+    for orbit in orbits(name)[:3]:
+        declared = Declared(orbit)
+        directions, places = declared.embedding()
+        jacobian = orbit.evaluate("poincare_jacobian")
+        scale = max(1.0, abs(jacobian).max())
+        step = 2e-4
+        for column in range(directions.shape[1]):
+            direction = np.append(directions[:, column], 0)[:, None]
+
+            def image(k, declared=declared, shift=step * direction):
+                return declared.image(declared.start + k * shift)[0]
+
+            slopes = (8 * (image(1) - image(-1)) - (image(2) - image(-2))) / (12 * step)
+            assert_allclose(jacobian[:, column], slopes[places, 0], atol=1e-6 * scale)
+            # the end of the turn lies in the section again
+            assert_allclose(slopes[:-1, 0], directions @ slopes[places, 0], atol=1e-6 * scale)
+
+
+def test_a_border_collision_has_its_derivatives_on_one_side():
+    """Where the first phase takes time the map has the emitted slope; elsewhere it does not."""
+    orbit = solve("dry-friction/solution-ii")
+    declared = Declared(orbit)
+    directions, places = declared.embedding()
+    jacobian = orbit.evaluate("poincare_jacobian")
+    sides = []
+    for k in (1e-5, -1e-5):
+        start = declared.start + k * np.append(directions[:, 0], 0)[:, None]
+        end, times = declared.image(start)
+        sides.append(times[0] > 0)
+        slope = (end - declared.end)[places, 0] / k
+        assert_allclose(slope, jacobian[:, 0], atol=1e-3)
+        if times[0] < 0:
+            # the real motion starts to slip at once: it does not go back in time to stick
+            late = declared.pieces[1:]
+            state = start
+            for piece in late:
+                time = piece.exit_time(state, piece.dwell)
+                state = piece.jump @ piece.flow(time) @ state
+            other = (state - declared.end)[places, 0] / k
+            assert abs(other - jacobian[:, 0]).max() > 0.1
+    assert sorted(sides) == [False, True]
+
+
+@every_orbit
+def test_matrices_of_many_digits(name):
+    orbit = refine(solve(name), 50)
+    with mpmath.workdps(80):
+        declared = Declared(orbit, precise=True)
+        bound = mpmath.mpf(10) ** -47
+        for found, expected in zip(orbit.saltations, declared.saltations(), strict=True):
+            difference = mpmath.matrix([[mpmath.mpf(e) for e in row] for row in found]) - expected
+            assert mpmath.norm(difference, mpmath.inf) < bound
+        matrix = mpmath.matrix([[mpmath.mpf(e) for e in row] for row in orbit.monodromy])
+        assert mpmath.norm(matrix - declared.monodromy(), mpmath.inf) < bound
+        field = (declared.pieces[0].field @ declared.start)[:4]
+        assert mpmath.norm(matrix @ field - field, mpmath.inf) < bound
+    double = solve(name)
+    assert_allclose(np.array(orbit.monodromy, dtype=float), double.monodromy, atol=1e-9)

@@ -1,0 +1,364 @@
+"""Contacts that the mass matrix couples: order, mirror images, the minimum, proofs."""
+
+from __future__ import annotations
+
+import copy
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.optimize import minimize
+
+import nonsmooth as ns
+from nonsmooth.derive import DeclarationError, Friction, Harmonic, RigidStop, System, oscillator
+from nonsmooth.runtime.checker import Failure, check
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.events.transition_choice import Decider
+from nonsmooth.runtime.model.engine_run import Run, Status
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.present.checking.certificates import compare_certificate
+from nonsmooth.runtime.simulation.last_cycle import itinerary_of
+from nonsmooth.runtime.simulation.starting import configuration_of
+from nonsmooth.runtime.simulation.stepping import run
+
+SIGN = sp.Symbol("sign", real=True)
+
+
+def both(system: System, data: dict[str, Any], start: list[float], until: float) -> tuple[Any, Run]:
+    """A motion by the engine that is there, and by the one in Python."""
+    motion = ns.simulate(system, data, start, until=until)
+    point = piecewise(system, data)
+    state = np.array(start, dtype=float)
+    return motion, run(point, state, configuration_of(point, state), until=until)
+
+
+def stack(reverse: bool) -> System:
+    """Two blocks on each other; the lower one is driven, the upper one loaded."""
+    load, drive = sp.symbols("P A", real=True)
+    contacts = [
+        Friction("x1", kinetic=1, static=2, name="ground"),
+        Friction({"x2": 1, "x1": -1}, kinetic="1/5", static="3/2", name="between"),
+    ]
+    return oscillator(
+        "stack", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2), load=[0, load],
+        forcing=[Harmonic(sp.Rational(1, 10), sine=[drive, 0])],
+        elements=contacts[::-1] if reverse else contacts,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("reverse", [False, True])
+def test_the_contact_that_needs_less_than_its_limit_holds(reverse: bool) -> None:
+    system = stack(reverse)
+    for sign in (1, -1):
+        motion, run_ = both(system, {"P": sign, "A": 2 * sign}, [0, 0, 0, 0, 1, 0], 8.0)
+        assert motion.status == run_.status == Status.UNTIL
+        np.testing.assert_allclose(sign * motion(8.0)[:2], [2.20143911] * 2, atol=1e-8)
+        np.testing.assert_allclose(run_.states, motion.states, atol=1e-13)
+        np.testing.assert_allclose(sign * bristles(sign, 8.0), [2.20143911] * 2, atol=2e-3)
+
+
+def bristles(sign: int, until: float) -> np.ndarray:
+    """Places of the stack's blocks, its contacts critically damped bristles that slip."""
+    kinetic, static = np.array([1.0, 0.2]), np.array([2.0, 1.5])
+    stiffness, h, t = 4e4, 1e-4, 5.0  # nothing moves before
+    damping = 2 * np.sqrt(stiffness)
+    x, v, slips = np.zeros(2), np.zeros(2), np.zeros(2)
+    held = sign * np.array([2 * np.sin(0.1 * t) + 1, 1.0])
+    anchor = -held / stiffness
+    while t < until:
+        relative, place = np.array([v[0], v[1] - v[0]]), np.array([x[0], x[1] - x[0]])
+        sticking = -stiffness * (place - anchor) - damping * relative
+        breaks = (slips == 0) & (abs(sticking) > static)
+        slips = np.where(breaks, -np.sign(sticking), slips)
+        stays = (slips != 0) & (relative * slips < 0)
+        anchor = np.where(stays, place, anchor)
+        slips = np.where(stays, 0.0, slips)
+        force = np.where(slips != 0, -slips * kinetic, sticking)
+        drive = sign * np.array([2 * np.sin(0.1 * t), 1.0])
+        v = v + h * (drive + np.array([force[0] - force[1], force[1]]))
+        x = x + h * v
+        t += h
+    return x
+
+
+def drawn(seed: int, count: int) -> tuple[list[str], Any, list[dict[str, Any]], list[Any]]:
+    """Names, mass, contacts of independent directions, and loads; exact numbers."""
+    rng = np.random.default_rng(seed)
+
+    def number(low: float, high: float) -> sp.Rational:
+        return sp.Rational(round(rng.uniform(low, high) * 64), 64)
+
+    names = [f"x{i + 1}" for i in range(count)]
+    spread = sp.Matrix(count, count, lambda i, j: number(-0.5, 0.5))
+    full = spread * spread.T if rng.random() < 0.5 else sp.zeros(count, count)
+    mass = sp.diag(*[number(0.5, 2) for _ in names]) + full
+    contacts = []
+    for i, name in enumerate(names):
+        direction = {name: 1} if i == 0 else {name: 1, names[i - 1]: -1}
+        kinetic = number(0.1, 0.5)
+        static = kinetic * (1 if rng.random() < 0.3 else number(1.1, 2.5))
+        belt = number(-0.5, 0.5) if rng.random() < 0.4 else 0
+        contacts.append(
+            {"coordinate": direction, "kinetic": kinetic, "static": static,
+             "velocity": SIGN * belt, "name": "abcd"[i]}
+        )  # fmt: skip
+    return names, mass, contacts, [number(-1.5, 1.5) for _ in range(2 * count)]
+
+
+def declared(seed: int, count: int, order: list[int]) -> System:
+    """A random chain with coupled contacts in an order; `sign` mirrors it."""
+    names, mass, contacts, loads = drawn(seed, count)
+    springs = sp.Matrix(count, count, lambda i, j: 3 * (i == j) - (abs(i - j) == 1))
+    return oscillator(
+        "drawn", names, mass, springs, load=[SIGN * x for x in loads[:count]],
+        forcing=[Harmonic("7/8", sine=[SIGN * x for x in loads[count:]])],
+        elements=[Friction(**contacts[i]) for i in order],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("seed", "count"), [(1, 1), (2, 2), (3, 2), (4, 3)])
+def test_neither_order_nor_direction_of_a_declaration_matters(seed: int, count: int) -> None:
+    systems = [declared(seed, count, list(o)) for o in (range(count), reversed(range(count)))]
+    start = np.random.default_rng(seed).normal(size=2 * count) * 0.4
+    if seed % 2:
+        start[count:] = 0
+    ends = []
+    for system in systems:
+        for sign in (1, -1):
+            first, second = both(system, {"sign": sign}, [*(sign * start), 1, 0], 12.0)
+            assert first.status == second.status == Status.UNTIL
+            np.testing.assert_array_equal(first.run.configurations, second.configurations)
+            np.testing.assert_allclose(first.states, second.states, atol=1e-11)
+            ends.append((first.transitions, sign * first(12.0)[: 2 * count]))
+    assert ends[0][0] > 1
+    for count_, end in ends[1:]:
+        assert count_ == ends[0][0]
+        np.testing.assert_allclose(end, ends[0][1], atol=1e-9)
+
+
+def stopped(seed: int, order: list[int], sign: int) -> System:
+    """Two coupled contacts and a stop that alone holds the direction of one of them."""
+    rng = np.random.default_rng(seed)
+    names, mass, contacts, loads = drawn(seed, 2)
+    for contact in contacts:
+        contact["velocity"] = 0
+    upper = sign * (-1) ** int(rng.integers(2))
+    place, restitution = (sp.Rational(int(rng.integers(2, 12)), n) for n in (32, 16))
+    struck = contacts[int(rng.integers(2))]["coordinate"]
+    side = "upper" if upper == 1 else "lower"
+    elements = [*(Friction(**contact) for contact in contacts),
+                RigidStop(struck, upper * place, restitution, side=side, name="stop")]  # fmt: skip
+    return oscillator(
+        "stopped", names, mass, [[3, -1], [-1, 3]], load=[sign * x for x in loads[:2]],
+        forcing=[Harmonic("7/8", sine=[3 * sign * x for x in loads[2:]])],
+        elements=[elements[i] for i in order],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", [11, 14, 15])
+def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> None:
+    ends, touched = [], False
+    for order, sign in (([0, 1, 2], 1), ([2, 1, 0], -1), ([1, 2, 0], 1)):
+        system = stopped(seed, order, sign)
+        assert system.law is not None
+        first, second = both(system, {}, [0, 0, 0, sign * 0.5, 1, 0], 12.0)
+        assert first.status == second.status == Status.UNTIL
+        # where bounces accumulate, rounding tells how many there are
+        np.testing.assert_allclose(
+            first(second.times[-1])[:2], second.states[-1][:2], rtol=0, atol=1e-7
+        )
+        ends.append((first.transitions, sign * first(12.0)[:4]))
+        touched |= any("contact" in name for name in first.configurations)
+    assert touched
+    for count, end in ends[1:]:
+        assert count == ends[0][0]
+        np.testing.assert_allclose(end, ends[0][1], atol=1e-7)
+
+
+def least(point: PiecewiseLinear, state: np.ndarray, reached: set[int]) -> list[str]:
+    """What each contact of a system at rest does, by minima of the primal problem."""
+    law = point.structure.law
+    assert law is not None
+    count = len(law.contacts)
+    known = np.append(state, 1.0)
+    coupling = np.array([[point.rows[row, -1] for row in each] for each in law.coupling])
+    free = np.array([point.rows[row] @ known for row in law.free[""]])
+    limits = [{k: point.rows[getattr(c, k)] @ known for k in ("static", "kinetic")}
+              for c in law.contacts]  # fmt: skip
+    inverse = np.linalg.inv(coupling)
+    while True:
+        bound = np.array([limits[i]["kinetic" if i in reached else "static"] for i in range(count)])
+
+        def cost(z: np.ndarray, bound: np.ndarray = bound) -> float:
+            change = z[:count] - free
+            return float(change @ inverse @ change / 2 + bound @ z[count:])
+
+        above = [{"type": "ineq", "fun": lambda z, s=s: z[count:] - s * z[:count]} for s in (1, -1)]
+        begin = np.append(free, abs(free) + 0.1)
+        found = minimize(cost, begin, method="SLSQP", constraints=above,
+                         options={"ftol": 1e-15, "maxiter": 500}).x[:count]  # fmt: skip
+        moves = np.where(abs(found) < 1e-5, 0, np.sign(found))
+        slipping = set(np.flatnonzero(moves).tolist())
+        if slipping <= reached:
+            return [{0: "stick", 1: "overshoot", -1: "slip"}[int(m)] for m in moves]
+        reached = reached | slipping
+
+
+@pytest.mark.parametrize(("seed", "count"), [(5, 2), (6, 3)])
+def test_the_choice_is_the_minimum(seed: int, count: int) -> None:
+    system = declared(seed, count, list(range(count)))
+    point = piecewise(system, {"sign": 1})
+    law = point.structure.law
+    assert law is not None
+    decider = Decider(point.structure, point.fields, point.rows, point.resets)
+    rng, seen = np.random.default_rng(seed), set()
+    speeds = np.array([-point.rows[c.relative][-1] for c in law.contacts])
+    directions = np.array([point.rows[c.relative][count : 2 * count] for c in law.contacts])
+    velocities = np.linalg.solve(directions, speeds)
+    source = point.structure.configuration("-".join(["stick"] * count))
+    for _ in range(25):
+        state = np.array([*rng.normal(size=count) * 0.6, *velocities, 1.0, 0.0])
+        place = int(rng.integers(count))
+        known = np.append(state, 1.0)
+        shape = next(
+            b for b, s in enumerate(point.structure.boundaries[source])
+            if law.limits.get(s.name) == place
+        )  # fmt: skip
+        found = decider.decision(source, frozenset({shape}), known, abs(known), 0.0)
+        assert found is not None
+        expected = "-".join(least(point, state, {place}))
+        assert point.structure.configurations[found.target] == expected
+        seen.add(expected)
+    assert len(seen) > 3
+
+
+def test_four_coupled_contacts_are_declared_at_all() -> None:
+    system = declared(7, 4, [2, 0, 3, 1])
+    assert len(system.configurations) == 81
+    assert not system.transitions
+
+
+def test_forces_that_are_not_unique_are_ambiguous() -> None:
+    contacts = [
+        Friction("x1", 1, 2, name="first"),
+        Friction("x2", 1, 2, name="second"),
+        Friction({"x2": 1, "x1": -1}, 1, 2, name="between"),
+    ]
+    system = oscillator("three", ["x1", "x2"], sp.eye(2), sp.eye(2), elements=contacts)
+    with pytest.raises(InputError, match="the laws of contact leave open to which of"):
+        ns.simulate(system, {}, [0.1, 0, 0, 0], until=1.0)
+
+
+def stops(law: str | None, reverse: bool = False) -> System:
+    pair = [RigidStop("x1", 1, 0.5, name="a"), RigidStop({"x2": 1, "x1": -1}, 1, 0.5, name="b")]
+    return oscillator(
+        "two", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2),
+        elements=pair[::-1] if reverse else pair, simultaneous_impacts=law,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("reverse", [False, True])
+def test_stops_at_one_instant_are_ambiguous_without_a_law(reverse: bool) -> None:
+    motion, second = both(stops(None, reverse), {}, [0, 0, 1, 2], 1.5)
+    assert motion.status == second.status == Status.AMBIGUOUS
+    assert motion.end == pytest.approx(1.0)
+    assert motion.options == ("free-free",)
+    assert motion.run.options == second.options
+    assert motion.message.endswith("free-free")
+
+
+STRUCK = """
+import sympy as sp
+from nonsmooth.derive import RigidStop, oscillator
+pair = [RigidStop("x1", 1, "1/2"), RigidStop({"x2": 1, "x1": -1}, 1, "1/2")]
+system = oscillator("struck", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2), elements=pair)
+"""
+
+
+@pytest.mark.parametrize("ending", ["csv", "npz"])
+def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path) -> None:
+    (tmp_path / "struck.py").write_text(STRUCK)
+    motion = ns.simulate(str(tmp_path / "struck.py"), {}, [0, 0, 1, 2], until=1.5)
+    motion.save(tmp_path / f"motion.{ending}")
+    again = ns.load_trajectory(tmp_path / f"motion.{ending}")
+    assert again.status == Status.AMBIGUOUS
+    assert again.options == motion.options == ("free-free",)
+    other = replace(motion.run, status=Status.UNTIL)
+    replace(motion, run=other).save(tmp_path / f"other.{ending}")
+    with pytest.raises(InputError, match="it holds options, though it ended as 'until'"):
+        ns.load_trajectory(tmp_path / f"other.{ending}")
+
+
+@pytest.mark.parametrize(
+    ("law", "reverse", "expected"),
+    [
+        ("sequence", False, [0.9609375, 1.7578125]),
+        ("sequence", True, [0.826171875, 1.822265625]),
+        ("moreau", False, [0.75, 1.5]),
+        ("moreau", True, [0.75, 1.5]),
+    ],
+)
+def test_stops_at_one_instant_by_a_law(law: str, reverse: bool, expected: list[float]) -> None:
+    motion, second = both(stops(law, reverse), {}, [0, 0, 1, 2], 1.5)
+    np.testing.assert_allclose(motion(1.5)[:2], expected, atol=1e-12)
+    np.testing.assert_allclose(second.states, motion.states, atol=1e-13)
+
+
+def test_stops_that_do_not_interact_need_no_law() -> None:
+    pair = [RigidStop("x1", 1, 0.5), RigidStop("x2", 1, 0.25)]
+    system = oscillator("two", ["x1", "x2"], sp.eye(2), sp.eye(2), elements=pair)
+    motion, _ = both(system, {}, [0, 0, 2, 2], 1.0)
+    np.testing.assert_allclose(motion.states[1], [1, 1, -np.sqrt(0.75), -np.sqrt(3) / 4])
+    with pytest.raises(DeclarationError, match="simultaneous_impacts is 'together'"):
+        stops("together")
+
+
+SLIDING = """
+import sympy as sp
+from nonsmooth.derive import Friction, Harmonic, oscillator
+contacts = [
+    Friction("x1", "1/5", "2/5", name="ground"),
+    Friction({"x2": 1, "x1": -1}, "3/10", "9/20", name="between"),
+]
+system = oscillator(
+    "sliding", ["x1", "x2"], sp.eye(2), [[1, 0], [0, "1/2"]], [["1/10", 0], [0, "1/10"]],
+    forcing=[Harmonic("4/5", {"x1": 1, "x2": "3/10"})], elements=contacts,
+)
+"""
+
+
+def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path) -> None:
+    file = tmp_path / "sliding.py"
+    file.write_text(SLIDING)
+    motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
+    itinerary, dwell, start = itinerary_of(motion)
+    orbit = ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist())
+    assert orbit.admissibility.verdict is True
+    proof = ns.certify(orbit)
+    assert set(proof.claims.values()) == {"proved"}
+    proof.save(tmp_path / "proof.json")
+    content = json.loads((tmp_path / "proof.json").read_text())
+    check(content)
+    assert compare_certificate(content, tmp_path) is True
+    taken = content["declaration"]["transitions"][0]
+    assert len(taken["steps"]) == 2
+
+    def refused(change: Any) -> None:
+        other = copy.deepcopy(content)
+        change(other["declaration"])
+        other["sha256"] = checksum_of(other)
+        with pytest.raises(Failure):
+            check(other)
+
+    refused(lambda d: d["transitions"][0].update(target="stick-stick"))
+    refused(lambda d: d["transitions"][0]["steps"].pop(0))
+    refused(lambda d: d["transitions"][0]["steps"][1].update(kinetic=[]))
+    refused(lambda d: d["transitions"][0]["conditions"].pop())
+    refused(lambda d: d["law"]["contacts"][0].update(static=d["law"]["contacts"][1]["static"]))
+    refused(lambda d: d["law"].update(limits=d["law"]["arrivals"]))
+    refused(lambda d: d["law"].pop("free"))

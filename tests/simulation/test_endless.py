@@ -1,0 +1,98 @@
+"""Motions in which an engine could search for ever: each ends, with one status in both engines."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
+from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.simulate import simulate_many
+from nonsmooth.runtime.simulation.starting import configuration_of, start_state
+from nonsmooth.runtime.simulation.stepping import run
+
+
+def stopped(
+    stiffness: object,
+    damping: object = 0,
+    load: object = 0,
+    frequency: object = None,
+    at: object = 1,
+    amplitude: object = 1,
+) -> System:
+    forcing = [] if frequency is None else [Harmonic(frequency, cosine=[amplitude])]
+    return oscillator(
+        "endless", ["x"], [[1]], [[stiffness]], [[damping]], load=[load], forcing=forcing,
+        elements=[RigidStop("x", at, sp.Rational(1, 2), name="stop")],
+    )  # fmt: skip
+
+
+GAP = sp.Rational(1, 10**9)
+CASES = {  # the system, the start, until, the status
+    "escapes": (stopped(-1), (-1, -0.1), math.inf, "OVERFLOW"),
+    "escapes in a given time": (stopped(-1), (-1, -0.1), 712, "OVERFLOW"),
+    "is still finite": (stopped(-1), (-1, -0.1), 300, "UNTIL"),
+    "escapes from very near": (stopped(-1), (-1e-300, 0), math.inf, "OVERFLOW"),
+    "escapes at once": (stopped(-(10**200)), (-1, -0.1), 10, "OVERFLOW"),
+    "escapes like t e^t": (stopped(1, -2), (-1e-3, -1), math.inf, "OVERFLOW"),
+    "stays where it would escape": (stopped(-1), (0, 0), math.inf, "QUIET"),
+    "approaches the stop": (stopped(2, 3, 2), (0, 0), math.inf, "QUIET"),
+    "approaches it for a time": (stopped(2, 3, 2), (0, 0), 100, "UNTIL"),
+    "approaches it critically": (stopped(1, 2, 1), (0, 0), 100, "UNTIL"),
+    "is shaken too fast": (stopped(1, 0, 0, 10**300, GAP), (0, 1), 10, None),
+    "is shaken fast": (stopped(1, 0, 0, 10**70, GAP), (0, 1), 10, None),
+    "is shaken hard": (stopped(1, 0, 0, 10**70, GAP, 10**140), (0, 1), 10, None),
+    "ends never": (stopped(1), (0, 0.1), 1e300, "QUIET"),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_motion_ends(name: str) -> None:
+    system, start, until, status = CASES[name]
+    names = ("x", "v")
+    state = dict(zip(names, start, strict=True))
+    motion = ns.simulate(system, {}, state, until=until, transitions=5)
+    many = simulate_many(
+        system, {}, [start_state(motion.structure, state)] * 2, until=until, transitions=5
+    )
+    assert (many.status == motion.status).all()
+    if status is not None:
+        assert motion.status.name == status
+        assert motion.transitions == 0
+    if motion.status.name == "OVERFLOW":
+        assert "larger" in motion.message
+
+
+@pytest.mark.parametrize("name", [name for name in CASES if CASES[name][3]])
+def test_the_reference_says_the_same(name: str) -> None:
+    system, start, until, status = CASES[name]
+    found = reference(system, start, until)
+    assert found.status.name == status
+    if compiled_engine() is not None:
+        motion = ns.simulate(system, {}, dict(zip("xv", start, strict=True)), until=until,
+                             transitions=5)  # fmt: skip
+        assert found.end == pytest.approx(motion.end, rel=1e-12)
+
+
+def reference(system: System, start: tuple[float, float], until: float) -> Run:
+    pieces = piecewise(system, {})
+    state = start_state(pieces.structure, dict(zip("xv", start, strict=True)))
+    return run(pieces, state, configuration_of(pieces, state), until, 5)
+
+
+def test_random_motions_that_grow_agree_in_both_engines() -> None:
+    """Negative stiffness, negative damping: impacts first, an escape in the end."""
+    generator = np.random.default_rng(3)
+    for _ in range(12):
+        stiffness, damping = generator.uniform([-2, -1], [2, 0.5])
+        start = (-float(generator.uniform(0, 2)), float(generator.normal()))
+        system = stopped(sp.Float(stiffness), sp.Float(damping))
+        motion = ns.simulate(system, {}, dict(zip("xv", start, strict=True)), until=1e4,
+                             transitions=5)  # fmt: skip
+        found = reference(system, start, 1e4)
+        assert (found.status, len(found.times)) == (motion.status, len(motion.times))
+        np.testing.assert_allclose(found.times, motion.times, rtol=1e-9)

@@ -1,0 +1,329 @@
+"""Derivatives of motions, and Lyapunov exponents against the multipliers of periodic orbits."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.finding.stretching import stretching
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.simulation.lyapunov import lyapunov, lyapunov_spectrum
+from nonsmooth.runtime.simulation.recurrence import scales_of
+from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
+from nonsmooth.runtime.simulation.tangent import tangent_map
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+DATA_B = {
+    **{"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"},
+    **{"us2": "0.5", "ur2": 1},
+}
+ELASTIC = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 3}
+RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+IMPACT = "docs/gallery/impact_oscillator.py"
+
+
+@cache
+def friction(name: str = "B") -> Trajectory:
+    data = DATA_A if name == "A" else DATA_B
+    return simulate("dry-friction", data, [0.3, -0.2, 0.1, 0.4], until=200)
+
+
+# --- exponents of periodic orbits
+
+
+@cache
+def forced(kind: str) -> System:
+    """Damped masses under one to three harmonics, with a stop, with friction, or with both."""
+    zeta, speed = Parameter("zeta", "damping"), Parameter("Omega", "frequency")
+    forcing = [Harmonic(speed.symbol, cosine=[1])]
+    if kind == "frequencies":
+        forcing += [
+            Harmonic(2 * speed.symbol, cosine=[0.4]),
+            Harmonic(speed.symbol / 3, sine=[0.1]),
+        ]
+    elements = []
+    if kind != "sticking":
+        elements.append(RigidStop("x", 0, 0.7, name="stop"))
+    if kind in ("sticking", "both"):
+        elements.append(Friction("x", kinetic=0.35, static=0.45, name="ground"))
+    return oscillator(
+        f"forced-{kind}", ["x"], [[1]], [[1]], [[2 * zeta.symbol]],
+        forcing=forcing, elements=elements, parameters=[zeta, speed],
+    )  # fmt: skip
+
+
+def comes_back(motion: Trajectory) -> bool:
+    try:
+        ns.itinerary_of(motion)
+    except InputError:
+        return False
+    return True
+
+
+def law(system: object, motion: Trajectory) -> list[float]:
+    """Check exponents of a motion that settles against log|multiplier| / period; give these."""
+    orbit = ns.compose(system, motion.parameters, *ns.itinerary_of(motion))
+    assert orbit.converged
+    moduli = np.abs(orbit.multipliers)
+    wanted = np.full(len(moduli), -np.inf)
+    np.log(moduli, out=wanted, where=moduli > 0)
+    wanted = np.sort(wanted / float(orbit.period))[::-1]
+    found = lyapunov_spectrum(motion, motion.end / 3)
+    assert lyapunov(motion, motion.end / 3) == found[0]
+    assert not found[0].positive
+    for exponent, exact in zip(found, wanted, strict=False):
+        if math.isinf(exact):
+            assert exponent == (-math.inf, 0.0)
+        else:
+            assert exponent.error < 5e-3
+            assert abs(exponent.value - exact) < exponent.error + 1e-12
+            assert exponent.value == pytest.approx(exact, abs=1e-4)
+    assert all(exponent == (-math.inf, 0.0) for exponent in found[len(wanted) :])
+    return wanted.tolist()
+
+
+@pytest.mark.parametrize("kind", ["stop", "frequencies", "sticking", "both"])
+def test_exponents_of_forced_orbits_are_those_of_their_multipliers(kind: str) -> None:
+    generator = np.random.default_rng(5)
+    settled = 0
+    for _ in range(3):
+        zeta, speed = generator.uniform([0.03, 1.8], [0.15, 2.3])
+        data = {"zeta": zeta, "Omega": speed}
+        begin = {"x": -0.5, "v": 0.2}
+        motion = ns.simulate(forced(kind), data, begin, transitions=600)
+        if not comes_back(motion):
+            continue
+        found = law(forced(kind), motion)
+        settled += 1
+        assert len(found) == 2  # neither phase nor amplitude of a forcing
+        assert max(found) < -0.01
+        if kind == "stop":
+            # areas shrink by damping, and by r^2 at each of the impacts, one in a period
+            assert sum(found) == pytest.approx(
+                -2 * zeta + 2 * math.log(0.7) * speed / (2 * math.pi), abs=1e-9
+            )
+    assert settled >= 2
+
+
+@pytest.mark.parametrize("r", ["0.8", "0.7"])
+def test_the_impact_oscillator(r: str) -> None:
+    data = {"sigma": "0.2", "w": "3.7", "r": r}
+    found = law(IMPACT, ns.simulate(IMPACT, data, {"x": 0, "v": 1}, transitions=600))
+    if r == "0.8":
+        assert found == pytest.approx([-0.0657016] * 2, abs=1e-7)
+
+
+@pytest.mark.parametrize(("system", "data", "start"), [
+    ("docs/gallery/mass_on_belt.py", {"u": 1, "e": "0.3", "V": "0.5"}, {"x": 0, "v": 0}),
+    ("dry-friction", DATA_A, [0.3, -0.2, 0.1, 0.4]),
+    ("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4]),
+])  # fmt: skip
+def test_exponents_without_forcing(system: str, data: dict, start: object) -> None:
+    law(system, ns.simulate(system, data, start, transitions=1000))
+
+
+def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do() -> None:
+    data = {"sigma": "0.1", "w": "7.57", "r": "0.62"}
+    motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
+    found = lyapunov_spectrum(motion, motion.end / 5)
+    assert found[0].positive
+    assert found[0].value == pytest.approx(0.15, abs=3 * found[0].error)
+    rate = (motion.times > motion.end / 5).sum() / (0.8 * motion.end)
+    errors = found[0].error + found[1].error
+    assert sum(e.value for e in found) == pytest.approx(2 * math.log(0.62) * rate, abs=errors)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize(
+    "data",
+    [{"sigma": "0.1", "w": "7.57", "r": "0.62"}, {"sigma": "0.2", "w": "3.7", "r": "0.8"}],
+)
+def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None:
+    motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
+    one = lyapunov(motion, motion.end / 5)
+    kernels = kernels_of(IMPACT)
+    values = {name: float(value) for name, value in motion.system.parameters.items()}
+    many = simulate_many(kernels, values, motion.states[-1:], transitions=200, keep=129)
+    found = stretching(kernels, values, many, scales_of(motion.system, many))
+    errors = 3 * (one.error + found.errors[0])
+    assert found.exponents[0] == pytest.approx(one.value, abs=errors)
+    assert errors < abs(one.value)
+
+
+@pytest.mark.parametrize("since", [0, 0.1, 0.5])
+def test_regular_motions_that_keep_energy_are_not_called_chaotic(since: float) -> None:
+    """Their perturbations grow like the time: at a rate that looks like an exponent."""
+    generator = np.random.default_rng(7)
+    for name, data in (("elastic-stop", ELASTIC), ("rigid-stop", RIGID)):
+        for _ in range(2):
+            start = generator.normal(size=4) * [0.1, 0.1, 0.2, 0.2] + [0, 0, 2, 0]
+            motion = simulate(name, data, start, transitions=400)
+            found = lyapunov_spectrum(motion, since * motion.end)
+            assert not found[0].positive
+            assert abs(found[0].value) < 0.05
+            total = sum(e.value for e in found)
+            assert abs(total) < 3 * sum(e.error for e in found)
+
+
+def test_a_linear_motion_has_the_exponents_of_its_field() -> None:
+    """Fast decay beside slow, over a time in which it underflows: it is annihilated by nothing."""
+    rates = [0.01, 30.0]
+    system = oscillator(
+        "damped", ["x", "y"], [[1, 0], [0, 1]], [[1, 0], [0, 400]],
+        [[2 * rates[0], 0], [0, 2 * rates[1]]],
+        forcing=[Harmonic(0.7, cosine=[1, 1])], elements=[RigidStop("x", 50, 0.5, name="stop")],
+    )  # fmt: skip
+    motion = ns.simulate(system, {}, {"x": 0, "y": 0, "v": 0, "v_y": 0}, until=900)
+    assert motion.transitions == 0
+    found = lyapunov_spectrum(motion, 100)
+    root = math.sqrt(rates[1] ** 2 - 400)
+    wanted = [-0.01, -0.01, -rates[1] + root, -rates[1] - root]
+    assert_allclose([e.value for e in found], wanted, rtol=1e-3)
+
+
+@pytest.mark.parametrize("transitions", [3, 12, 20])
+def test_nothing_is_told_of_a_short_motion(transitions: int) -> None:
+    data = {"sigma": "0.2", "w": "3.7", "r": "0.8"}
+    motion = ns.simulate(IMPACT, data, {"x": 0, "v": 1}, transitions=transitions)
+    with pytest.raises(InputError, match="too short to tell its largest Lyapunov exponent"):
+        lyapunov(motion)
+
+
+def test_nothing_is_told_of_a_motion_at_rest() -> None:
+    system = oscillator("resting", ["x"], [[1]], [[1]], [[1]], load=[1],
+                        elements=[RigidStop("x", 0, 0, name="stop")])  # fmt: skip
+    motion = ns.simulate(system, {}, {"x": -1, "v": 0}, until=500)
+    with pytest.raises(InputError, match="at rest"):
+        lyapunov(motion)
+
+
+def on_orbit(name: str, periods: int) -> tuple[ns.Orbit, Trajectory]:
+    """A simulated motion on a periodic orbit of data A."""
+    orbit = ns.solve(name)
+    data = {n: float(x) for n, x in orbit.parameters.items()}
+    friction_data = {k: data[k] for k in ("chi", "eta", "V")}
+    friction_data |= {"us1": 1.0, "us2": 1.0, "ur1": 1 + data["e1"], "ur2": 1 + data["e2"]}
+    chi = data["chi"]
+    centre = np.array([2 / (1 - chi), (chi + 1) / (chi * (1 - chi)), 0, 0])
+    start = np.array([float(x) for x in orbit.states[0]]) + centre
+    start[2:] = data["V"]
+    trajectory = simulate(
+        "dry-friction", friction_data, start, "stick-stick", transitions=4 * periods
+    )
+    assert_allclose(trajectory.end, periods * orbit.period, rtol=1e-9)
+    return orbit, trajectory
+
+
+def test_the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() -> None:
+    orbit, trajectory = on_orbit("dry-friction/global-stick", 60)
+    since = float(trajectory.times[4 * 20])
+    assert orbit.trace == pytest.approx(-0.98011498, abs=1e-8)
+    assert orbit.period == pytest.approx(7.8687, abs=1e-4)
+    wanted = math.log(abs(orbit.trace)) / orbit.period
+    assert lyapunov(trajectory, since).value == pytest.approx(wanted, rel=1e-8)
+    spectrum = lyapunov_spectrum(trajectory, since)
+    assert spectrum == (lyapunov(trajectory, since), *[(-math.inf, 0.0)] * 2)
+
+
+@pytest.mark.parametrize("since", [0.0, 7.0, 23.4])
+def test_cutting_a_phase_changes_nothing(since: float) -> None:
+    whole, rest = tangent_map(friction()), tangent_map(friction(), since)
+    if since:
+        cut = simulate("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4], until=since)
+        whole_again = rest @ tangent_map(cut)
+        assert_allclose(whole_again, whole, rtol=1e-7, atol=1e-9 * np.abs(whole).max())
+    assert whole.shape == rest.shape == (4, 4)
+
+
+@pytest.mark.parametrize(
+    ("system", "data", "start", "directions"),
+    [
+        ("rigid-stop", {**RIGID, "r": "0.7"}, [0.2, 0.3, 1.5, 0.1], range(4)),
+        ("elastic-stop", ELASTIC, [0.2, 0.3, 1.5, 0.1], range(4)),
+        ("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4], range(4)),
+        ("dry-friction", DATA_A, [5.0, 3.0, 1.0, 1.0], range(2)),  # stuck: positions alone
+    ],
+)
+def test_derivatives_are_differences_of_nearby_motions(
+    system: str, data: dict[str, object], start: list[float], directions: range
+) -> None:
+    trajectory = simulate(system, data, start, until=25.0)
+    assert trajectory.transitions > 4
+    derivative = tangent_map(trajectory)
+    for direction in directions:
+        step = 1e-6 * np.eye(4)[direction]
+        ends = [simulate(system, data, start + s * step, until=25.0)(25.0) for s in (1, -1)]
+        difference = (ends[0] - ends[1]) / 2e-6
+        scale = np.abs(derivative).max()
+        assert_allclose(derivative[:, direction], difference, rtol=0, atol=3e-6 * scale)
+
+
+def test_the_motion_carries_its_own_direction() -> None:
+    trajectory = friction("A")
+    system, run = trajectory.system, trajectory.run
+    fields = [
+        system.fields[run.configurations[i]] @ np.append(trajectory(t), 1)
+        for i, t in ((0, 0.0), (-1, trajectory.end))
+    ]
+    assert_allclose(tangent_map(trajectory) @ fields[0], fields[1], rtol=0, atol=1e-8)
+
+
+def test_nearby_motions_separate_as_the_exponent_says() -> None:
+    """Two motions to the attractor of data B approach each other."""
+    start, step = np.array([0.3, -0.2, 0.1, 0.4]), np.array([1e-5, -2e-5, 1e-5, 1e-5])
+    first, second = (simulate("dry-friction", DATA_B, s, until=400) for s in (start, start + step))
+    rate = lyapunov(first, 60).value
+    assert rate < -0.005
+    late = [np.linalg.norm(first(t) - second(t - delay(first, second))) for t in (60.3, 260.3)]
+    assert late[1] < late[0]
+
+
+def delay(first: Trajectory, second: Trajectory) -> float:
+    """By how much the second motion is ahead at the end."""
+    count = min(first.transitions, second.transitions)
+    return float(first.times[count] - second.times[count])
+
+
+def together() -> Trajectory:
+    """Both masses reach the belt's velocity at one time: that instant, followed backwards."""
+    system = piecewise("dry-friction", DATA_A)
+    meeting = np.array([1.0, 1.5, 1.0, 1.0])
+    (start,) = flow_states(system, 0, np.array([-0.75]), meeting)
+    return simulate("dry-friction", DATA_A, start, until=40)
+
+
+def test_no_derivative_where_two_boundaries_are_reached_at_once() -> None:
+    trajectory = together()
+    assert set(trajectory.boundaries[1]) == {"first-reaches-belt", "second-reaches-belt"}
+    time = float(trajectory.times[1])
+    with pytest.raises(InputError, match=r"boundaries are reached together at t = 0\.7"):
+        tangent_map(trajectory)
+    with pytest.raises(InputError, match="reached together"):
+        lyapunov(trajectory, time / 2)
+    # behind it there is one
+    assert np.isfinite(tangent_map(trajectory, time)).all()
+
+
+def test_no_derivative_where_a_boundary_is_touched() -> None:
+    """A free motion whose peak is at the stop."""
+    trajectory = grazing()
+    assert trajectory.grazings
+    assert not trajectory.transitions
+    time = trajectory.grazings[0].time
+    with pytest.raises(InputError, match="a boundary is reached tangentially at t = "):
+        lyapunov(trajectory)
+    assert np.isfinite(tangent_map(trajectory, time + 0.1)).all()
+
+
+def grazing() -> Trajectory:
+    system = piecewise("rigid-stop", RIGID)
+    (start,) = flow_states(system, 0, np.array([-1.0]), np.array([1.0, 0.25, 0.0, 0.0]))
+    return simulate("rigid-stop", RIGID, start, until=2)

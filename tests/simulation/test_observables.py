@@ -1,0 +1,277 @@
+"""Observables and Lyapunov exponents of simulated motions, by laws and by other routes."""
+
+import math
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.integrate import quad
+from scipy.optimize import minimize_scalar
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.simulation.lyapunov import lyapunov
+from nonsmooth.runtime.simulation.observables import Observables, observe
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.tangent import tangent_map
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+DATA_B = {
+    **{"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"},
+    **{"us2": "0.5", "ur2": 1},
+}
+ELASTIC = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 3}
+RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+
+
+@cache
+def friction(name: str = "B") -> Trajectory:
+    data = DATA_A if name == "A" else DATA_B
+    return simulate("dry-friction", data, [0.3, -0.2, 0.1, 0.4], until=200)
+
+
+@cache
+def motion(name: str) -> Trajectory:
+    if name == "elastic-stop":
+        return simulate("elastic-stop", ELASTIC, [0, 0.4, 2, -1], until=120)
+    if name == "rigid-stop":
+        return simulate("rigid-stop", {**RIGID, "r": "0.1"}, [0.5, 3.0, 0, 0], until=60)
+    return friction(name)
+
+
+NAMES = ["A", "B", "elastic-stop", "rigid-stop"]
+
+
+def friction_energy(states: np.ndarray, chi: float, eta: float) -> np.ndarray:
+    x1, x2, v1, v2 = states.T
+    return v1**2 / 2 + v2**2 / (2 * eta) + x1**2 / 2 - chi * x1 * x2 + chi * x2**2 / 2
+
+
+def stop_energy(states: np.ndarray, stop: float = 0.0) -> np.ndarray:
+    x1, x2, v1, v2 = states.T
+    chain = v1**2 / 2 + v2**2 + (x1 - x2) ** 2 / 2 + 5 * x2**2 / 2
+    return chain + stop * np.maximum(x1 - 1, 0) ** 2 / 2
+
+
+def integral(found: Observables, function: object) -> float:
+    """Of a function of time, phase by phase, by adaptive quadrature."""
+    trajectory = found.trajectory
+    inner = trajectory.times[trajectory.times > found.since]
+    breaks = [found.since, *inner.tolist(), trajectory.end]
+    total = 0.0
+    for begin, end in pairwise(breaks):
+        if end > begin:
+            inside = math.nextafter(end, begin)
+            total += quad(function, begin, inside, epsabs=1e-12, epsrel=1e-12, limit=400)[0]
+    return total
+
+
+# --- extremes
+
+
+@pytest.mark.parametrize("since", [0.0, 17.3])
+@pytest.mark.parametrize("name", NAMES)
+def test_extremes_are_those_of_dense_samples_polished(name: str, since: float) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, since)
+    times = np.linspace(since, trajectory.end, 200_001)
+    states = trajectory(times)
+    width = times[1] - times[0]
+    for index, state in enumerate(trajectory.names):
+        for extreme, sign in ((found.minima[state], -1), (found.maxima[state], 1)):
+            best = sign * states[:, index]
+            middle = times[np.argmax(best)]
+            bounds = (max(since, middle - width), min(trajectory.end, middle + width))
+            polished = minimize_scalar(
+                lambda t, i=index, s=sign: -s * trajectory(t)[i],
+                bounds=bounds,
+                method="bounded",
+                options={"xatol": 1e-12},
+            )
+            value = sign * extreme.value
+            assert value >= best.max() - 1e-13
+            assert value >= -polished.fun - 1e-13
+            assert value <= max(best.max(), -polished.fun) + 5e-2 * width
+            assert since <= extreme.time <= trajectory.end
+            near = np.array([max(since, extreme.time - 1e-10), extreme.time])
+            assert np.abs(trajectory(near)[:, index] - extreme.value).min() < 1e-8
+
+
+def test_a_peak_between_two_samples_of_a_phase_is_found() -> None:
+    """One phase of hundreds of oscillations, whose peaks differ little."""
+    trajectory = simulate("rigid-stop", RIGID, [-0.3, 0.1, 0, 0], until=5000)
+    assert trajectory.transitions == 0
+    found = observe(trajectory)
+    states = trajectory(np.linspace(0, 5000, 400_001))
+    for index, name in enumerate(trajectory.names):
+        assert found.maxima[name].value >= states[:, index].max()
+        assert found.minima[name].value <= states[:, index].min()
+    # incommensurable frequencies come as close as they like to the sum of the amplitudes
+    _, vectors = np.linalg.eig([[1, -1], [-0.5, 3]])
+    amplitudes = np.abs(vectors[0] * np.linalg.solve(vectors, [-0.3, 0.1]))
+    assert found.maxima["x1"].value < amplitudes.sum()
+    assert_allclose(found.maxima["x1"].value, amplitudes.sum(), rtol=1e-3)
+
+
+def test_a_boundary_is_the_extreme_of_what_it_bounds() -> None:
+    found = observe(motion("rigid-stop"))
+    assert_allclose(found.maxima["x1"].value, 1, rtol=0, atol=1e-15)
+    held = observe(friction("A"), since=100)
+    for mass, static in (("first", 4.0195), ("second", 1.4831)):
+        assert_allclose(held.contacts[f"{mass}-friction"].maximum.value, static, rtol=1e-13)
+        assert held.contacts[f"{mass}-friction"].peak == pytest.approx(static)
+    for velocity in ("v1", "v2"):
+        assert_allclose(held.maxima[velocity].value, 1, rtol=0, atol=1e-14)
+
+
+# --- averages
+
+
+@pytest.mark.parametrize("since", [0.0, 31.7])
+@pytest.mark.parametrize("name", NAMES)
+def test_averages_are_those_of_adaptive_quadrature(name: str, since: float) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, since)
+    for index, state in enumerate(trajectory.names):
+        mean = integral(found, lambda t, i=index: trajectory(t)[i]) / found.duration
+        square = integral(found, lambda t, i=index: trajectory(t)[i] ** 2) / found.duration
+        assert_allclose(found.means[state], mean, rtol=1e-11, atol=1e-11)
+        assert_allclose(found.rms[state], math.sqrt(square), rtol=1e-11)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_mean_velocities_are_changes_of_positions(name: str) -> None:
+    """Positions are continuous, so the mean of a velocity is an end minus a start."""
+    trajectory = motion(name)
+    found = observe(trajectory, 3.25)
+    change = trajectory(trajectory.end) - trajectory(3.25)
+    assert_allclose(
+        [found.means["v1"], found.means["v2"]], change[:2] / found.duration, rtol=0, atol=1e-13
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_fractions_of_time(name: str) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, 12.5)
+    assert math.fsum(found.fractions.values()) == pytest.approx(1, abs=1e-14)
+    times = 12.5 + (np.arange(100_000) + 0.5) * (found.duration / 100_000)
+    names = trajectory.configuration(times)
+    for configuration, part in found.fractions.items():
+        assert part == pytest.approx((names == configuration).mean(), abs=2e-3)
+    if name in "AB":
+        stuck = [n.startswith("stick") for n in names], [n.endswith("stick") for n in names]
+        assert list(found.sticking) == ["x1", "x2"]
+        assert_allclose(list(found.sticking.values()), np.mean(stuck, axis=1), atol=2e-3)
+    else:
+        held = {"rigid-stop": {"x1": found.fractions["contact"]}, "elastic-stop": {}}
+        assert found.sticking == held[name]
+
+
+# --- contacts
+
+
+@pytest.mark.parametrize(("name", "chi", "eta"), [("A", 0.5, 1.0), ("B", 0.4, 4.0)])
+@pytest.mark.parametrize("since", [0.0, 40.0])
+def test_friction_works_what_the_energy_gains(
+    name: str, chi: float, eta: float, since: float
+) -> None:
+    trajectory = friction(name)
+    found = observe(trajectory, since)
+    works = [contact.work for contact in found.contacts.values()]
+    ends = np.array([trajectory(since), trajectory(trajectory.end)])
+    first, last = friction_energy(ends, chi, eta)
+    assert min(map(abs, works)) > 1e-3
+    assert abs(sum(works) - (last - first)) <= 1e-12 * max(map(abs, works))
+    assert all(contact.dissipated > 0 for contact in found.contacts.values())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_works_are_integrals_of_the_histories(name: str) -> None:
+    trajectory = motion(name)
+    found = observe(trajectory, 20)
+    for index, (label, contact) in enumerate(found.contacts.items()):
+        dissipated = -integral(found, lambda t, c=label: float(found.power(c, t)))
+        work = integral(
+            found, lambda t, c=label, i=index: float(found.force(c, t)) * trajectory(t)[2 + i]
+        )
+        mean = integral(found, lambda t, c=label: float(found.force(c, t))) / found.duration
+        assert_allclose(contact.dissipated, dissipated, rtol=1e-10, atol=1e-11)
+        assert_allclose(contact.work, work, rtol=1e-10, atol=1e-11)
+        assert_allclose(contact.mean, mean, rtol=1e-10, atol=1e-11)
+
+
+def test_friction_forces_by_their_law() -> None:
+    trajectory = friction("A")
+    found = observe(trajectory)
+    times = np.linspace(0, trajectory.end, 3000).reshape(-1, 3)
+    forces = found.force("first-friction", times)
+    assert forces.shape == times.shape
+    states = trajectory(times)
+    stuck = np.char.startswith(trajectory.configuration(times), "stick")
+    balanced = states[..., 0] - 0.5 * states[..., 1]
+    assert_allclose(forces, np.where(stuck, balanced, 1.0), rtol=0, atol=1e-13)
+    assert_allclose(
+        found.power("first-friction", times), forces * (states[..., 2] - 1), rtol=0, atol=1e-12
+    )
+    assert_allclose(found.power("first-friction", times)[stuck], 0, atol=1e-12)
+
+
+def test_the_elastic_stop_conserves_and_pushes_back() -> None:
+    trajectory = motion("elastic-stop")
+    found = observe(trajectory)
+    energies = stop_energy(trajectory(np.linspace(0, trajectory.end, 5001)), stop=3.0)
+    assert np.ptp(energies) <= 1e-13 * energies[0]
+    stop = found.contacts["stop"]
+    assert_allclose(stop.maximum.value, 0, atol=1e-13)
+    assert_allclose(stop.minimum.value, 3 * (1 - found.maxima["x1"].value), rtol=1e-13)
+    assert stop.minimum.time == pytest.approx(found.maxima["x1"].time, abs=1e-6)
+    assert_allclose(stop.dissipated, -stop.work, rtol=1e-14)
+
+
+def test_elastic_impacts_conserve_energy() -> None:
+    trajectory = simulate("rigid-stop", RIGID, [0, 0, 2, 0], transitions=20_000)
+    energies = stop_energy(trajectory.states)
+    impacts = np.arange(len(energies))
+    assert (np.abs(energies / energies[0] - 1) <= 5e-16 * (impacts + 4)).all()
+    before = stop_energy(trajectory.before)
+    assert_allclose(before, energies, rtol=4e-16)
+
+
+def test_the_stop_holds_a_resting_mass() -> None:
+    """After the impacts have accumulated the stop carries the spring's force."""
+    trajectory = simulate("rigid-stop", {**RIGID, "r": 0}, [0.9, 3.0, 0, 0], until=1)
+    found = observe(trajectory)
+    assert trajectory.configurations == ("free", "free", "contact", "free")
+    middle = float(trajectory.times[2:4].mean())
+    x1, x2, _, _ = trajectory(middle)
+    assert x1 == 1
+    assert found.force("stop", middle) == pytest.approx(-(x2 - x1))
+    assert found.force("stop", [0.0])[0] == 0
+    assert found.contacts["stop"].work == 0
+    assert 0 < found.sticking["x1"] == found.fractions["contact"] < 1
+
+
+@pytest.mark.parametrize("since", [-1, 200.0, 1e9, math.nan, "soon", None])
+def test_a_wrong_beginning(since: object) -> None:
+    for function in (observe, lyapunov, tangent_map):
+        with pytest.raises(InputError, match="since = "):
+            function(friction(), since)
+
+
+def test_a_motion_that_never_reaches_a_boundary_is_followed_until_a_time() -> None:
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
+    with pytest.raises(InputError, match="no boundary is reached any more: follow it until a time"):
+        observe(simulate("elastic-stop", data, [0.1, 0, 0, 0], transitions=10))
+    found = observe(simulate("elastic-stop", data, [0.1, 0, 0, 0], until=50))
+    assert found.fractions["free"] == 1
+
+
+def test_unknown_contacts_and_times() -> None:
+    found = observe(friction())
+    with pytest.raises(InputError, match=r"unknown contact 'first'; .*first-friction"):
+        found.force("first", 1)
+    with pytest.raises(InputError, match="a time is not between 0 and the end"):
+        found.power("first-friction", 201)

@@ -1,0 +1,96 @@
+"""Several harmonics: their phases to each other belong to the system, and no start changes them."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
+
+START = {"x": "-0.5", "v": 0}
+
+
+@cache
+def two(phase: object = 0, second: object = 3, first: object = 0) -> System:
+    return oscillator(
+        "two", ["x"], [[1]], [[1]], [[sp.Rational(1, 10)]],
+        forcing=[
+            Harmonic(sp.Rational(3, 2), cosine=[1], phase=first),
+            Harmonic(second, cosine=[1], phase=phase),
+        ],
+        elements=[RigidStop("x", 0, sp.Rational(4, 5), name="stop")],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("phase", [0, 1, 2.5])
+def test_the_orbit_is_that_of_the_simulated_phase(phase: float) -> None:
+    system = two(phase)
+    motion = ns.simulate(system, {}, START, transitions=600)
+    orbit = ns.compose(system, {}, *ns.itinerary_of(motion))
+    assert orbit.converged
+    np.testing.assert_allclose(orbit.states[0], motion.states[-1], atol=1e-10)
+    other = ns.simulate(two(), {}, START, transitions=600)
+    assert (abs(other.states[-1, 1] - motion.states[-1, 1]) > 1e-3) == (phase != 0)
+
+
+def test_the_force_is_that_of_the_phase() -> None:
+    """Where no stop is near: the motion under both phases, by its particular solution."""
+    system, speeds, phases = two(1, 3, 2), (1.5, 3.0), (2.0, 1.0)
+    motion = ns.simulate(system, {}, {"x": "-9", "v": 0}, until=0.5)
+    step = 1e-4
+    times = np.array([0.1, 0.2, 0.4])
+    x = [motion(times + k * step)[:, 0] for k in (-1, 0, 1)]
+    acceleration = (x[0] - 2 * x[1] + x[2]) / step**2
+    velocity = motion(times)[:, 1]
+    force = sum(np.cos(w * times + p) for w, p in zip(speeds, phases, strict=True))
+    np.testing.assert_allclose(acceleration + 0.1 * velocity + x[1], force, atol=1e-5)
+
+
+def test_a_certificate_is_of_the_phase() -> None:
+    """With a phase of rational cosine and sine the tables are exact."""
+    system = two(sp.atan2(4, 3))
+    motion = ns.simulate(system, {}, START, transitions=600)
+    orbit = ns.compose(system, {}, *ns.itinerary_of(motion))
+    certificate = ns.certify(orbit)
+    assert certificate.claims["existence"] == "proved"
+    # others are not decided, and never as if they were zero
+    system = two(1)
+    orbit = ns.compose(system, {}, *ns.itinerary_of(ns.simulate(system, {}, START,
+                                                                transitions=600)))  # fmt: skip
+    assert ns.certify(orbit).claims["existence"] == "undecided"
+
+
+def test_a_start_that_contradicts_the_phases_is_refused() -> None:
+    other = {**START, "c2": math.cos(1), "s2": math.sin(1)}
+    for second in (3, sp.sqrt(5)):
+        with pytest.raises(InputError, match=r"at no time as in the start.*phase="):
+            ns.simulate(two(0, second), {}, other, transitions=5)
+        motion = ns.simulate(two(0, second), {}, START, transitions=300)
+        again = ns.simulate(two(0, second), {}, motion.states[-1], transitions=5)
+        assert again.transitions == 5
+
+
+def test_a_start_off_the_circle_is_refused(tmp_path: object) -> None:
+    system = two()
+    wrong = {**START, "c1": "0.5"}
+    told = r"c1 = 0\.5, s1 = 0: c1\^2 \+ s1\^2 is 0\.25, not 1"
+    with pytest.raises(InputError, match=told):
+        ns.simulate(system, {}, wrong, transitions=5)
+    with pytest.raises(InputError, match=told):
+        ns.simulate_many(system, {}, [[-0.5, 0, 0.5, 0, 1, 0]], transitions=5)
+    impact = "docs/gallery/impact_oscillator.py"
+    values = ["sigma=0.2", "w=3.7", "r=0.8"]
+    for command in (
+        ["simulate", impact, *values, "--from", "x=0,v=1,c1=2,s1=0", "--transitions", "5"],
+        ["sweep", impact, "sigma=0.1:0.2:3", *values[1:], "--from", "x=0,v=1,c1=2,s1=0",
+         "--state", "v", "--at", "free"],
+    ):  # fmt: skip
+        found = CliRunner().invoke(app, command)
+        assert found.exit_code == 2
+        assert "c1^2 + s1^2 is 4, not 1" in " ".join(found.output.split())

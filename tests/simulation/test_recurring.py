@@ -1,0 +1,136 @@
+"""Itineraries of simulated motions, polished to periodic orbits."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+import nonsmooth
+from nonsmooth.runtime.core.errors import InputError
+from tests.handmade import DATA, pair, two_stops
+
+STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+LONG = {**DATA, "Omega": "1.272"}  # an attractor of many impacts
+
+
+@cache
+def motion():
+    start = {"x": 0, "v": 0.3, "c": 1, "s": 0}
+    return nonsmooth.simulate(two_stops(), LONG, start, transitions=3000)
+
+
+def test_the_stick_orbit_from_a_motion() -> None:
+    found = nonsmooth.itinerary_of(
+        nonsmooth.simulate("dry-friction", STICK, [0, 0, 0, 0], transitions=100)
+    )
+    orbit = nonsmooth.compose("dry-friction", STICK, *found)
+    known = nonsmooth.solve("dry-friction/global-stick")
+    assert orbit.converged
+    assert orbit.period == pytest.approx(known.period, abs=1e-12)
+    assert sorted(found.itinerary) == sorted(
+        (configuration, boundary) for configuration, boundary, _ in known.kernels.table["phases"]
+    )
+
+
+@pytest.mark.compiled
+def test_more_than_twenty_impacts() -> None:
+    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
+    count = len(found.itinerary)
+    assert count >= 20
+    orbit = nonsmooth.compose(two_stops(), LONG, *found)
+    assert orbit.converged
+    assert orbit.admissibility.verdict is True
+    assert orbit.stability.verdict == "stable"
+    turns = orbit.period * 1.272 / (2 * np.pi)
+    assert turns == pytest.approx(round(turns), abs=1e-10)
+    # an impact multiplies areas by r^2, damping by exp(-2 zeta t)
+    area = 0.8 ** (2 * count) * np.exp(-0.1 * orbit.period)
+    precise = orbit.refined(30)
+    product = np.prod(precise.multipliers)
+    assert abs(product.real / area - 1) < 1e-10
+    assert abs(product.imag / area) < 1e-10
+    for rough, exact in zip(orbit.unknowns.values(), precise.unknowns.values(), strict=True):
+        assert abs(rough - exact) <= 10.0**-orbit.digits * max(1, abs(exact))
+
+
+@pytest.mark.compiled
+def test_many_impacts_by_matrix_exponentials() -> None:
+    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
+    orbit = nonsmooth.compose(two_stops(), LONG, *found)
+    field = np.array([[0, 1, 0, 0], [-1, -0.1, 1, 0], [0, 0, 0, -1.272], [0, 0, 1.272, 0]])
+    following = np.roll(orbit.states, -1, axis=0)
+    for (_, boundary), time, start, after in zip(
+        orbit.itinerary, orbit.dwell_times, orbit.states, following, strict=True
+    ):
+        end = expm(field * time) @ start
+        stop = 0.5 if boundary == "reaches-right" else -0.5
+        assert end[0] == pytest.approx(stop, abs=1e-11)
+        end[1] *= -0.8
+        np.testing.assert_allclose(end, after, rtol=0, atol=1e-11)
+        inside = [
+            (expm(field * part) @ start)[0] for part in np.linspace(0.02 * time, 0.98 * time, 25)
+        ]
+        assert max(map(abs, inside)) < 0.5
+
+
+@pytest.mark.compiled
+def test_about_a_period() -> None:
+    # a motion that never settles passes near unstable orbits
+    data = {**DATA, "Omega": "1.26"}
+    chaos = nonsmooth.simulate(two_stops(), data, [0, 0.3, 1, 0], transitions=2000)
+    turn = 2 * np.pi / 1.26
+    converged = 0
+    for turns in range(1, 8):
+        try:
+            found = nonsmooth.itinerary_of(chaos, period=turns * turn)
+        except InputError:
+            continue
+        assert sum(found.dwell_times) == pytest.approx(turns * turn, rel=0.05)
+        orbit = nonsmooth.compose(two_stops(), data, *found)
+        converged += orbit.converged and abs(orbit.period - turns * turn) < 1e-9
+    assert converged
+
+
+def test_boundaries_that_are_reached_together() -> None:
+    both = nonsmooth.simulate(pair(), DATA, [0.1, 0.1, 0.3, 0.3, 1, 0], transitions=200)
+    found = nonsmooth.itinerary_of(both)
+    assert sorted(found.itinerary) == [("free", "left+down"), ("free", "right+up")]
+    orbit = nonsmooth.compose(pair(), DATA, *found)
+    assert orbit.converged
+    assert orbit.period == pytest.approx(2 * np.pi / 1.7, rel=1e-13)
+
+
+@pytest.mark.compiled
+def test_a_doubled_orbit_is_no_single_one() -> None:
+    data = {**DATA, "Omega": "1.274"}
+    doubled = nonsmooth.simulate(two_stops(), data, [0, 0.3, 1, 0], transitions=3000)
+    found = nonsmooth.itinerary_of(doubled, since=0.9 * doubled.end)
+    orbit = nonsmooth.compose(two_stops(), data, *found)
+    count = len(found.itinerary) // 2
+    assert found.itinerary[:count] == found.itinerary[count:]
+    assert not np.allclose(orbit.dwell_times[:count], orbit.dwell_times[count:], atol=1e-3)
+    assert orbit.stability.verdict == "stable"
+    single = nonsmooth.compose(
+        two_stops(), data, found.itinerary[:count], found.dwell_times[:count], found.start
+    )
+    assert single.stability.verdict == "unstable"
+    assert min(single.multipliers.real) < -1
+
+
+def test_a_motion_that_does_not_come_back() -> None:
+    short = nonsmooth.simulate(two_stops(), DATA, [0, 0.3, 1, 0], transitions=6)
+    with pytest.raises(InputError, match="does not come back"):
+        nonsmooth.itinerary_of(short)
+    with pytest.raises(InputError, match=r"does not come back after about 1e\+06"):
+        nonsmooth.itinerary_of(short, period=1e6)
+    with pytest.raises(InputError, match="since"):
+        nonsmooth.itinerary_of(short, since=-1)
+    with pytest.raises(InputError, match="period"):
+        nonsmooth.itinerary_of(short, period=float("nan"))
+
+
+def test_a_start_alone() -> None:
+    alone = nonsmooth.simulate(two_stops(), DATA, [0, 0.3, 1, 0], until=0.01)
+    with pytest.raises(InputError, match="does not come back"):
+        nonsmooth.itinerary_of(alone)

@@ -1,0 +1,191 @@
+"""The Poincaré map by simulation, against the multipliers that are derived."""
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.orbits.compose import compose
+from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.returns import poincare_map
+
+STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+SYMMETRIC = {
+    **{"chi": "0.4", "eta": 4, "V": "0.6773"},
+    **{"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": 1},
+}
+CHAIN = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
+ORBITS = {
+    "dry-friction/global-stick": (
+        STICK,
+        [
+            ("stick-stick", "first-breaks-forward"),
+            ("slip-stick", "second-breaks-forward"),
+            ("slip-slip", "first-reaches-belt"),
+            ("stick-slip", "second-reaches-belt"),
+        ],
+    ),
+    "dry-friction/symmetric": (
+        SYMMETRIC,
+        [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")],
+    ),
+    "rigid-stop/one-impact": (CHAIN | {"r": 1}, [("free", "first-reaches-stop")]),
+    "elastic-stop/one-contact": (
+        CHAIN | {"k3": 1},
+        [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")],
+    ),
+}
+
+
+def origin(parameters):
+    """What the presentation of the friction orbits subtracts: the slip-slip centre."""
+    chi, us1, us2 = (float(parameters[name]) for name in ("chi", "us1", "us2"))
+    return np.array([(us1 + us2) / (1 - chi), (chi * us1 + us2) / (chi * (1 - chi)), 0, 0])
+
+
+def nonzero(values):
+    """Eigenvalues that are not zero, sorted."""
+    found = np.asarray(values, dtype=complex)
+    return np.sort_complex(found[np.abs(found) > 1e-5])
+
+
+def section(itinerary, phase=0):
+    """The transition that leads into a phase."""
+    return (*itinerary[phase - 1], itinerary[phase][0])
+
+
+@pytest.mark.parametrize("name", ORBITS)
+def test_multipliers_of_the_built_in_orbits(name):
+    data, itinerary = ORBITS[name]
+    system = name.partition("/")[0]
+    orbit = solve(name)
+    states = [np.asarray(state, dtype=float) for state in orbit.states]
+    if system == "dry-friction":
+        states = [state + origin(data) for state in states]
+    wanted = [complex(m.real, m.imaginary) for m in orbit.stability.multipliers]
+    for phase in range(len(itinerary)):
+        mapped = poincare_map(system, data, section(itinerary, phase))
+        found = mapped.next_return(states[phase])
+        np.testing.assert_allclose(found.state, states[phase], rtol=0, atol=1e-11)
+        assert found.time == pytest.approx(sum(orbit.dwell_times.values()), abs=1e-11)
+        turned = [c for c, _ in itinerary[phase:] + itinerary[:phase]]
+        assert found.configurations == tuple(turned)
+        values = np.linalg.eigvals(mapped.jacobian(states[phase]))
+        np.testing.assert_allclose(nonzero(values), nonzero(wanted), rtol=0, atol=2e-7)
+
+
+@pytest.mark.parametrize("name", ["dry-friction/global-stick", "dry-friction/symmetric"])
+def test_jacobians_of_composed_orbits(name):
+    data, itinerary = ORBITS[name]
+    guess = [float(t) for t in solve(name).dwell_times.values()]
+    for first in range(len(itinerary)):
+        turned = itinerary[first:] + itinerary[:first]
+        orbit = compose("dry-friction", data, turned, guess[first:] + guess[:first])
+        mapped = poincare_map("dry-friction", data, section(turned))
+        basis = mapped.basis
+        np.testing.assert_allclose(basis.T @ basis, np.eye(basis.shape[1]), atol=1e-14)
+        derived = basis.T @ orbit.poincare_jacobian @ basis
+        measured = mapped.jacobian(orbit.states[0])
+        np.testing.assert_allclose(measured, derived, rtol=0, atol=1e-7)
+
+
+def test_a_section_in_a_stick_phase_has_rank_one():
+    data, itinerary = ORBITS["dry-friction/global-stick"]
+    orbit = solve("dry-friction/global-stick")
+    mapped = poincare_map("dry-friction", data, section(itinerary))
+    jacobian = mapped.jacobian(orbit.states[0] + origin(data))
+    assert jacobian.shape == (2, 2)
+    assert np.trace(jacobian) == pytest.approx(orbit.trace, abs=1e-7)
+    assert abs(np.linalg.det(jacobian)) < 1e-7
+
+
+@pytest.mark.parametrize("step", [1e-3, 1e-4])
+def test_differences_are_of_the_second_order(step):
+    data, itinerary = ORBITS["dry-friction/symmetric"]
+    state = solve("dry-friction/symmetric").states[0] + origin(data)
+    mapped = poincare_map("dry-friction", data, section(itinerary))
+    exact = mapped.jacobian(state, 3e-6)
+    errors = [np.abs(mapped.jacobian(state, s) - exact).max() for s in (step, step / 2)]
+    assert 3.5 < errors[0] / errors[1] < 4.5
+
+
+def test_an_impact_that_loses_energy_shrinks_volumes_by_its_square():
+    # det of the section map of an impact oscillator: r^2, up to the velocities at both ends
+    data = CHAIN | {"r": "0.8"}
+    mapped = poincare_map("rigid-stop", data, ("free", "first-reaches-stop", "free"))
+    state = np.array([1.0, 0.3, -1.2, 0.4])
+    after = mapped(state)
+    determinant = abs(np.linalg.det(mapped.jacobian(state)))
+    assert determinant == pytest.approx(0.8**2 * abs(state[2] / after[2]), rel=1e-6)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", [0, 1])
+def test_every_orbit_that_is_found_is_a_fixed_point(seed):
+    found = find_orbits("dry-friction", SYMMETRIC, 60, seed=seed, transitions=600)
+    assert len(found.orbits) >= 4
+    for entry in found.orbits:
+        orbit = entry.orbit
+        mapped = poincare_map("dry-friction", SYMMETRIC, section(entry.itinerary))
+        # one turn of the orbit may pass the section more than once
+        state, time, phases = orbit.states[0], 0.0, 0
+        while phases < len(entry.itinerary):
+            step = mapped.next_return(state)
+            state, time = step.state, time + step.time
+            phases += len(step.configurations)
+        np.testing.assert_allclose(state, orbit.states[0], rtol=0, atol=1e-9)
+        assert time == pytest.approx(entry.period, abs=1e-9)
+        assert orbit.admissibility.verdict is True
+
+
+@pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
+def test_both_engines_map_alike(monkeypatch):
+    data, itinerary = ORBITS["elastic-stop/one-contact"]
+    state = solve("elastic-stop/one-contact").states[0] + np.array([0, 0.01, -0.02, 0.03])
+    mapped = poincare_map("elastic-stop", data, section(itinerary))
+    found = []
+    for backend in ("c", "numpy"):
+        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+        found.append((mapped(state), mapped.jacobian(state)))
+    np.testing.assert_allclose(found[0][0], found[1][0], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found[0][1], found[1][1], rtol=0, atol=1e-7)
+
+
+def test_a_motion_that_does_not_come_back():
+    mapped = poincare_map("rigid-stop", CHAIN | {"r": 0}, ("free", "first-reaches-stop", "free"))
+    with pytest.raises(NoConvergence, match="does not come back"):
+        mapped([0.5, 0.0, 0.0, 0.0])
+
+
+def test_the_names_are_those_of_the_system():
+    structure = piecewise("rigid-stop", CHAIN | {"r": 1}).structure
+    mapped = poincare_map("rigid-stop", CHAIN | {"r": 1}, ("free", "first-reaches-stop", "contact"))
+    assert structure.configurations[mapped.target] == "contact"
+    # where it rests on the stop only the second mass moves
+    assert mapped.basis.shape == (4, 2)
+    assert not np.abs(mapped.basis[[0, 2]]).max() > 1e-15
+
+
+@pytest.mark.parametrize(
+    ("section", "match"),
+    [
+        (("slip-slip", "first-reaches-belt"), "a section is"),
+        (("slip", "first-reaches-belt", "stick-slip"), "unknown configuration 'slip'"),
+        (("slip-slip", "first-breaks-forward", "stick-slip"), "unknown boundary"),
+        (("slip-slip", "first-reaches-belt", "slip-stick"), "no transition leads from slip-slip"),
+    ],
+)
+def test_bad_sections(section, match):
+    with pytest.raises(InputError, match=match):
+        poincare_map("dry-friction", STICK, section)
+
+
+@pytest.mark.parametrize(
+    "state", [[0, 0, 0], [0, 0, 0, np.nan], np.zeros((2, 4)), "abcd", None, 1j]
+)
+def test_bad_states(state):
+    mapped = poincare_map("dry-friction", STICK, ("slip-slip", "first-reaches-belt", "stick-slip"))
+    with pytest.raises(InputError, match="finite numbers"):
+        mapped(state)

@@ -1,0 +1,436 @@
+"""Simulated motions in files: every bit comes back, whatever is not such a file is refused."""
+
+import csv
+import hashlib
+import io
+import json
+import os
+import zipfile
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonsmooth
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.engine_run import Grazing, Status
+from nonsmooth.runtime.present.files import motions as saved_trajectory
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+FRICTION = {
+    **{"chi": "2/5", "eta": 4, "V": 0.6773, "us1": "0.0127", "ur1": "0.0255"},
+    **{"us2": "0.5", "ur2": "sqrt(2)"},
+}
+STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+ENDINGS = [".csv", ".npz"]
+
+
+@cache
+def friction() -> Trajectory:
+    return simulate("dry-friction", FRICTION, [0.1, -0.2, 0.3, 0.4], until=60)
+
+
+@cache
+def others() -> dict[str, Trajectory]:
+    grazed = simulate("rigid-stop", STOP, [0, 0, 2, 0], until=30)
+    graze = (Grazing(0.1 + 0.2, 0, 0, -1e-17), Grazing(3.0, 0, 0, 0.0))
+    wild = grazed.states.copy()
+    wild[-1] = [np.inf, -np.inf, np.nan, -0.0]
+    return {
+        "no transition": simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=7.7),
+        "impacts": grazed,
+        "contact": simulate("rigid-stop", {**STOP, "r": 0}, [0.9, 3, 0, 0], transitions=5),
+        "elastic": simulate("elastic-stop", _elastic(), [0, 0, 2, 0], transitions=40),
+        "grazings": Trajectory(grazed.system, replace(grazed.run, grazings=graze)),
+        "together": _together(),
+        "overflow": Trajectory(
+            grazed.system, replace(grazed.run, states=wild, status=Status.OVERFLOW)
+        ),
+        "friction": friction(),
+    }
+
+
+def _elastic() -> dict[str, object]:
+    return {**{k: v for k, v in STOP.items() if k != "r"}, "k3": 3}
+
+
+def _together() -> Trajectory:
+    """Two boundaries at one instant, as a mask of two bits."""
+    run = friction().run
+    sets = run.sets.copy()
+    sets[1] = 3
+    return Trajectory(friction().system, replace(run, sets=sets))
+
+
+@pytest.fixture(params=ENDINGS)
+def path(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    return tmp_path / f"motion{request.param}"
+
+
+def refusal(path: Path) -> str:
+    """The one line with which a file is refused."""
+    with pytest.raises(InputError) as caught:
+        nonsmooth.load_trajectory(path)
+    message = str(caught.value)
+    assert message.startswith(f"{path}: ")
+    assert "\n" not in message
+    assert message.count(str(path)) == 1
+    return message.removeprefix(f"{path}: ")
+
+
+def parts(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """Header and arrays of a file of either kind, by a reader of its own."""
+    if path.suffix == ".npz":
+        with np.load(path, allow_pickle=False) as found:
+            arrays = {name: found[name] for name in found.files}
+        return json.loads(str(arrays.pop("header"))), arrays
+    lines = path.read_text(encoding="utf-8").splitlines()
+    header = {}
+    for line in lines:
+        if line.startswith("# "):
+            name, text = line.removeprefix("# ").split(": ", 1)
+            header[name] = json.loads(text)
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    states = header["states"]
+    return header, {
+        "times": np.array([float(row["time"]) for row in rows]),
+        "configurations": np.array([row["configuration"] for row in rows]),
+        "boundaries": np.array([row["boundaries"] for row in rows]),
+        "states": np.array([[float(row[name]) for name in states] for row in rows]),
+        "before": np.array([[float(row[f"{name}_before"]) for name in states] for row in rows]),
+    }
+
+
+def checksum(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> str:
+    covered = {name: entry for name, entry in header.items() if name != "sha256"}
+    found = hashlib.sha256(json.dumps(covered, sort_keys=True).encode())
+    for name in ("times", "states", "before"):
+        found.update(np.ascontiguousarray(arrays[name], "<f8").tobytes())
+    for name in ("configurations", "boundaries"):
+        found.update("\n".join(arrays[name].tolist()).encode())
+    return found.hexdigest()
+
+
+def write(path: Path, header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
+    """Write what was changed, with the checksum that belongs to it."""
+    header = {**header, "sha256": checksum(header, arrays)}
+    if path.suffix == ".npz":
+        np.savez(path, header=np.array(json.dumps(header)), **arrays)
+        return
+    text = io.StringIO()
+    for name, entry in header.items():
+        text.write(f"# {name}: {json.dumps(entry)}\n")
+    names = header["states"] if isinstance(header["states"], list) else ["x"]
+    columns = ["time", "configuration", "boundaries", *names, *(f"{n}_before" for n in names)]
+    text.write(",".join(map(str, columns)) + "\n")
+    for row in zip(*arrays.values(), strict=True):
+        cells = [x for cell in row for x in np.ravel(cell).tolist()]
+        text.write(",".join(x if isinstance(x, str) else repr(x) for x in cells) + "\n")
+    path.write_text(text.getvalue(), encoding="utf-8")
+
+
+# --- round trips
+
+
+@pytest.mark.parametrize("name", list(others()))
+def test_every_bit_comes_back(name: str, path: Path) -> None:
+    before = others()[name]
+    before.save(path)
+    after = nonsmooth.load_trajectory(path)
+    for field in ("times", "configurations", "before", "states", "sets"):
+        first, second = getattr(before.run, field), getattr(after.run, field)
+        assert first.dtype == second.dtype
+        assert first.shape == second.shape
+        assert first.tobytes() == second.tobytes() or np.isnan(first).any()
+        assert np.array_equal(first, second, equal_nan=first.dtype.kind == "f")
+    assert after.grazings == before.grazings
+    assert (after.status, after.end, after.options) == (before.status, before.end, before.options)
+    assert after.name == before.name
+    assert after.parameters == before.parameters
+    assert [v.exact for v in after.parameters.values()] == [
+        v.exact for v in before.parameters.values()
+    ]
+    assert after.boundaries == before.boundaries
+    assert np.array_equal(after.system.rows, before.system.rows)
+    written = path.read_bytes()
+    after.save(path)
+    assert path.read_bytes() == written
+    assert os.listdir(path.parent) == [path.name]
+
+
+def test_a_loaded_motion_is_a_motion(path: Path) -> None:
+    friction().save(path)
+    after = nonsmooth.load_trajectory(path)
+    times = np.linspace(0, 60, 301)
+    assert np.array_equal(after(times), friction()(times))
+    assert np.array_equal(after.configuration(times), friction().configuration(times))
+
+
+def test_the_file_tells_where_it_is_from(path: Path) -> None:
+    friction().save(path)
+    header, arrays = parts(path)
+    assert header["format"] == "nonsmooth trajectory"
+    assert header["version"] == 2
+    assert header["package"] == nonsmooth.__version__
+    assert header["system"] == "dry-friction"
+    assert header["parameters"]["chi"] == "2/5"
+    assert header["parameters"]["ur2"] == "sqrt(2)"
+    assert header["status"] == "until"
+    assert header["end"] == "60.0"
+    assert header["sha256"] == checksum(header, arrays)
+    assert np.array_equal(arrays["times"], friction().times)
+    assert tuple(arrays["configurations"]) == friction().configurations
+
+
+def test_two_boundaries_stand_in_one_cell(path: Path) -> None:
+    others()["together"].save(path)
+    _, arrays = parts(path)
+    assert "+" in arrays["boundaries"][1]
+
+
+def test_pandas_reads_the_table(tmp_path: Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    path = tmp_path / "motion.csv"
+    friction().save(path)
+    table = pandas.read_csv(path, comment="#")
+    assert list(table.columns[:4]) == ["time", "configuration", "boundaries", "x1"]
+    np.testing.assert_allclose(table["time"], friction().times, rtol=1e-14)
+    np.testing.assert_allclose(table["v2_before"], friction().before[:, 3], rtol=1e-14)
+    assert tuple(table["configuration"]) == friction().configurations
+
+
+# --- files that are refused
+
+
+def test_a_cut_file_is_refused(path: Path) -> None:
+    friction().save(path)
+    whole = path.read_bytes()
+    for length in range(0, len(whole) - 1, 97):
+        path.write_bytes(whole[:length])
+        refusal(path)
+
+
+def test_a_missing_row_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "motion.csv"
+    friction().save(path)
+    lines = path.read_text(encoding="utf-8").splitlines()
+    path.write_text("\n".join(lines[:-1]) + "\n", encoding="utf-8")
+    assert refusal(path) == "edited or damaged: the checksum differs"
+
+
+def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
+    friction().save(path)
+    whole = path.read_bytes()
+    refused = 0
+    for place in range(3, len(whole), 211):
+        changed = bytes([whole[place] ^ 1])
+        path.write_bytes(whole[:place] + changed + whole[place + 1 :])
+        # nothing hangs on a date in an archive, or the last of the digits of a number
+        if loads(path):
+            found = nonsmooth.load_trajectory(path)
+            assert found.configurations == friction().configurations
+            assert found.boundaries == friction().boundaries
+            for name in ("times", "states", "before"):
+                assert np.array_equal(getattr(found.run, name), getattr(friction().run, name))
+        else:
+            refusal(path)
+            refused += 1
+    assert refused > 0.8 * len(range(3, len(whole), 211))
+
+
+def loads(path: Path) -> bool:
+    try:
+        nonsmooth.load_trajectory(path)
+    except InputError:
+        return False
+    return True
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"t,x\n0,1\n", b"\xff\xfe\x00\x01", b"PK\x05\x06" + b"\0" * 18]
+)
+def test_foreign_files_are_refused(content: bytes, path: Path) -> None:
+    path.write_bytes(content)
+    assert "saved motion" in refusal(path) or "not an .npz file" in refusal(path)
+
+
+def test_pickles_are_not_read(tmp_path: Path) -> None:
+    path = tmp_path / "motion.npz"
+    friction().save(path)
+    _, arrays = parts(path)
+    arrays["times"] = np.array([{"a": 1}], dtype=object)
+    np.savez(path, header=np.array("{}"), **arrays)
+    assert refusal(path) == "cut, damaged, or not an .npz file"
+
+
+def test_an_archive_that_unpacks_to_too_much(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "motion.npz"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+        file.writestr("times.npy", b"\0" * 3_000_000)
+    monkeypatch.setattr(
+        saved_trajectory, "MOTION", replace(saved_trajectory.MOTION, most=1_000_000)
+    )
+    assert path.stat().st_size < 10_000
+    assert refusal(path) == "too large for a saved motion"
+
+
+def test_files_that_are_too_large(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    friction().save(path)
+    monkeypatch.setattr(saved_trajectory, "MOTION", replace(saved_trajectory.MOTION, most=1000))
+    assert refusal(path) == "too large for a saved motion"
+    content = path.read_bytes()
+    with pytest.raises(InputError, match=f"{path.name}: {friction().transitions} transitions are"):
+        friction().save(path)
+    assert path.read_bytes() == content
+
+
+Change = Callable[[dict[str, Any], dict[str, np.ndarray]], None]
+
+
+def put(name: str, entry: object) -> Change:
+    def change(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
+        del arrays
+        header[name] = entry
+
+    return change
+
+
+def parameter(name: str, text: object) -> Change:
+    def change(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
+        del arrays
+        header["parameters"][name] = text
+
+    return change
+
+
+def cell(name: str, place: int, entry: object) -> Change:
+    def change(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
+        del header
+        arrays[name] = arrays[name].astype("U40" if isinstance(entry, str) else float)
+        arrays[name][place] = entry
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("change", "part"),
+    [
+        (put("format", "nonsmooth orbit"), "not a saved motion, such as --save or save() writes"),
+        (put("version", 1), "version 1 of the format, where 2 is known"),
+        (put("version", "1"), "version '1' of the format"),
+        (put("more", 1), "'more' is unknown"),
+        (put("end", 60.0), "'end' is of the wrong type"),
+        (put("end", "sixty"), "end is 'sixty', not a number"),
+        (put("end", "nan"), "its times do not increase from 0 to its end"),
+        (put("end", "5.0"), "its times do not increase from 0 to its end"),
+        (put("status", "tired"), "unknown status 'tired'"),
+        (put("system", "wet-friction"), "unknown system 'wet-friction'; did you mean 'dry-fric"),
+        (put("system", "rigid-stop"), "unknown parameter 'chi'"),
+        (put("states", ["x1", "x2", "v1", "w2"]), "its states are ['x1', 'x2', 'v1', 'w2'], not"),
+        (put("grazings", [["1.0", "slip-slip"]]), "'grazings' holds something else"),
+        (put("grazings", [["1.0", "slip-slip", "x", "0.0"]]), "unknown boundary of slip-slip 'x'"),
+        (put("grazings", [["1.0", "slip", "x", "0.0"]]), "unknown configuration 'slip'"),
+        (put("grazings", [["1.0", 1, "x", "0.0"]]), "the header holds something else than texts"),
+        (parameter("chi", 0.4), "the header holds something else than texts"),
+        (parameter("chi", "1.5"), "chi"),
+        (parameter("chi", "1/0"), "chi: "),
+        (parameter("kappa", "1"), "unknown parameter 'kappa'"),
+        (cell("configurations", 1, "slide"), "unknown configuration 'slide'"),
+        (cell("boundaries", 0, "first-reaches-belt"), "its first row is no start"),
+        (cell("boundaries", 2, "x"), "'x'"),
+        (cell("boundaries", 2, ""), "unknown boundary"),
+        (cell("times", 0, 1.0), "its times do not increase from 0"),
+        (cell("times", 3, 0.5), "its times do not increase from 0"),
+        (cell("times", 3, np.nan), "its times do not increase from 0"),
+    ],
+)
+def test_wrong_content_is_refused(change: Change, part: str, path: Path) -> None:
+    friction().save(path)
+    header, arrays = parts(path)
+    change(header, arrays)
+    write(path, header, arrays)
+    assert part in refusal(path)
+
+
+def test_missing_entries_are_refused(path: Path) -> None:
+    friction().save(path)
+    header, arrays = parts(path)
+    for name in header:
+        fewer = {n: entry for n, entry in header.items() if n != name}
+        if name in ("sha256", "states", "format", "version"):
+            continue
+        write(path, fewer, arrays)
+        assert refusal(path) == f"{name!r} is missing"
+
+
+@pytest.mark.parametrize("wrong", ["shape", "kind", "fewer", "more"])
+def test_arrays_that_do_not_fit(wrong: str, tmp_path: Path) -> None:
+    path = tmp_path / "motion.npz"
+    friction().save(path)
+    header, arrays = parts(path)
+    if wrong == "shape":
+        arrays["before"] = arrays["before"][:, :3]
+    elif wrong == "kind":
+        arrays["states"] = arrays["states"].astype(str)
+    elif wrong == "fewer":
+        del arrays["before"]
+    else:
+        arrays["after"] = arrays["before"]
+    np.savez(path, header=np.array(json.dumps(header)), **arrays)
+    kinds = {"shape": "'before' is not an array", "kind": "'states' is not an array"}
+    assert kinds.get(wrong, "not a saved motion") in refusal(path)
+
+
+@pytest.mark.parametrize("name", ["friction", "contact", "elastic", "impacts"])
+def test_another_derivation_is_accepted_where_the_motion_is_the_same(name: str, path: Path) -> None:
+    before = others()[name]
+    before.save(path)
+    header, arrays = parts(path)
+    header["derivation"] = "0" * 16
+    write(path, header, arrays)
+    assert np.array_equal(nonsmooth.load_trajectory(path).states, before.states)
+    arrays["before"][-1, 0] += 1e-5  # the flow leads elsewhere
+    write(path, header, arrays)
+    assert f"not a motion of {before.name} as it is installed (its derivation 0000" in refusal(path)
+    header, arrays = parts(path)
+    arrays["before"][-1, 0] -= 1e-5
+    arrays["states"][-1, 1] += 1e-5  # the reset leads elsewhere
+    write(path, header, arrays)
+    assert "not a motion of" in refusal(path)
+
+
+# --- writing
+
+
+def test_wrong_targets(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"motion\.txt does not end in \.npz or \.csv"):
+        friction().save(tmp_path / "motion.txt")
+    with pytest.raises(InputError, match=r"motion\.txt does not end in \.npz or \.csv"):
+        nonsmooth.load_trajectory(tmp_path / "motion.txt")
+    with pytest.raises(InputError, match=r"cannot write .*there is no folder"):
+        friction().save(tmp_path / "missing" / "motion.csv")
+    with pytest.raises(InputError, match=r"motion\.npz: cannot be read: no such file"):
+        nonsmooth.load_trajectory(tmp_path / "motion.npz")
+
+
+def test_what_was_there_stays_when_writing_fails(
+    path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    friction().save(path)
+    content = path.read_bytes()
+
+    def fail(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", fail)
+    with pytest.raises(InputError, match="no space left on device"):
+        others()["impacts"].save(path)
+    assert path.read_bytes() == content
+    assert os.listdir(path.parent) == [path.name]

@@ -1,0 +1,407 @@
+"""Motions as a user asks for them: one or many, from any start, evaluated at any time."""
+
+import math
+import sys
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from nonsmooth.runtime.core.errors import InputError, MissingExtra
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
+
+FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.8"}
+ELASTIC = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 10}
+CASES = {
+    "dry-friction": (FRICTION, [0.5, -0.3, 0.2, 0.1]),
+    "rigid-stop": (STOP, [0.0, 0.5, 1.0, 0.0]),
+    "elastic-stop": (ELASTIC, [0.0, 0.0, 2.0, 0.0]),
+}
+
+needs_engine = pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
+
+
+def flowed(system, configuration, time, state):
+    """The state after a time in one configuration, by the matrix exponential."""
+    field = system.fields[configuration]
+    generator = np.vstack([field, np.zeros(field.shape[1])])
+    return (expm(generator * time) @ np.append(state, 1.0))[:-1]
+
+
+# --- one motion
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_entry_is_the_one_before_it_flowed_and_reset(name):
+    data, start = CASES[name]
+    motion = simulate(name, data, start, transitions=25)
+    assert motion.status is Status.TRANSITIONS
+    assert motion.transitions == 25
+    assert motion.boundaries[0] == ()
+    np.testing.assert_array_equal(motion.states[0], start)
+    for i in range(25):
+        where, dwell = int(motion.run.configurations[i]), motion.times[i + 1] - motion.times[i]
+        arrived = flowed(motion.system, where, dwell, motion.states[i])
+        np.testing.assert_allclose(motion.before[i + 1], arrived, rtol=0, atol=1e-12)
+        for boundary in motion.boundaries[i + 1]:
+            shape = motion.structure.boundaries[where][motion.structure.boundary(where, boundary)]
+            row = motion.system.rows[shape.row]
+            assert abs(row[:-1] @ motion.before[i + 1] + row[-1]) < 1e-12
+        # a reset changes velocities at most
+        np.testing.assert_allclose(motion.states[i + 1][:2], arrived[:2], rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_motion_between_the_transitions(name):
+    data, start = CASES[name]
+    motion = simulate(name, data, start, until=20)
+    times = np.random.default_rng(3).uniform(0, 20, (7, 5))
+    states, where = motion(times), motion.configuration(times)
+    assert states.shape == (7, 5, 4)
+    assert where.shape == (7, 5)
+    for place in np.ndindex(times.shape):
+        phase = int(np.searchsorted(motion.times, times[place], side="right")) - 1
+        index = int(motion.run.configurations[phase])
+        since = times[place] - motion.times[phase]
+        wanted = flowed(motion.system, index, since, motion.states[phase])
+        np.testing.assert_allclose(states[place], wanted, rtol=0, atol=1e-12)
+        assert where[place] == motion.structure.configurations[index]
+
+
+def test_at_a_transition_the_state_is_the_one_behind_it():
+    data, start = CASES["rigid-stop"]
+    motion = simulate("rigid-stop", data, start, transitions=6)
+    np.testing.assert_allclose(motion(motion.times), motion.states, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(motion.states[1:, 2], -0.8 * motion.before[1:, 2], rtol=1e-15)
+    just = np.nextafter(motion.times[1:], 0)
+    np.testing.assert_allclose(motion(just), motion.before[1:], rtol=0, atol=1e-13)
+    assert motion.configuration(0.0) == "free"
+    assert motion(2.0).shape == (4,)
+    assert motion([]).shape == (0, 4)
+    assert motion(motion.end).shape == (4,)
+
+
+def test_a_motion_is_the_sum_of_its_parts():
+    data, start = CASES["dry-friction"]
+    whole = simulate("dry-friction", data, start, until=30)
+    first = simulate("dry-friction", data, start, until=12)
+    again = simulate("dry-friction", data, first(12.0), str(first.configuration(12.0)), until=18)
+    np.testing.assert_allclose(again(18.0), whole(30.0), rtol=0, atol=1e-11)
+    assert first.configurations + again.configurations[1:] == whole.configurations
+
+
+def test_the_order_of_the_names_does_not_matter():
+    data, start = CASES["dry-friction"]
+    named = dict(zip(("x1", "x2", "v1", "v2"), start, strict=True))
+    turned = dict(reversed(named.items()))
+    one, other = (simulate("dry-friction", data, s, transitions=9) for s in (start, turned))
+    np.testing.assert_array_equal(one.states, other.states)
+    texts = {"x1": "1/2", "x2": "-0.3", "v1": "0.2", "v2": "sqrt(0.01)"}
+    assert simulate("dry-friction", data, texts, transitions=9).boundaries == one.boundaries
+
+
+def test_what_is_not_hit_keeps_its_energy_and_waits():
+    motion = simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=1e3)
+    assert motion.status is Status.UNTIL
+    assert motion.end == 1e3
+    assert motion.transitions == 0
+    quiet = simulate("rigid-stop", STOP, [0, 0, 0.1, 0], transitions=1)
+    assert quiet.status is Status.QUIET
+    assert "no boundary" in quiet.message
+    x1, x2, v1, v2 = motion(np.linspace(0, 1e3, 50)).T
+    energy = v1**2 / 2 + v2**2 + (x1 - x2) ** 2 / 2 + 2.5 * x2**2
+    np.testing.assert_allclose(energy, 0.005, rtol=1e-11)
+
+
+@pytest.mark.parametrize("name", CASES)
+@needs_engine
+def test_both_engines_follow_one_motion(name, monkeypatch):
+    data, start = CASES[name]
+    found = []
+    for backend in ("c", "numpy"):
+        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+        found.append(simulate(name, data, start, transitions=30))
+    assert found[0].configurations == found[1].configurations
+    assert found[0].boundaries == found[1].boundaries
+    np.testing.assert_allclose(found[0].times, found[1].times, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(found[0].states, found[1].states, rtol=0, atol=1e-10)
+
+
+def test_a_sample_has_every_transition_twice():
+    data, start = CASES["rigid-stop"]
+    motion = simulate("rigid-stop", data, start, until=15)
+    times, states = motion.sample(300)
+    assert (np.diff(times) >= 0).all()
+    assert times[[0, -1]].tolist() == [0, 15]
+    assert 250 < len(times) < 300 + 3 * motion.transitions + 5
+    for time, before, after in zip(
+        motion.times[1:], motion.before[1:], motion.states[1:], strict=True
+    ):
+        here = states[times == time]
+        np.testing.assert_array_equal(here[0], before)
+        np.testing.assert_allclose(here[-1], after, rtol=0, atol=1e-14)
+    for wrong in (0, True, 2.5):
+        with pytest.raises(InputError, match="points"):
+            motion.sample(wrong)
+
+
+def test_as_a_dataset():
+    pytest.importorskip("xarray")
+    data, start = CASES["dry-friction"]
+    motion = simulate("dry-friction", data, start, transitions=8)
+    dataset = motion.to_xarray()
+    assert dict(dataset.sizes) == {"transition": 9, "state": 4}
+    np.testing.assert_array_equal(dataset["after"].sel(state="v2"), motion.states[:, 3])
+    np.testing.assert_array_equal(dataset["time"], motion.times)
+    assert tuple(dataset["configuration"].values) == motion.configurations
+    assert dataset["boundaries"].values[1] == "+".join(motion.boundaries[1])
+    assert dataset.attrs["status"] == "transitions"
+    assert dataset.attrs["parameters"]["ur1"] == "4.0195"
+
+
+def test_without_xarray_the_extra_is_named(monkeypatch):
+    motion = simulate("dry-friction", *CASES["dry-friction"], transitions=1)
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    with pytest.raises(MissingExtra, match=r"nonsmooth\[chart\]"):
+        motion.to_xarray()
+
+
+@pytest.mark.parametrize("wrong", [-1e-9, 20.5, math.nan, math.inf, None, [0, math.nan]])
+def test_no_state_beyond_the_ends(wrong):
+    motion = simulate("dry-friction", *CASES["dry-friction"], until=20)
+    for ask in (motion, motion.configuration):
+        with pytest.raises(InputError, match="between 0 and the end"):
+            ask(wrong)
+
+
+@pytest.mark.parametrize("wrong", ["soon", 1j, [[1], [2, 3]]])
+def test_times_are_real_numbers(wrong):
+    motion = simulate("dry-friction", *CASES["dry-friction"], until=20)
+    with pytest.raises(InputError, match="real numbers"):
+        motion(wrong)
+
+
+# --- where it starts
+
+
+@pytest.mark.parametrize(
+    ("state", "name"),
+    [
+        ([0, 0, 0, 0], "slip-slip"),
+        ([0, 0, 2, 2], "overshoot-overshoot"),
+        ([0, 0, 1, 1], "stick-stick"),
+        ([0, 0, 1, 0], "stick-slip"),
+        ([0, 0, 0, 1], "slip-stick"),
+        ([5, 0, 1, 0], "slip-slip"),  # f1 = 5 > ur1 = 4.0195
+        ([-5, 0, 1, 0], "overshoot-slip"),
+        ([0, 4, 1, 1], "stick-slip"),  # f2 = 2 > ur2 = 1.4831
+        ([0, -4, 1, 1], "stick-overshoot"),
+        ([2, -1, 1, 1], "stick-overshoot"),  # f2 = -1.5
+    ],
+)
+def test_friction_at_the_belts_velocity_follows_the_rules(state, name):
+    chi, limits = 0.5, (4.0195, 1.4831)
+    forces = (state[0] - chi * state[1], chi * (state[1] - state[0]))
+    regimes = []
+    for velocity, force, limit in zip(state[2:], forces, limits, strict=True):
+        if velocity != 1:
+            regimes.append("slip" if velocity < 1 else "overshoot")
+        elif abs(force) < limit:
+            regimes.append("stick")
+        else:
+            regimes.append("slip" if force > 0 else "overshoot")
+    wanted = "-".join(regimes)
+    found = simulate("dry-friction", FRICTION, state, transitions=1)
+    assert found.configurations[0] == wanted == name
+
+
+def test_a_wanted_configuration_is_checked():
+    motion = simulate("dry-friction", FRICTION, [0, 0, 1, 1], "stick-stick", transitions=1)
+    assert motion.configurations[0] == "stick-stick"
+    with pytest.raises(InputError, match="does not belong to stick-stick: v1 - 1 is -1 there"):
+        simulate("dry-friction", FRICTION, [0, 0, 0, 1], "stick-stick", transitions=1)
+    with pytest.raises(InputError, match="beyond second-breaks-forward"):
+        simulate("dry-friction", FRICTION, [0, 4, 1, 1], "stick-stick", transitions=1)
+    with pytest.raises(InputError, match=r"belongs to no configuration .*first-reaches-stop"):
+        simulate("rigid-stop", STOP, [1.5, 0, 0, 0], transitions=1)
+
+
+def test_a_mass_that_leans_on_the_stop_is_in_contact():
+    leaning = simulate("rigid-stop", STOP, [1, 2, 0, 0], until=3)
+    assert leaning.configurations[0] == "contact"
+    pulled = simulate("rigid-stop", STOP, [1, 0, 0, 0], until=3)
+    assert pulled.configurations[0] == "free"
+    assert pulled.transitions == 0 or pulled.times[1] > 0.1
+    arriving = simulate("rigid-stop", STOP, [1, 0, 1, 0], transitions=1)
+    assert arriving.times[1] == 0
+    assert arriving.states[1][2] == pytest.approx(-0.8)
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"system": "dry-frictoin"}, "did you mean 'dry-friction'"),
+        ({"parameters": {}}, "needs a value for: chi"),
+        ({"parameters": FRICTION | {"mu": 1}}, "unknown parameter 'mu'"),
+        ({"parameters": FRICTION | {"us1": 5}}, "does not hold"),
+        ({"parameters": FRICTION | {"eta": -1}}, "eta = -1"),
+        ({"parameters": FRICTION | {"eta": math.nan}}, "eta"),
+        ({"state": [0, 0, 0]}, "3 values"),
+        ({"state": 5}, "no row of values"),
+        ({"state": None}, "no row of values"),
+        ({"state": {"x1": 0}}, "needs a value for: x2, v1, v2"),
+        ({"state": {"z1": 0}}, "unknown state 'z1'"),
+        ({"state": [0, 0, 0, math.nan]}, "v2"),
+        ({"state": [0, 0, 0, np.float64("inf")]}, "v2 is inf"),
+        ({"state": [0, 0, 0, 1j]}, "v2"),
+        ({"configuration": "stick"}, "unknown configuration 'stick'"),
+        ({"configuration": 3}, "unknown configuration '3'"),
+        ({"transitions": 0}, "transitions = 0"),
+        ({"transitions": 2.0}, "transitions = 2.0"),
+        ({"transitions": True}, "transitions = True"),
+        ({"transitions": None}, "nothing ends the motion"),
+        ({"until": 0}, "until = 0.0 is not a positive time"),
+        ({"until": -1}, "until = -1.0"),
+        ({"until": math.nan}, "until = nan"),
+        ({"until": "soon"}, "until"),
+        ({"until": None}, "until"),
+        ({"until": [1, 2]}, "until"),
+    ],
+)
+def test_bad_input(changes, match):
+    arguments = {
+        "system": "dry-friction",
+        "parameters": FRICTION,
+        "state": [0, 0, 0, 0],
+        "transitions": 3,
+    }
+    with pytest.raises(InputError, match=match):
+        simulate(**(arguments | changes))
+
+
+# --- many motions
+
+
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def test_many_are_the_single_ones(backend, monkeypatch):
+    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+    starts = np.random.default_rng(5).uniform(-2, 2, (3, 1, 4))
+    velocities = np.array([0.9, 1.1])
+    many = simulate_many(
+        "dry-friction", FRICTION | {"V": velocities}, starts, transitions=12, keep=5, threads=2
+    )
+    assert many.states.shape == (3, 2, 4)
+    assert many.last_states.shape == (3, 2, 5, 4)
+    for i, j in np.ndindex(3, 2):
+        one = simulate(
+            "dry-friction", FRICTION | {"V": velocities[j]}, starts[i, 0], transitions=12
+        )
+        assert many.status[i, j] == Status.TRANSITIONS
+        assert many.transitions[i, j] == 12
+        assert many.times[i, j] == pytest.approx(one.end, abs=1e-11)
+        np.testing.assert_allclose(many.states[i, j], one.states[-1], rtol=0, atol=1e-10)
+        np.testing.assert_allclose(many.last_times[i, j], one.times[-5:], rtol=0, atol=1e-10)
+        np.testing.assert_allclose(many.last_states[i, j], one.states[-5:], rtol=0, atol=1e-10)
+        np.testing.assert_array_equal(many.last_configurations[i, j], one.run.configurations[-5:])
+        np.testing.assert_array_equal(many.last_sets[i, j], one.run.sets[-5:])
+
+
+@pytest.mark.parametrize("keep", [0, 1, 3, 40])
+def test_kept_entries_are_the_last_ones_in_their_order(keep):
+    start = CASES["dry-friction"][1]
+    many = simulate_many("dry-friction", FRICTION, start, transitions=10, keep=keep)
+    one = simulate("dry-friction", FRICTION, start, transitions=10)
+    assert many.last_times.shape == (keep,)
+    kept = min(keep, 11)
+    np.testing.assert_array_equal(many.last_times[keep - kept :], one.times[11 - kept :])
+    assert np.isnan(many.last_times[: keep - kept]).all()
+    assert (many.last_configurations[: keep - kept] == -1).all()
+
+
+def test_each_motion_has_its_own_end():
+    start = CASES["dry-friction"][1]
+    until = np.array([1.0, 7.5, 20.0])
+    many = simulate_many("dry-friction", FRICTION, start, until=until)
+    whole = simulate("dry-friction", FRICTION, start, until=20)
+    assert many.status.tolist() == [Status.UNTIL] * 3
+    np.testing.assert_array_equal(many.times, until)
+    np.testing.assert_allclose(many.states, whole(until), rtol=0, atol=1e-12)
+
+
+def test_what_belongs_nowhere_has_a_status_of_its_own():
+    starts = [[0, 0, 1, 0], [2, 0, 0, 0], [0, math.nan, 0, 0]]
+    many = simulate_many("rigid-stop", STOP, starts, transitions=3, keep=2)
+    assert many.status.tolist() == [Status.TRANSITIONS, -1, -1]
+    assert np.isnan(many.states[1:]).all()
+    assert (many.configurations[1:] == -1).all()
+    lost = simulate_many("dry-friction", FRICTION | {"V": [-1, 1]}, [0] * 4, transitions=3)
+    assert lost.status.tolist() == [-1, Status.TRANSITIONS]
+    stuck = simulate_many(
+        "dry-friction", FRICTION, [[0, 0, 1, 1], [0, 0, 0, 1]], "stick-stick", transitions=1
+    )
+    assert stuck.status.tolist() == [Status.TRANSITIONS, -1]
+    none = simulate_many("dry-friction", FRICTION, np.zeros((0, 4)), transitions=3, keep=2)
+    assert none.last_states.shape == (0, 2, 4)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("threads", [1, 3])
+def test_threads_change_nothing(threads):
+    starts = np.random.default_rng(8).uniform(-3, 3, (300, 4))
+    found = simulate_many("dry-friction", FRICTION, starts, transitions=20, threads=threads)
+    wanted = simulate_many("dry-friction", FRICTION, starts, transitions=20)
+    np.testing.assert_array_equal(found.states, wanted.states)
+    np.testing.assert_array_equal(found.times, wanted.times)
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"states": "abc"}, "states"),
+        ({"states": {"x1": 0}}, "states"),
+        ({"states": [[0, 0, 0, 0], [1, 2]]}, "states"),
+        ({"states": np.zeros((2, 4), complex)}, "states"),
+        ({"states": np.zeros((2, 3))}, "not 4 long"),
+        ({"states": 0.0}, "not 4 long"),
+        ({"until": "soon"}, "until"),
+        ({"until": [1, -1]}, "until = -1.0"),
+        ({"until": [1, math.nan]}, "until = nan"),
+        ({"until": [1, 2, 3]}, "broadcast"),
+        ({"transitions": None}, "nothing ends the motion"),
+        # one of the two would never end
+        ({"transitions": None, "until": [1, math.inf]}, "nothing ends the motion"),
+        ({"transitions": 0}, "transitions = 0"),
+        ({"keep": -1}, "keep = -1"),
+        ({"threads": 0}, "threads = 0"),
+        ({"configurations": "slip"}, "unknown configuration"),
+        ({"parameters": FRICTION | {"V": "fast"}}, "V"),
+        ({"parameters": FRICTION | {"V": [1, 2, 3]}}, "broadcast"),
+    ],
+)
+def test_bad_input_of_many(changes, match):
+    arguments = {
+        "system": "dry-friction",
+        "parameters": FRICTION,
+        "states": np.zeros((2, 4)),
+        "transitions": 3,
+    }
+    with pytest.raises(InputError, match=match):
+        simulate_many(**(arguments | changes))
+
+
+def test_counts_beyond_any_integer_are_no_limit():
+    start = CASES["dry-friction"][1]
+    many = simulate_many("dry-friction", FRICTION, start, until=5, transitions=10**30)
+    one = simulate("dry-friction", FRICTION, start, until=5, transitions=10**30)
+    np.testing.assert_allclose(many.states, one(5.0), rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def test_a_state_too_large_to_compute_with_ends_the_motion(backend, monkeypatch):
+    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    motion = simulate("rigid-stop", data, [-1e160, 0, 0, 0], transitions=3)
+    assert (motion.status.name, motion.transitions) == ("OVERFLOW", 0)
