@@ -269,7 +269,11 @@ def test_stops_at_one_instant_are_ambiguous_without_a_law(reverse: bool) -> None
     assert motion.end == pytest.approx(1.0)
     assert motion.options == ("free-free",)
     assert motion.run.options == second.options
-    assert motion.message.endswith("free-free")
+    assert motion.open_at == ("a-reaches-stop", "b-reaches-stop")[:: -1 if reverse else 1]
+    assert motion.run.open_at == second.open_at
+    assert motion.message.endswith(
+        f"orders in which {' and '.join(motion.open_at)} act do not agree"
+    )
 
 
 STRUCK = """
@@ -288,6 +292,7 @@ def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path
     again = ns.load_trajectory(tmp_path / f"motion.{ending}")
     assert again.status == Status.AMBIGUOUS
     assert again.options == motion.options == ("free-free",)
+    assert again.message == motion.message
     other = replace(motion.run, status=Status.UNTIL)
     replace(motion, run=other).save(tmp_path / f"other.{ending}")
     with pytest.raises(InputError, match="it holds options, though it ended as 'until'"):
