@@ -367,3 +367,20 @@ def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path)
     refused(lambda d: d["law"]["contacts"][0].update(static=d["law"]["contacts"][1]["static"]))
     refused(lambda d: d["law"].update(limits=d["law"]["arrivals"]))
     refused(lambda d: d["law"].pop("free"))
+
+
+def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path: Path) -> None:
+    file = tmp_path / "sliding.py"
+    file.write_text(SLIDING)
+    motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
+    itinerary, dwell, start = itinerary_of(motion)
+    whole = ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist())
+    count = len(itinerary) // 2
+    turned = {name: f"-{name}" for name in ("x1", "x2", "v1", "v2", "c1", "s1")}
+    half = ns.compose(
+        str(file), {}, itinerary[:count], dwell.tolist()[:count], start.tolist(), symmetry=turned
+    )
+    assert half.itinerary == whole.itinerary
+    assert half.admissibility.verdict is True
+    np.testing.assert_allclose(half.states, whole.states, atol=1e-12)
+    assert set(ns.certify(half).claims.values()) == {"proved"}
