@@ -384,3 +384,34 @@ def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path
     assert half.admissibility.verdict is True
     np.testing.assert_allclose(half.states, whole.states, atol=1e-12)
     assert set(ns.certify(half).claims.values()) == {"proved"}
+
+
+CRAWLING = (
+    SLIDING.replace('[[1, 0], [0, "1/2"]]', "sp.Matrix([[1, -1], [-1, 1]]) / 2")
+    .replace('[["1/10", 0], [0, "1/10"]]', "sp.Matrix([[1, -1], [-1, 1]]) / 10")
+    .replace('{"x1": 1, "x2": "3/10"}', '{"x1": 2, "x2": -1}')
+)
+
+
+def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "crawling.py"
+    file.write_text(CRAWLING)
+    motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
+    itinerary, dwell, start = itinerary_of(motion)
+    proof = ns.certify(ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist()))
+    assert set(proof.claims.values()) == {"proved"}
+    proof.save(tmp_path / "proof.json")
+    content = json.loads((tmp_path / "proof.json").read_text())
+    assert content["closing"]["translations"] == [["1", "1", "0", "0", "0", "0"]]
+    check(content)
+    law = content["declaration"]["law"]
+    rows = [c[name] for c in law["contacts"] for name in ("static", "kinetic", "slipping")]
+    reasons = []
+    for row in (*rows, *(row for free in law["free"].values() for row in free)):
+        kept, row[0] = row[0], "1/100"  # it depends on where the lower block is
+        content["sha256"] = checksum_of(content)
+        with pytest.raises(Failure) as refused:
+            check(content)
+        reasons.append(str(refused.value))
+        row[0] = kept
+    assert "no translation of the system" in reasons  # of a limit that no condition has

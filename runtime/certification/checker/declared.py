@@ -140,6 +140,7 @@ class Declared:
             )
             for entry in declared["transitions"]
         ]
+        self.lawful: list[Any] = []
         if "law" in declared and self.rational:
             self._lawful(declared)
         self.itinerary = declared["phases"]
@@ -203,6 +204,7 @@ class Declared:
         """Transitions with steps are those of the contact law."""
         try:
             law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
+            self.lawful = law.rows
             for place, entry in enumerate(declared["transitions"]):
                 if "steps" in entry:
                     own = self.transitions[place]
@@ -283,7 +285,7 @@ class Declared:
 
         Behind the last phase the state is moved along it until its first coordinate is zero.
         """
-        rows = [row for field in self.fields.values() for row in field]
+        rows = [*self.lawful, *(row for field in self.fields.values() for row in field)]
         for boundaries, held in self.configurations.values():
             rows += [*boundaries.values(), *held]
         for transition in self.transitions:
