@@ -20,6 +20,7 @@ from nonsmooth.runtime.validation.enclosures import (
 )
 from nonsmooth.runtime.validation.facts import Facts, evaluate
 from nonsmooth.runtime.validation.first_crossing import first_crossing
+from nonsmooth.runtime.validation.lawful import lawful
 from nonsmooth.runtime.validation.proof import Enclosure, Proof, exactly
 from nonsmooth.runtime.values import flint_precision
 
@@ -189,14 +190,19 @@ class _Motion:
                 and facts.agree(exact.resets[other.reset], exact.resets[first.reset])
                 for other in found
             ):
-                told = f"the orders in which {self._names(reached, ' and ')} act need not agree"
-                raise Undecided(told, digits=False)
+                both = self._names(reached, " and ")
+                raise Undecided(f"the orders in which {both} act need not agree", digits=False)
             assert first is not None
             return first.target, first.reset
-        if structure.law is not None:
-            told = f"what the contact law says at {self._names(reached)}: motions do not ask it yet"
-            raise Undecided(told, digits=False)
-        raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
+        names = [structure.boundaries[self.configuration][b].name for b in reached]
+        law = structure.law
+        event = None if law is None else law.event(self.configuration, names)
+        if event is None:
+            raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
+        told = lawful(self.system, self.configuration, event, facts, state)
+        if told is None:
+            raise Undecided(f"what the contact law says at {self._names(reached)}")
+        return told
 
     def _first(
         self,
