@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.certification.admissibility import Judgement, Margin, judge
@@ -38,6 +39,7 @@ from nonsmooth.runtime.certification.subject import (
     system_of,
 )
 from nonsmooth.runtime.certification.tables import Tables, exact_tables
+from nonsmooth.runtime.certification.vanishing import vanishing_along
 from nonsmooth.runtime.composition.record import ComposedOrbit
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.orbit import Orbit
@@ -116,6 +118,12 @@ def certify(
         begin("stability")
         stability = stability_of(subject, tables, closing, known, root)
         begin("admissibility")
+        if known is not None and any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
+            start = root.passage.starts[0].entries()[:-1]
+            dwell = root.equations.dwell(root.contraction.image)
+            zero = vanishing_along(tables, subject.cycle, shifts, start, dwell)
+            closing = replace(closing, vanishing=zero)
+            known = known_of(tables, subject.cycle, shifts, zero)
         judgement = _admissible(subject, tables, shifts, known, root, work)
         return _certificate(subject, tables, closing, bits, root, stability, judgement)
 
