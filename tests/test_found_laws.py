@@ -423,3 +423,51 @@ def test_a_motion_without_contact_is_proved_and_checked(tmp_path):
     assert ns.check_certificate(tmp_path / "proof.json").claims == certificate.claims
     beyond = ns.compose(stopped(), data | {"gap": "0.1"}, phases, [2 * np.pi / 2.6])
     assert ns.certify(beyond).claims["admissibility"] == "refuted"
+
+
+def test_impacts_that_follow_each_other_ever_faster_come_back_with_the_forcing():
+    """A hundred impacts in a period, until the mass rests at the stop: no cycle is short."""
+    data = {"zeta": "0.1392", "Omega": "0.4243", "gap": "-0.0716", "r": "0.7297"}
+    period = 2 * np.pi / 0.4243
+    found = find_orbits(stopped(), data, 6, transitions=600)
+    kernels, points = kernels_of(stopped()), {name: float(text) for name, text in data.items()}
+    motions = simulate_many(kernels, points, found.starts, transitions=600, keep=129)
+    told = settled(kernels, points, motions)
+    assert set(told.outcomes.tolist()) == {PERIODIC}
+    np.testing.assert_allclose(told.periods, period, rtol=1e-12)
+    for start, length in zip(found.starts[:2], told.lengths.tolist(), strict=False):
+        motion = ns.simulate(stopped(), data, start, until=8 * period)
+        begin, end = motion(5.3 * period), motion(6.3 * period)
+        np.testing.assert_allclose(begin, end, atol=1e-7)
+        inside = (motion.times > 5.3 * period) & (motion.times < 6.3 * period)
+        assert abs(int(inside.sum()) - length) < 3  # rounding ends it sooner or later
+    assert set(found.outcomes) <= {Outcome.UNCLASSIFIED}  # no orbit, but no chaos either
+
+
+@pytest.mark.parametrize(
+    ("build", "data"),
+    [
+        (stopped, {"zeta": 0.05, "Omega": 2.8, "gap": 0, "r": 0.8}),
+        (stopped, {"zeta": 0.02, "Omega": 2.6, "gap": 0.4, "r": 0.8}),
+        (stopped, {"zeta": -0.05, "Omega": 2.6, "gap": 0.4, "r": 0.95}),
+        (between, {"Omega": 1.4, "gap": 0.6, "r": 0.7}),
+        (rubbing, {"mu": 0.4, "F": 1.5, "w1": 0.9}),
+        (on_belt, {"mu": 0.5, "c": -0.02, "V": 3}),
+        (on_belt, {"mu": 0.5, "c": 0.2, "V": 0}),
+    ],
+)
+def test_one_motion_is_told_as_many_are(build, data):
+    """Charts and sweeps name what a search names, with the orbits that it solves."""
+    found = find_orbits(build(), data, 8, transitions=400)
+    kernels = kernels_of(build())
+    motions = simulate_many(kernels, data, found.starts, transitions=400, keep=129)
+    for label, outcome in zip(
+        found.labels.tolist(), settled(kernels, data, motions).outcomes.tolist(), strict=True
+    ):
+        if label >= len(found.orbits):
+            assert outcome == EQUILIBRIUM
+        elif label >= 0:
+            alone = found.orbits[label].orbit.cycle.uninterrupted
+            assert outcome == (UNINTERRUPTED if alone else PERIODIC)
+        else:
+            assert outcome == label

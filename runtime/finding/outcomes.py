@@ -15,6 +15,7 @@ from nonsmooth.runtime.finding.primitive import admissible, orbit_scale
 from nonsmooth.runtime.finding.recurrence import scales_of
 from nonsmooth.runtime.finding.steady import Equilibrium, equilibria, forcing_turns, responses
 from nonsmooth.runtime.finding.stretching import Stretching, stretching
+from nonsmooth.runtime.finding.stroboscope import stroboscopic_returns
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.newton import SINGULAR
 from nonsmooth.runtime.simulation.piecewise import PiecewiseLinear
@@ -121,6 +122,9 @@ class Attractors:
             systems = [self.system] * len(places)
             pursued = pursue(self.kernels, systems, motions.at(places), threads)
             later = self.labels(pursued.motions)
+            returns = stroboscopic_returns(self.kernels, systems, pursued.motions, threads)
+            known = pursued.undecided | (returns.lengths > 0)  # as orbits that were not solved
+            pursued = pursued._replace(undecided=known)
             found[places] = pursued_outcomes(self.kernels, systems, pursued, later, threads)
         return found
 

@@ -18,6 +18,7 @@ from nonsmooth.runtime.finding.outcomes import (
     pursued_outcomes,
 )
 from nonsmooth.runtime.finding.recurrence import recurrent_lengths
+from nonsmooth.runtime.finding.stroboscope import stroboscopic_returns
 from nonsmooth.runtime.kernels import SystemKernels
 from nonsmooth.runtime.simulation.piecewise import (
     PiecewiseLinear,
@@ -81,6 +82,10 @@ def settled(
         here = list(compress(systems, goes_on))
         pursued = pursue(kernels, here, flat.at(going), threads)
         later = _arrived(kernels, here, pursued.motions)
+        returns = stroboscopic_returns(kernels, here, pursued.motions, threads)
+        back = (later.outcomes == Outcome.UNCLASSIFIED) & (returns.lengths > 0)
+        later.outcomes[back] = PERIODIC
+        later.lengths[back], later.periods[back] = returns.lengths[back], returns.periods[back]
         told = pursued_outcomes(kernels, here, pursued, later.outcomes, threads)
         _put(found, going, later._replace(outcomes=told))
     return Settled(*(array.reshape(shape) for array in found))
