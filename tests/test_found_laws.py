@@ -471,3 +471,30 @@ def test_one_motion_is_told_as_many_are(build, data):
             assert outcome == (UNINTERRUPTED if alone else PERIODIC)
         else:
             assert outcome == label
+
+
+def test_what_moves_beside_a_mass_that_sticks_anywhere_is_one_of_a_family():
+    w, mu = Parameter("w", "frequency"), Parameter("mu", "friction")
+    system = oscillator(
+        "beside",
+        ["x", "y"],
+        mass=sp.eye(2),
+        stiffness=[[3, -2], [-2, 3]],
+        damping=sp.eye(2) / 10,
+        forcing=[Harmonic(w.symbol, cosine=[1, 0])],
+        elements=[Friction("y", mu.symbol, name="ground")],
+        parameters=[w, mu],
+    )
+    data = {"w": "0.6", "mu": 2}
+    found = find_orbits(system, data, 10, transitions=200)
+    assert found.share(Outcome.FAMILY) == 1
+    times = 100 + 2 * np.pi / 0.6 * np.arange(2)
+    ends = np.array([ns.simulate(system, data, s, until=150)(times) for s in found.starts])
+    np.testing.assert_allclose(ends[:, 1, :4], ends[:, 0, :4], atol=0.02)  # e^(-t/20)
+    np.testing.assert_allclose(ends[:, :, 3], 0, atol=1e-14)
+    assert np.ptp(ends[:, 0, 1]) > 0.1
+    # the first mass moves as it does with the other one fixed
+    gain = abs(1 / (3 - 0.6**2 + 0.06j))
+    waves = [ns.simulate(system, data, s, until=311)(np.linspace(300, 310.5, 400))[:, 0]
+             for s in found.starts[:2]]  # fmt: skip
+    np.testing.assert_allclose([np.ptp(wave) / 2 for wave in waves], gain, rtol=1e-3)

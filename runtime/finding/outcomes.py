@@ -61,7 +61,7 @@ _TEXTS = {
     Outcome.UNCLASSIFIED: "not classified",
     Outcome.RESTING: "came to rest",
     Outcome.ILLEGAL: "in no configuration",
-    Outcome.FAMILY: "one of an undamped family",
+    Outcome.FAMILY: "one of a family of motions",
     Outcome.INCOMMENSURATE: "quasi-periodic, as the forcings have no common period",
     Outcome.QUASIPERIODIC: "quasi-periodic",
     Outcome.CHAOTIC: "chaotic",
@@ -290,7 +290,10 @@ def quiet_outcomes(
     staying = Outcome.UNCLASSIFIED
     if forcing_turns(system) is None:
         staying = Outcome.INCOMMENSURATE
-    elif response is not None and response.status == SINGULAR:
+    elif response is not None and (
+        response.status == SINGULAR
+        or (not response.converged and _rests_anywhere(system, configuration, own))
+    ):
         staying = Outcome.FAMILY
     labels = np.where(drifts, int(Outcome.DRIFTING), int(Outcome.RESTING))
     labels[moving] = staying
@@ -299,3 +302,11 @@ def quiet_outcomes(
     labels[free] = Outcome.FAMILY
     labels[grows] = Outcome.DIVERGENT
     return labels
+
+
+def _rests_anywhere(system: PiecewiseLinear, configuration: int, own: list[int]) -> bool:
+    """Whether a configuration holds a part where it is, as a mass that sticks, at any place."""
+    normals = system.rows[list(system.structure.constraints[configuration])]
+    rows = np.concatenate([system.fields[configuration][own], normals])[:, own]
+    values = np.linalg.svd(rows, compute_uv=False)
+    return bool(values[-1] <= _NOTHING * values[0])
