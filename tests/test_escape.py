@@ -142,3 +142,17 @@ def test_the_natural_size_is_that_of_boundaries_and_responses():
     assert size == pytest.approx(7)
     size = natural_size(piecewise(kernels, {"zeta": 0.01, "gap": 7, "r": 0.5, "w": 1}))
     assert size == pytest.approx(1 / 0.02)
+
+
+def test_two_masses_that_escape_far_keep_their_forcing():
+    """Modes are found in numbers; a forcing that rounding of large states moved is none."""
+    kernels = kernels_of(shaken(2, ("stop",)))
+    data = {"zeta": -0.03, "w": 1.3, "gap": 0.1, "r": 1, "k": 0.5}
+    system = piecewise(kernels, data)
+    for flows in system.flows:
+        assert not flows[:, 4:][:, :, [0, 1, 2, 3, 6]].any()
+    starts = np.array([[-1, -2, 0, 0, 1, 0], [1, -3, 1, 0, 0, 1.0]]) * [1e3, 1e3, 1, 1, 1, 1]
+    far = simulate_many(kernels, data, starts, transitions=1500)
+    assert np.abs(far.states[:, :4]).max(axis=1).min() > 1e9
+    np.testing.assert_allclose(np.hypot(*far.states[:, 4:].T), 1, rtol=1e-9)
+    assert (outcomes_from(kernels, data, starts, 1500) == Outcome.DIVERGENT).all()
