@@ -100,12 +100,15 @@ def _numeric_modes(content: bytes, size: int) -> NumericModes:
         cluster._replace(terms=[units[:, None] * term / units for term in cluster.terms or ()])
         for cluster in _decomposed(scaled, units)
     ]
+    # zero exactly, and not but for rounding, where a state, as of a forcing, does not depend on
+    # another one: modes are polynomials in the matrix
+    depends = np.linalg.matrix_power((whole != 0) | np.eye(size + 1, dtype=bool), size)[:size]
     exponents, flows, shapes = [], [], []
     for cluster in found:
         assert cluster.terms is not None
         oscillates = cluster.centre.imag > 0
         for k, term in enumerate(cluster.terms):
-            part = term[:size] / math.factorial(k)
+            part = np.where(depends, term[:size], 0.0) / math.factorial(k)
             flows += [2 * part.real, -2 * part.imag] if oscillates else [part.real]
         exponents.append((cluster.centre.real, cluster.centre.imag))
         shapes.append((len(cluster.terms), oscillates))
