@@ -8,18 +8,13 @@ import pytest
 
 from nonsmooth.runtime.errors import InputError
 from nonsmooth.runtime.simulation.exponential import exponential
+from nonsmooth.runtime.simulation.functions import functions_at
 from nonsmooth.runtime.simulation.modes import NumericModes, numeric_modes
 
 
 def summed(modes: NumericModes, t: float) -> np.ndarray:
     """Flow (N, N + 1) after a time."""
-    functions = []
-    for shape, (rate, frequency) in zip(modes.shapes, modes.exponents, strict=True):
-        for power in range(shape.length):
-            factor = t**power * np.exp(rate * t)
-            functions.append(factor * np.cos(frequency * t))
-            if shape.oscillates:
-                functions.append(factor * np.sin(frequency * t))
+    functions = functions_at(modes.shapes, modes.exponents, t)
     return np.tensordot(np.array(functions), modes.flows, axes=1)
 
 

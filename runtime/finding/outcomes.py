@@ -34,6 +34,7 @@ __all__ = [
 _ARRIVED = 1e-3  # how near to an attractor a motion has to end, relative to its size
 _NOTHING = 1e-9  # of a state's size: a part of a motion that is none
 _SLOW = 1e-12  # rate of a motion that neither decays nor grows, in units of the fastest
+_ROUNDED = 1e-7  # exponent that rounding makes of zero, beside a drift, in the same units
 _EQUAL = 1e-9  # relative difference of a frequency from the forcing's
 _CERTAIN = 3.0  # standard errors of an exponent
 
@@ -272,10 +273,14 @@ def quiet_outcomes(
     sizes = np.maximum(parts.max(axis=1), _NOTHING * parts.max(axis=(0, 1)))
     shifted, present = ((part > _NOTHING * sizes[:, None]).any(axis=2) for part in (parts, within))
     exponents = system.exponents[configuration]
-    slow = _SLOW * float(np.abs(exponents).max(initial=0.0))
+    fastest = float(np.abs(exponents).max(initial=0.0))
+    slow = _SLOW * fastest
     speeds = np.abs([system.fields[0, s, c] for c, s in structure.forcing])
     moving, free, grows, drifts = np.zeros((4, len(states)), dtype=bool)
     for mode, (rate, frequency) in zip(structure.shapes[configuration], exponents, strict=True):
+        if mode.joined and abs(rate) + frequency <= _ROUNDED * fastest:
+            drifts |= shifted[:, list(mode.places)].any(axis=1)
+            continue
         if rate < -slow:
             continue
         lowest = 2 if mode.oscillates else 1  # functions without a power of time

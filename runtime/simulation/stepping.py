@@ -221,7 +221,7 @@ def _start(
     found.
     """
     value, following = dot(boundary.orders[0], state), dot(boundary.orders[1], state)
-    rounding = UNIT * sum(s[0] for s in function.sizes)
+    rounding = function.taylor(1)[1][0]
     if not zero and abs(value) > rounding + error * abs(following):
         return Start(1, None, True) if value > 0 else Start(-1, None)
     count = len(boundary.values)
