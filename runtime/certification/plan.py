@@ -100,7 +100,7 @@ class Plan(NamedTuple):
     watched : tuple of Watched
     orders : tuple of tuple of Follower
         For each order in which stops may act that are reached together, what may follow, up to
-        the last that is wanted; one where they need no order.
+        the last that is wanted; one where they need no order, none where nothing is reached.
     """
 
     place: int
@@ -192,6 +192,7 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
         tuple(
             _followers(tables, cycle, place, order, ends)
             for order in structure.orders(configuration, wanted.boundaries) or (0,)
+            if wanted.boundaries  # a motion that reaches nothing goes on
         ),
     )
 
