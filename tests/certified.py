@@ -24,7 +24,7 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "rooted"]
+__all__ = ["FORCED", "forced", "kicked", "loop", "rooted", "struck", "struck_together"]
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -126,3 +126,25 @@ def forced(name: str) -> ComposedOrbit:
     motion = ns.simulate(kernels, {}, start, until=600.0)
     found = ns.itinerary_of(motion)
     return ns.compose(kernels, {}, found.itinerary, found.dwell_times, found.start)
+
+
+@cache
+def struck(law: str | None = None) -> SystemKernels:
+    """Two masses, each with a stop, which the mass matrix couples by c."""
+    c = Parameter("c", "coupling through the mass matrix", lower="-1/2", upper="1/2")
+    system = oscillator(
+        f"struck-{law}" if law else "struck", ["x1", "x2"], [[1, c.symbol], [c.symbol, 1]],
+        sp.eye(2), sp.eye(2) / 10, forcing=[Harmonic("4/5", {"x1": 3, "x2": 3})],
+        elements=[RigidStop("x1", 1, "1/2", name="a"), RigidStop("x2", 1, "1/2", name="b")],
+        parameters=(c,), simultaneous_impacts=law,
+    )  # fmt: skip
+    return load_system(system)
+
+
+@cache
+def struck_together(law: str | None = None, coupling: str = "0") -> ComposedOrbit:
+    """Its symmetric orbit, in which both masses are struck at one instant."""
+    kernels, given = struck(law), {"c": coupling}
+    motion = ns.simulate(kernels, given, [0, 0, 0.1, 0.1, 1, 0], transitions=200)
+    found = ns.itinerary_of(motion)
+    return ns.compose(kernels, given, found.itinerary, found.dwell_times, found.start)

@@ -6,8 +6,6 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-from declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
-
 from nonsmooth.derive.document.blocks import Document
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.equations import EquationSystem, derive_equations
@@ -16,6 +14,7 @@ from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.system import System
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.loading.declared import declaration_in
+from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
 from tests.latex_reader import ORBITS, Written, written_of
 from tests.places import GALLERY
 

@@ -36,6 +36,12 @@ class ContactLaw:
         symmetric = not any(x - y for x, y in pairs)
         demand(symmetric and len(turned) == len(self.names), "no coupling of contacts")
 
+    @property
+    def rows(self) -> list[Any]:
+        """All functions of the state that the law is told."""
+        limits = [row for own in self.limits for row in own.values()]
+        return [*limits, *chain.from_iterable(self.free.values())]
+
     def check(self, entry: dict[str, Any], conditions: list[tuple[Any, str, bool]]) -> int:
         """A transition is one of the law; how many conditions are of steps before the last."""
         before, behind = (self.configurations[entry[key]] for key in ("source", "target"))

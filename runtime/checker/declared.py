@@ -8,6 +8,7 @@ carry a last entry 1, so that every affine map is one matrix and every affine fu
 import json
 from collections.abc import Mapping
 from functools import cached_property
+from math import factorial
 from typing import Any, NamedTuple
 
 from flint import fmpq
@@ -25,7 +26,7 @@ from nonsmooth.runtime.checker.exact import (
 )
 from nonsmooth.runtime.core.rational_functions import Quotient
 
-__all__ = ["Declared", "Phase", "Step", "Transition", "Watched", "gauge_of"]
+__all__ = ["Declared", "Phase", "Step", "Transition", "Watched", "Way", "gauge_of"]
 
 _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
 
@@ -37,7 +38,20 @@ class Transition(NamedTuple):
     conditions: list[tuple[Any, str, bool]]
     reset: Any
     target: str
+    order: int = 0  # of those in which stops may act that are reached together; 0 is in all
     early: int | None = None  # conditions of a law's steps before the last; None: it is listed
+
+
+class Way(NamedTuple):
+    """A transition that may follow: conditions by their rows, None where zero.
+
+    Whether it leads where the itinerary does; whether a law's steps are decided by their own
+    functions.
+    """
+
+    conditions: list[tuple[Any, bool]]
+    wanted: bool
+    decided: bool
 
 
 class Step(NamedTuple):
@@ -74,14 +88,15 @@ class Watched(NamedTuple):
 class Phase(NamedTuple):
     """What has to hold in a phase.
 
-    Rows that vanish where it begins; boundaries; transitions up to the itinerary's, which is the
-    last: whether a row's sign, None where that is zero, is positive. Of a law's transition, and
-    whether its steps are decided by their own functions and its reset moves nothing.
+    Rows that vanish where it begins; boundaries; for each order in which stops may act what may
+    follow, of which the first whose conditions hold has to be wanted. Whether what contradicts
+    that leaves it open, as a law or several orders do, and whether a law's steps are decided and
+    its reset moves nothing.
     """
 
     held: list[Any]
     watched: list[Watched]
-    ways: list[list[tuple[Any, bool]]]
+    orders: list[list[Way]]
     lawful: bool
     decided: bool
 
@@ -121,9 +136,11 @@ class Declared:
                 [(self.row(row), along, holds) for row, along, holds in entry["conditions"]],
                 [*self.rows(entry["reset"]), (*zero, fmpq(1))],
                 entry["target"],
+                entry.get("order", 0),
             )
             for entry in declared["transitions"]
         ]
+        self.lawful: list[Any] = []
         if "law" in declared and self.rational:
             self._lawful(declared)
         self.itinerary = declared["phases"]
@@ -187,6 +204,7 @@ class Declared:
         """Transitions with steps are those of the contact law."""
         try:
             law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
+            self.lawful = law.rows
             for place, entry in enumerate(declared["transitions"]):
                 if "steps" in entry:
                     own = self.transitions[place]
@@ -267,7 +285,7 @@ class Declared:
 
         Behind the last phase the state is moved along it until its first coordinate is zero.
         """
-        rows = [row for field in self.fields.values() for row in field]
+        rows = [*self.lawful, *(row for field in self.fields.values() for row in field)]
         for boundaries, held in self.configurations.values():
             rows += [*boundaries.values(), *held]
         for transition in self.transitions:
@@ -307,10 +325,13 @@ class Declared:
     @cached_property
     def known(self) -> list[tuple[Any, Any, Any]]:
         """Facts where each phase begins, those of them that last, and where it ends."""
+        return self._from([])
+
+    def _from(self, facts: list[Any]) -> list[tuple[Any, Any, Any]]:
+        """The same where some are known to be true where the cycle begins."""
         found: list[tuple[Any, Any, Any]] = []
-        facts: list[Any] = []
         count = -1
-        while len(facts) > count:  # from nothing, till nothing is added
+        while len(facts) > count:  # till nothing is added
             found, count = [], len(facts)
             for step in self.steps:
                 kept = self.exactly.lasting(facts, step.field)
@@ -321,11 +342,11 @@ class Declared:
                 )
         return found
 
-    @cached_property
-    def phases(self) -> list[Phase]:
-        """What has to hold in each phase."""
+    def phases(self, vanishing: list[Any]) -> list[Phase]:
+        """What has to hold in each phase of an orbit where some functions vanish at its start."""
         demand(self.rational, "the declaration is not exact")
-        return [self._phase(place, *facts) for place, facts in enumerate(self.known)]
+        facts = self._from(vanishing) if vanishing else self.known
+        return [self._phase(place, *each) for place, each in enumerate(facts)]
 
     @cached_property
     def section(self) -> tuple[int, list[int], list[Any]]:
@@ -361,25 +382,46 @@ class Declared:
             ends = reduced(row, end), reduced(rate, end)
             watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
         own = [boundaries[name] for name in ending if name != _FORCING_PHASE]
-        ways: list[Any] = [[]] if ending == [_FORCING_PHASE] else []
-        decided = True
-        for other in self.transitions:
-            if other.begins == step.taken.begins:
-                found = [
-                    (*leading(row, self.fields[along], end, int(row in own)), holds)
-                    for row, along, holds in other.conditions
-                ]
-                early = other.early or 0
-                decided &= all(not order and row is not None for order, row, _ in found[:early])
-                ways.append([(row, holds) for _, row, holds in found])
-                if other is step.taken:
-                    break
+        listed = [t for t in self.transitions if t.begins == step.taken.begins]
+        numbers = sorted({t.order for t in listed if t.order})
+        if numbers:  # so many stops act in so many orders
+            full = any(len(numbers) == factorial(n) for n in range(2, len(ending) + 1))
+            demand(full and numbers == [*range(1, len(numbers) + 1)], "an order is missing")
+        orders = [self._ways(step.taken, listed, number, own, end) for number in numbers or (0,)]
+        if ending == [_FORCING_PHASE]:
+            orders = [[Way([], True, True)]]
+        decided = all(way.decided for ways in orders for way in ways)
         if step.taken.early is not None:  # what begins to hold is in its place already
             for k, row in enumerate(step.taken.reset):
                 moved = tuple(x - int(j == k) for j, x in enumerate(row))
                 decided &= not any(reduced(moved, end))
-        lawful = any(t.early is not None for t in self.transitions if t.begins == step.taken.begins)
-        return Phase([reduced(row, begin) for row in held], watched, ways, lawful, decided)
+        lawful = bool(numbers) or any(t.early is not None for t in listed)
+        return Phase([reduced(row, begin) for row in held], watched, orders, lawful, decided)
+
+    def _ways(
+        self, taken: Transition, listed: list[Transition], number: int, own: list[Any], end: Any
+    ) -> list[Way]:
+        """What may follow in one order in which stops act: up to the one that is taken, if alone.
+
+        Of several orders each has to lead where the transition leads that is taken.
+        """
+        found = []
+        for other in listed:
+            if other.order not in (0, number):
+                continue
+            behind = [
+                (*leading(row, self.fields[along], end, int(row in own)), holds)
+                for row, along, holds in other.conditions
+            ]
+            pairs = zip(other.reset, taken.reset, strict=True)
+            apart = [tuple(x - y for x, y in zip(*rows, strict=True)) for rows in pairs]
+            alike = other.target == taken.target and not any(any(reduced(r, end)) for r in apart)
+            decided = all(not k and row is not None for k, row, _ in behind[: other.early or 0])
+            conditions = [(row, holds) for _, row, holds in behind]
+            found.append(Way(conditions, alike if number else other is taken, decided))
+            if other is taken and not number:
+                break
+        return found
 
 
 def gauge_of(direction: Any) -> int:

@@ -123,12 +123,13 @@ def _event(orbit: Orbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any
     demand(type(place) is int and 1 <= place <= len(declared.steps), "there is no such phase")
     place -= 1
     demand([event["configuration"]] == [declared.steps[place].name], "another configuration")
-    phase, end = declared.phases[place], orbit.now.ends[place].entries()
+    phase, end = declared.phases([])[place], orbit.now.ends[place].entries()
     if kind in ("vanishing-phase", "condition"):
         demand(event["boundary"] == event["itinerary"][place][1], "the phase ends otherwise")
         if kind == "vanishing-phase":
             return [orbit.dwell[place]]
-        rows = [row for way in phase.ways for row, _ in way if row is not None]
+        ways = [way for ways in phase.orders for way in ways]
+        rows = [row for way in ways for row, _ in way.conditions if row is not None]
         demand(rows, "the transition has no condition")
         found = [orbit.value(row, end) for row in rows]
         return [min(found, key=lambda value: abs(float(middle_of(value))))]

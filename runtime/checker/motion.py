@@ -9,9 +9,10 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.declared import Phase, Watched
+from nonsmooth.runtime.checker.declared import Phase, Watched, Way
 from nonsmooth.runtime.checker.exact import demand, exact
 from nonsmooth.runtime.checker.orbit import Orbit, lower
+from nonsmooth.runtime.checker.vanishing import vanishing
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
 __all__ = ["admissibility"]
@@ -31,7 +32,7 @@ def admissibility(orbit: Orbit, margins: list[Any]) -> str:
         there = there and margin["configuration"] == orbit.declared.steps[place].name
         demand(there, "a margin is stated of another phase")
     demand(all(m > 0 for m in stated.values()), "a margin is not positive")
-    phases = enumerate(orbit.declared.phases)
+    phases = enumerate(orbit.declared.phases(vanishing(orbit)))
     found = [sign for place, phase in phases for sign in _phase(orbit, place, phase, stated)]
     if 1 in found:
         return "refuted"
@@ -78,17 +79,24 @@ def _phase(orbit: Orbit, place: int, phase: Phase, stated: dict[Any, Any]) -> li
 
 
 def _follows(orbit: Orbit, phase: Phase, last: Any) -> int | None:
-    """Whether the itinerary's transition is the first whose conditions hold."""
-    *earlier, taken = (
-        [_holds(orbit, row, last, expected) for row, expected in conditions]
-        for conditions in phase.ways
-    )
+    """Whether in every order the first transition whose conditions hold is the itinerary's."""
     if not phase.decided:
         return None
-    if False in taken or any(all(conditions) for conditions in earlier):
+    found = [_first(orbit, ways, last) for ways in phase.orders]
+    if 1 in found:
         return None if phase.lawful else 1
-    sure = all(taken) and all(False in conditions for conditions in earlier)
-    return -1 if sure else None
+    return None if None in found else -1
+
+
+def _first(orbit: Orbit, ways: list[Way], last: Any) -> int | None:
+    """-1 if the first way whose conditions hold is wanted, 1 if it is not, None if unknown."""
+    for way in ways:
+        held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
+        if all(held):
+            return -1 if way.wanted else 1
+        if False not in held:
+            return None
+    return 1
 
 
 def _holds(orbit: Orbit, row: Any, last: Any, expected: bool) -> bool | None:

@@ -44,6 +44,7 @@ _TRANSITION = {
     "reset": [_ROW],
     "target": str,
 }
+_ORDER = {"order": int}
 _STEPS = {"steps": [{"kinetic": [str], "regimes": [str]}]}
 _LAW = {
     "contacts": [
@@ -68,7 +69,9 @@ _DECLARATION = {
     "start": [str],
     "forcing": [(int, int)],
     "configurations": Named({"field": [_ROW], "boundaries": Named(_ROW), "held": [_ROW]}),
-    "transitions": [Either((_TRANSITION, {**_TRANSITION, **_STEPS}))],
+    "transitions": [
+        Either((_TRANSITION, {**_TRANSITION, **_ORDER}, {**_TRANSITION, **_STEPS})),
+    ],
     "phases": [
         {"configuration": str, "boundaries": [str], "transition": int, "dwell_time": str},
     ],
@@ -86,6 +89,7 @@ _CLOSINGS = (
 )
 _UP_TO_SHIFT = {"translations": [[NUMBER]]}
 _CLOSING = Either((*_CLOSINGS, *({**closing, **_UP_TO_SHIFT} for closing in _CLOSINGS)))
+_ALONG_ONE = {"vanishing": [[NUMBER]]}
 _CLAIMS = {"existence": _VERDICT, "admissibility": _VERDICT, "stability": _VERDICT}
 _FILE = {"format": str, "version": int, "package": str, "sha256": str}
 _ORBIT = {
@@ -111,6 +115,9 @@ CERTIFICATE = {
     **_FILE,
     **_STATEMENT,
     **_JUDGED,
+    "closing": Either(
+        ({}, _CLOSING, *({**closing, **_ALONG_ONE} for closing in _CLOSING.shapes)),
+    ),
     "given_period": str,
     "bits": int,
     "multipliers": [{"re": _BALL, "im": _BALL}],

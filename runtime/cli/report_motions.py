@@ -36,6 +36,7 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
         "status": motion.status.name.lower(),
         "message": motion.message,
         "options": list(motion.options),
+        "open_at": list(motion.open_at),
         "grazings": [
             {
                 "time": repr(g.time),

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "chain.h"
 #include "least_squares.h"
 #include "support.h"
 
@@ -49,6 +50,40 @@ static point point_of(const layout *l, const double *numbers)
     return found;
 }
 
+/* Modes of the chain that begins at a mode, 0 if none does. */
+static inline int chain_from(const layout *l, int m, int end)
+{
+    int next = m + 1;
+    while (next < end && l->mode_joined[next])
+        ++next;
+    return next > m + 1 || l->mode_paired[m] ? next - m : 0;
+}
+
+/* Add the functions of a chain times their matrices; gives what follows those. */
+static const double *add_chain(int size, const layout *l, const point *at, int first, int count,
+                               double time, const double *part, double *flow)
+{
+    mode modes[MOST_POLES];
+    double functions[MOST_FUNCTIONS];
+    int function = 0;
+    for (int i = 0; i < count; ++i) {
+        const int m = first + i;
+        modes[i] = (mode){.rate = at->exponents[2 * m],
+                          .frequency = at->exponents[2 * m + 1],
+                          .length = l->mode_length[m],
+                          .oscillates = l->mode_oscillates[m],
+                          .first = function,
+                          .joined = l->mode_joined[m],
+                          .paired = l->mode_paired[m]};
+        function += modes[i].length << modes[i].oscillates;
+    }
+    chain_functions(modes, count, time, functions);
+    for (int f = 0; f < function; ++f, part += size)
+        for (int i = 0; i < size; ++i)
+            flow[i] += functions[f] * part[i];
+    return part;
+}
+
 /* flow (n, n + 1) of a configuration at a time: matrix and constant. */
 INLINED void flow_at(int n, const layout *l, const point *at, int c, double time, double *flow)
 {
@@ -57,6 +92,12 @@ INLINED void flow_at(int n, const layout *l, const point *at, int c, double time
     for (int i = 0; i < size; ++i)
         flow[i] = 0.0;
     for (int m = l->mode_start[c]; m < l->mode_start[c + 1]; ++m) {
+        const int chain = chain_from(l, m, l->mode_start[c + 1]);
+        if (chain > 0) {
+            part = add_chain(size, l, at, m, chain, time, part, flow);
+            m += chain - 1;
+            continue;
+        }
         const double rate = at->exponents[2 * m], frequency = at->exponents[2 * m + 1];
         double power = rate == 0.0 ? 1.0 : exp(rate * time);
         double sine = 0.0, cosine = 1.0;

@@ -83,7 +83,7 @@ flow(const configuration *c, const int n, const double *functions, double *state
         }
     }
     const int simple = c->uniform && c->mode[0].length <= 2; /* only t can pass 1 */
-    if (largest > 1.0 && !simple) { /* each function counts by itself: one may be huge */
+    if ((largest > 1.0 || c->chained) && !simple) { /* each function counts by itself: one may be huge */
         for (int i = 0; i < n; ++i)
             magnitude[i] = 0.0;
         row = c->flow;

@@ -27,6 +27,11 @@ void phase_functions(const configuration *c, double time, double *functions)
 {
     for (int i = 0; i < c->modes; ++i) {
         const mode *m = &c->mode[i];
+        if (m->chain > 0) {
+            chain_functions(m, m->chain, time, functions);
+            i += m->chain - 1;
+            continue;
+        }
         double cosine = 1.0, sine = 0.0;
         if (m->oscillates)
             turn(m->frequency, time, &sine, &cosine);

@@ -367,7 +367,7 @@ crossing phase_search(phase *p, double window)
     for (long cell = 0; time < window; ++cell) {
         double next = c->polynomial >= 0 ? time + h : (cell + 1) * h;
         const double from = time;
-        if (next >= window || (cell + 1) % FRESH == 0 || c->polynomial >= 0) {
+        if (next >= window || (cell + 1) % FRESH == 0 || c->polynomial >= 0 || c->chained) {
             next = next < window ? next : window;
             phase_functions(c, next, functions);
             for (int i = 0; i < c->modes; ++i) {

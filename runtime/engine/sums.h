@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "chain.h"
 #include "phase.h"
 
 /* Errors in units of eps times the size of what is summed: of a value, of a sample that was
@@ -29,6 +30,21 @@ static inline void spread(const mode *m, double time, double cosine, double sine
     }
 }
 
+/* What a joined mode adds to the derivative's coefficients of the mode in front of it. */
+static inline void differentiate_joined(const mode *m, const double *from, double *to)
+{
+    const mode *before = m - 1;
+    const int first = before->first, last = first + (before->length << before->oscillates) - 1;
+    double factorial = 1.0;
+    for (int k = 2; k < before->length; ++k)
+        factorial *= k;
+    if (before->oscillates && !before->paired) {
+        to[first] += from[m->first];
+        to[last] += from[m->first + 1];
+    } else
+        to[last] += from[m->first] / factorial;
+}
+
 /* Coefficients of the derivative. */
 static inline void differentiate(const configuration *c, const double *from, double *to)
 {
@@ -45,6 +61,13 @@ static inline void differentiate(const configuration *c, const double *from, dou
             } else
                 to[f] = m->rate * cosine + above;
         }
+        if (m->paired) {
+            const int f = m->first;
+            to[f] = m->rate * from[f] + from[f + 1];
+            to[f + 1] = m->rate * from[f + 1] - m->frequency * m->frequency * from[f];
+        }
+        if (m->joined)
+            differentiate_joined(m, from, to);
     }
 }
 
@@ -64,6 +87,13 @@ static inline void differentiate_sizes(const configuration *c, const double *fro
                     to[f + part] += frequency * from[f + 1 - part];
             }
         }
+        if (m->paired) {
+            const int f = m->first;
+            to[f] = rate * from[f] + from[f + 1];
+            to[f + 1] = rate * from[f + 1] + frequency * frequency * from[f];
+        }
+        if (m->joined)
+            differentiate_joined(m, from, to);
     }
 }
 
@@ -72,7 +102,8 @@ static inline double at_start(const configuration *c, const double *coefficients
 {
     double sum = 0.0;
     for (int i = 0; i < c->modes; ++i)
-        sum += coefficients[c->mode[i].first];
+        if (!c->mode[i].joined)
+            sum += coefficients[c->mode[i].first];
     return sum;
 }
 
@@ -82,6 +113,15 @@ static inline double bound_on(const configuration *c, const double *coefficients
     double sum = 0.0;
     for (int i = 0; i < c->modes; ++i) {
         const mode *m = &c->mode[i];
+        if (m->chain > 0) {
+            double bounds[MOST_FUNCTIONS];
+            chain_bounds(m, m->chain, from, to, bounds);
+            i += m->chain - 1;
+            const mode *last = &c->mode[i];
+            for (int f = m->first; f < last->first + (last->length << last->oscillates); ++f)
+                sum += coefficients[f] != 0.0 ? fabs(coefficients[f]) * bounds[f] : 0.0;
+            continue;
+        }
         double part = 0.0, power = 1.0;
         for (int k = 0, f = m->first; k < m->length; ++k, f += 1 + m->oscillates, power *= to)
             part += power * (m->oscillates ? hypot(coefficients[f], coefficients[f + 1])

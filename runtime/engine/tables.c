@@ -1,5 +1,7 @@
 #include "tables.h"
 
+#include "chain.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +32,18 @@ static const int32_t *take_starts(const int32_t **from, size_t *left, int owners
     return found;
 }
 
+/* Whether a mode of a chain is one that goes on from the one in front of it. */
+static int goes_on(const layout *l, int m, int first)
+{
+    const int single = l->mode_length[m] == 1;
+    if (l->mode_paired[m] && !(single && l->mode_oscillates[m]))
+        return 0;
+    if (!l->mode_joined[m])
+        return single || !l->mode_oscillates[m];
+    const int complex_before = !first && l->mode_oscillates[m - 1] && !l->mode_paired[m - 1];
+    return !first && single && (!complex_before || (l->mode_oscillates[m] && !l->mode_paired[m]));
+}
+
 int layout_read(layout *r, const int32_t *integers, size_t count)
 {
     const int32_t *at = integers;
@@ -56,6 +70,8 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
         (r->mode_start = take_starts(&at, &left, owners, r->modes, MOST_MODES)) &&
         (r->mode_length = take(&at, &left, r->modes, 1, MOST_FUNCTIONS)) &&
         (r->mode_oscillates = take(&at, &left, r->modes, 0, 1)) &&
+        (r->mode_joined = take(&at, &left, r->modes, 0, 1)) &&
+        (r->mode_paired = take(&at, &left, r->modes, 0, 1)) &&
         (r->function_start = take_starts(&at, &left, owners, r->functions, MOST_FUNCTIONS)) &&
         (r->boundary_start = take_starts(&at, &left, owners, r->boundaries, MOST_BOUNDARIES)) &&
         (r->boundary_row = take(&at, &left, r->boundaries, 0, r->rows - 1)) &&
@@ -72,9 +88,16 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
     if (!whole)
         return -1;
     for (int c = 0; c < owners; ++c) {
-        int functions = 0;
-        for (int m = r->mode_start[c]; m < r->mode_start[c + 1]; ++m)
+        int functions = 0, poles = 0;
+        for (int m = r->mode_start[c]; m < r->mode_start[c + 1]; ++m) {
             functions += r->mode_length[m] << r->mode_oscillates[m];
+            if (!r->mode_joined[m] && !r->mode_paired[m] &&
+                (m + 1 == r->mode_start[c + 1] || !r->mode_joined[m + 1]))
+                continue;
+            poles = (r->mode_joined[m] ? poles : 0) + r->mode_length[m] + r->mode_paired[m];
+            if (poles > MOST_POLES || !goes_on(r, m, m == r->mode_start[c]))
+                return -1;
+        }
         if (functions != r->function_start[c + 1] - r->function_start[c] || functions < 1 ||
             r->mode_oscillates[r->mode_start[c]])
             return -1;
@@ -140,6 +163,7 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
     int function = 0, lengths = 0;
     c->fastest = c->slowest = c->growth = 0.0;
     c->uniform = c->harmonic = 1;
+    c->chained = 0;
     for (int m = 0; m < c->modes; ++m) {
         mode *one = &modes[m];
         one->rate = exponents[2 * m];
@@ -156,7 +180,14 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
             c->uniform = 0;
         if (one->rate != 0.0 || one->length > (m > 0 ? 1 : 2))
             c->harmonic = 0;
+        int end = m + 1;
+        while (end < c->modes && modes[end].joined)
+            ++end;
+        one->chain = !one->joined && (end > m + 1 || one->paired) ? end - m : 0;
+        c->chained |= one->chain > 0;
     }
+    if (c->chained)
+        c->uniform = c->harmonic = 0;
     c->mode = modes;
     c->polynomial = c->modes == 1 ? lengths - 1 : -1;
     /* the fourth derivative of a cubic vanishes, whatever the time */
@@ -213,9 +244,11 @@ void tables_fill(tables *tables, const double *numbers)
         c->functions = l->function_start[i + 1] - l->function_start[i];
         c->boundaries = l->boundary_start[i + 1] - l->boundary_start[i];
         for (int m = 0; m < c->modes; ++m) {
-            tables->mode[l->mode_start[i] + m].length = l->mode_length[l->mode_start[i] + m];
-            tables->mode[l->mode_start[i] + m].oscillates =
-                l->mode_oscillates[l->mode_start[i] + m];
+            const int at = l->mode_start[i] + m;
+            tables->mode[at].length = l->mode_length[at];
+            tables->mode[at].oscillates = l->mode_oscillates[at];
+            tables->mode[at].joined = l->mode_joined[at];
+            tables->mode[at].paired = l->mode_paired[at];
         }
         fill_modes(c, tables->mode + l->mode_start[i], exponents + 2 * l->mode_start[i]);
         c->flow = flows + (size_t)l->function_start[i] * n * columns;

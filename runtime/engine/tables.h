@@ -3,7 +3,8 @@
  *
  * The flow of a configuration is y(t) = sum_f phi_f(t) (B_f y(0) + beta_f). The functions phi_f
  * come mode by mode: t^k e^(st) cos(wt), then t^k e^(st) sin(wt) where the mode oscillates, for
- * k = 0, ..., length - 1. The first mode of a configuration is 1, t, ...: s = w = 0. */
+ * k = 0, ..., length - 1. The first mode of a configuration is 1, t, ...: s = w = 0. Modes that are
+ * joined to the one in front of them, or paired, are those of chain.h. */
 #ifndef NONSMOOTH_TABLES_H
 #define NONSMOOTH_TABLES_H
 
@@ -21,6 +22,7 @@ enum {
 typedef struct {
     int states, configurations, rows, resets, modes, functions, boundaries, transitions, pairs;
     const int32_t *mode_start, *mode_length, *mode_oscillates, *function_start; /* configurations */
+    const int32_t *mode_joined, *mode_paired;
     const int32_t *boundary_start, *boundary_row, *boundary_reached;
     const int32_t *transition_start, *transition_set, *transition_target, *transition_reset;
     const int32_t *condition_start, *condition_pair, *condition_holds; /* of transitions */
@@ -32,6 +34,8 @@ typedef struct {
     double rate, frequency;
     double cell_cosine, cell_sine; /* e^(sh) cos(wh), e^(sh) sin(wh): one cell further */
     int length, oscillates, first; /* first function, counted from that of the configuration */
+    int joined, paired;            /* of a chain */
+    int chain;                     /* modes of the chain that begins here, 0 for none */
 } mode;
 
 /* Per configuration. */
@@ -39,6 +43,7 @@ typedef struct {
     int modes, functions, boundaries;
     int uniform;    /* derivatives are bounded by their amplitudes at every later time */
     int harmonic;   /* nothing but 1, t, cosines and sines */
+    int chained;    /* some modes are a chain */
     int polynomial; /* largest power of t where there is no other function, else -1 */
     double fastest, slowest; /* largest |exponent|, smallest that is not zero */
     double growth;  /* largest real exponent, 0 if none is positive */

@@ -89,6 +89,7 @@ class Start(NamedTuple):
     def of(cls, function: QuasiPolynomial) -> Start:
         """Judge by the first derivative that is nonzero beyond its error."""
         enough = sum(2 * len(p) for p in function.polynomials)
+        enough += sum(len(chain.coefficients) for chain in function.chains)
         values, errors = function.taylor(max(ORDERS, enough))
         for order in range(enough):
             if abs(values[order]) > errors[order]:

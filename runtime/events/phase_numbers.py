@@ -10,7 +10,8 @@ import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import ORDERS
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial, wave
+from nonsmooth.runtime.model.quasi_polynomials import Chain, QuasiPolynomial, wave
+from nonsmooth.runtime.model.time_functions import chains, function_bounds, functions_at
 
 __all__ = ["BoundaryTable", "Clock", "ConfigurationTable", "Row", "dot", "orders", "rows_of"]
 
@@ -66,10 +67,13 @@ class ConfigurationTable:
             (complex(*map(float, exponent)), mode)
             for exponent, mode in zip(system.exponents[index], shape.shapes[index], strict=True)
         ]
+        self.exponents = system.exponents[index]
+        self.chains = list(chains(shape.shapes[index]))
         speeds = [abs(exponent) for exponent, _ in self.modes]
         self.fastest, self.slowest = max(speeds), min(filter(None, speeds), default=0.0)
         self.growth = max(0.0, *(exponent.real for exponent, _ in self.modes))
         self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
+        self.bounded = self.bounded and not any(chain for _, _, chain in self.chains)
         self.boundaries = [
             BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
         ]
@@ -84,9 +88,16 @@ class ConfigurationTable:
         """A boundary function in time, from an extended state and its absolute values."""
         values = [dot(row, state) for row in boundary.values]
         sizes = [dot(row, size) for row in boundary.sizes]
-        exponents, polynomials, weights = [], [], []
-        for exponent, mode in self.modes:
+        exponents, polynomials, weights, joined = [], [], [], []
+        for first, end, chain in self.chains:
+            exponent, mode = self.modes[first]
             places = mode.places
+            if chain:
+                shapes = tuple(shape for _, shape in self.modes[first:end])
+                every = [place for shape in shapes for place in shape.places]
+                own, size_ = (np.array([part[k] for k in every]) for part in (values, sizes))
+                joined.append(Chain(shapes, self.exponents[first:end], own, size_))
+                continue
             if mode.oscillates:
                 pairs = list(zip(places[::2], places[1::2], strict=True))
                 polynomial = [complex(values[a], -values[b]) for a, b in pairs]
@@ -101,7 +112,7 @@ class ConfigurationTable:
                 exponents.append(exponent)
                 polynomials.append(tuple(polynomial))
                 weights.append(tuple(weight))
-        return QuasiPolynomial(tuple(exponents), tuple(polynomials), tuple(weights))
+        return QuasiPolynomial(tuple(exponents), tuple(polynomials), tuple(weights), tuple(joined))
 
     def after(self, state: list[float], t: float) -> list[float]:
         """The extended state a time t later."""
@@ -128,7 +139,8 @@ class ConfigurationTable:
     def _factors(self, t: float, changes: bool = False) -> list[tuple[float, float, int]]:
         """Values of the functions of time, or their changes since 0, with weights and places."""
         found = []
-        for exponent, mode in self.modes:
+        for first, end, chain in self.chains:
+            exponent, mode = self.modes[first]
             growth, power = math.exp(exponent.real * t), 1.0
             turn = wave(exponent, t)
             change = turn
@@ -136,6 +148,21 @@ class ConfigurationTable:
                 half = math.sin(exponent.imag * t / 2)
                 decay = math.expm1(exponent.real * t)
                 change = complex(decay * turn.real / growth - 2 * half * half, turn.imag)
+            if chain:
+                shapes = [shape for _, shape in self.modes[first:end]]
+                values, bounds = (
+                    list(map(float, part))
+                    for part in (
+                        functions_at(shapes, self.exponents[first:end], t),
+                        function_bounds(shapes, self.exponents[first:end], t, t),
+                    )
+                )
+                values[0] = change.real
+                if mode.oscillates and not mode.paired:
+                    values[1] = change.imag
+                begin = mode.places[0]
+                found += list(zip(values, bounds, range(begin, begin + len(values)), strict=True))
+                continue
             step = 2 if mode.oscillates else 1
             for place in mode.places[::step]:
                 found.append((power * change.real, power * growth, place))

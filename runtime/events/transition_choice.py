@@ -148,7 +148,7 @@ class Decider:
 
 
 def batch_decider(
-    structure: Structure, numbers: np.ndarray, options: list[tuple[int, ...]]
+    structure: Structure, numbers: np.ndarray, options: list[tuple[tuple[int, ...], int]]
 ) -> Callable[..., tuple[int, int, int]] | None:
     """What the compiled engine calls where it finds no transition; None without laws.
 
@@ -158,7 +158,7 @@ def batch_decider(
     numbers : array (points, size)
         Fields, rows and resets come first.
     options : list
-        Gets the options of events that are ambiguous.
+        Gets the options of events that are ambiguous, and a mask of their boundaries.
     """
     if structure.law is None and not any(t.order for found in structure.transitions for t in found):
         return None
@@ -184,7 +184,7 @@ def batch_decider(
         if found is None:
             return Status.UNDECLARED, -1, -1
         if found.target < 0:
-            options.append(found.options)
+            options.append((found.options, reached))
             return Status.AMBIGUOUS, -1, -1
         return -1, found.target, found.reset
 

@@ -65,6 +65,8 @@ def layout_of(structure: Structure) -> np.ndarray:
         _starts(structure.shapes),
         [mode.length for mode in modes],
         [int(mode.oscillates) for mode in modes],
+        [int(mode.joined) for mode in modes],
+        [int(mode.paired) for mode in modes],
         np.cumsum([0, *structure.functions]).tolist(),
         _starts(structure.boundaries),
         [b.row for b in boundaries],

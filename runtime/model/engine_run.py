@@ -95,6 +95,8 @@ class Run:
         Time at which the simulation ended: that of the last transition, or `until`.
     options : tuple of int
         Configurations that may follow, where the laws of contact leave it open.
+    open_at : int
+        Boundaries that are reached together there, as a mask.
     """
 
     times: np.ndarray
@@ -106,3 +108,4 @@ class Run:
     status: Status
     end: float
     options: tuple[int, ...] = ()
+    open_at: int = 0

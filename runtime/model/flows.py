@@ -5,22 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.time_functions import functions_at
 
 __all__ = ["flow_states", "functions_of"]
 
 
 def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
     """Functions of time of a configuration: an array (n,) of times gives (n, functions)."""
-    columns = []
-    modes = system.structure.shapes[configuration]
-    for mode, (rate, frequency) in zip(modes, system.exponents[configuration], strict=True):
-        growth = np.exp(rate * times) if rate else np.ones_like(times)
-        parts = [growth * np.cos(frequency * times)] if mode.oscillates else [growth]
-        if mode.oscillates:
-            parts.append(growth * np.sin(frequency * times))
-        for power in range(mode.length):
-            columns += [times**power * part if power else part for part in parts]
-    return np.stack(columns, axis=-1)
+    shapes = system.structure.shapes[configuration]
+    return np.stack(functions_at(shapes, system.exponents[configuration], times), axis=-1)
 
 
 def flow_states(

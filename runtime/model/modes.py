@@ -11,25 +11,30 @@ cluster end at its size where its eigenvalues are equal, and a little later wher
 
 The sum is compared with the exponential. Where it misses more than rounding (clusters of very
 different sizes, eigenvalues neither equal nor apart) the clusters are found in many digits, and
-rounded once.
+rounded once. A cluster of few eigenvalues is then Newton's interpolation of the exponential,
+
+    sum_k e[p_0, ..., p_k] (B - p_0) ... (B - p_(k-1)) P,
+
+a chain of modes that is exact at all times; one of more is the series.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import lru_cache
 from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg import expm, matrix_balance, schur, solve_sylvester
+from scipy.linalg import matrix_balance, schur, solve_sylvester
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
-from nonsmooth.runtime.model.projectors import chain, exponential_of
+from nonsmooth.runtime.model.projectors import chain, exponential_of, newton, poles_of
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
+from nonsmooth.runtime.model.time_functions import functions_at
 
 __all__ = ["NumericModes", "numeric_modes"]
 
@@ -39,10 +44,15 @@ _LARGE = 30.0  # norm of a projector: as much, squared, may be lost of the digit
 _FAR = 0.05  # of the largest modulus: no digits are lost
 _CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
 _LARGEST = 1e-7
+_MODERATE = 1e3  # term of the flow beside which no digits are lost that count
 _HUGE = 1e100  # entry of a power that belongs to no cluster
 _ANGLES = (1 / 64, 1.0, 16.0)  # radians of the fastest at which sums are compared
+_LONG = 1024.0  # the same where eigenvalues were taken for equal that turn
+_TURNED = 32.0  # radians in which an exponent's rounding grows to that of the sum
+_GROWTH = 100.0  # exponent beyond which nothing is compared
 _BITS = 320
 _LONGEST_CHAIN = 24
+_LONGEST_NEWTON = 7
 
 
 class NumericModes(NamedTuple):
@@ -69,6 +79,7 @@ class _Cluster(NamedTuple):
     centre: complex
     norm: float  # of the projector
     terms: list[np.ndarray] | None  # None where the powers do not end
+    poles: tuple[complex, ...] = ()  # of a chain: its terms are Newton's products
 
 
 def numeric_modes(field: np.ndarray) -> NumericModes:
@@ -96,22 +107,64 @@ def _numeric_modes(content: bytes, size: int) -> NumericModes:
     # a change of units keeps powers of two exact
     with np.errstate(invalid="ignore"):  # of the permutation, which is none
         scaled, (units, _) = matrix_balance(whole, permute=False, separate=True)
-    found = [
-        cluster._replace(terms=[units[:, None] * term / units for term in cluster.terms or ()])
-        for cluster in _decomposed(scaled, units)
-    ]
-    exponents, flows, shapes = [], [], []
-    for cluster in found:
+    shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
+    # zero exactly, and not but for rounding, where a state, as of a forcing, does not depend on
+    # another one: modes are polynomials in the matrix
+    depends = np.linalg.matrix_power((whole != 0) | np.eye(size + 1, dtype=bool), size)[:size]
+    flows = np.where(depends, (units[:, None] * terms / units)[:, :size], 0.0)
+    for array in (exponents, flows):
+        array.flags.writeable = False
+    return NumericModes(shapes, exponents, flows)
+
+
+def _modes_of(clusters: list[_Cluster]) -> NumericModes:
+    """Modes of clusters, with a square matrix for each function."""
+    shapes: list[tuple[int, bool, bool, bool]] = []
+    exponents, terms = [], []
+    for cluster in clusters:
         assert cluster.terms is not None
+        if cluster.poles:
+            modes, factors = _chained(cluster.poles, cluster.terms)
+            shapes += [shape for shape, _ in modes]
+            exponents += [pole for _, pole in modes]
+            terms += factors
+            continue
         oscillates = cluster.centre.imag > 0
         for k, term in enumerate(cluster.terms):
-            part = term[:size] / math.factorial(k)
-            flows += [2 * part.real, -2 * part.imag] if oscillates else [part.real]
-        exponents.append((cluster.centre.real, cluster.centre.imag))
-        shapes.append((len(cluster.terms), oscillates))
-    for array in (exponents_ := np.array(exponents), flows_ := np.array(flows)):
-        array.flags.writeable = False
-    return NumericModes(mode_shapes(shapes), exponents_, flows_)
+            part = term / math.factorial(k)
+            terms += [2 * part.real, -2 * part.imag] if oscillates else [part.real]
+        exponents.append(cluster.centre)
+        shapes.append((len(cluster.terms), oscillates, False, False))
+    pairs = np.array([(pole.real, pole.imag) for pole in exponents])
+    return NumericModes(mode_shapes(shapes), pairs, np.array(terms))
+
+
+def _chained(
+    poles: tuple[complex, ...], products: list[np.ndarray]
+) -> tuple[list[tuple[tuple[int, bool, bool, bool], complex]], list[np.ndarray]]:
+    """Modes of a chain, with their exponents, and a matrix for each function.
+
+    Products go on pole by pole; a pair of conjugates is one mode.
+    """
+    real = any(pole.imag <= 0 for pole in poles)
+    head = 1 if poles[0].imag else sum(pole == poles[0] for pole in poles)
+    modes: list[tuple[tuple[int, bool, bool, bool], complex]] = []
+    terms: list[np.ndarray] = []
+    if head > 1 or not poles[0].imag:
+        modes.append(((head, False, False, False), poles[0]))
+        terms += [products[k].real / math.factorial(k) for k in range(head)]
+    place = len(terms)
+    while place < len(poles):
+        pole, term = poles[place], products[place]
+        paired = real and pole.imag > 0
+        modes.append(((1, pole.imag > 0, bool(modes), paired), pole))
+        if paired:  # (B - p) = (B - s) - iw, and the second pole leaves the real part
+            terms += [term.real, products[place + 1].real]
+            place += 2
+            continue
+        terms += [2 * term.real, -2 * term.imag] if pole.imag else [term.real]
+        place += 1
+    return modes, terms
 
 
 def _decomposed(matrix: np.ndarray, units: np.ndarray) -> list[_Cluster]:
@@ -122,15 +175,24 @@ def _decomposed(matrix: np.ndarray, units: np.ndarray) -> list[_Cluster]:
     values, right = np.linalg.eig(matrix)
     scale = float(np.abs(values).max())
     found = _apart(values, right, scale)
-    if found is not None and _gap(values) > _FAR * scale:
+    largest = _largest_term(found, units) if found is not None else 0.0
+    if found is not None and _gap(values) > _FAR * scale and largest <= _MODERATE:
         return _sorted(found)
+    # where terms are large they cancel most while the motion is still small
+    small = np.geomspace(1 / max(largest, _MODERATE), _ANGLES[0], 8).tolist()
+    angles = (*_ANGLES, *small) if largest > _MODERATE else _ANGLES
     found = found or _together(matrix, values, scale)
-    if found is not None and (not scale or _missed(matrix, units, found, scale, expm) <= _CLOSE):
+    if not scale and found is not None:
+        return _sorted(found)
+    # eigenvalues taken for zero that are not have grown too little to be told from a rounding
+    if any(cluster.centre != 0 and len(cluster.terms or ()) > 1 for cluster in found or ()):
+        angles = (*angles, _LONG)
+    if found is not None and _missed(matrix, units, found, scale, angles) <= _CLOSE:
         return _sorted(found)
     best, least = found, math.inf
     for candidate in (found, *_candidates(matrix, values.tolist(), scale)):
         if candidate is not None:
-            missed = _missed(matrix, units, candidate, scale, exponential_of)
+            missed = _missed(matrix, units, candidate, scale, angles)
             if missed < least:
                 best, least = candidate, missed
             if least <= _CLOSE:
@@ -143,25 +205,34 @@ def _decomposed(matrix: np.ndarray, units: np.ndarray) -> list[_Cluster]:
     return _sorted(best)
 
 
+def _largest_term(clusters: list[_Cluster], units: np.ndarray) -> float:
+    """Largest entry of the clusters' matrices in the coordinates' own units."""
+    return max(
+        float(np.abs(units[:, None] * term / units).max())
+        for cluster in clusters
+        for term in cluster.terms or ()
+    )
+
+
 def _missed(
     matrix: np.ndarray,
     units: np.ndarray,
     clusters: list[_Cluster],
     scale: float,
-    exponential: Callable[[np.ndarray], np.ndarray],
+    angles: tuple[float, ...],
 ) -> float:
     """Largest error of the clusters' sum in the coordinates' own units, relative to the flow."""
-    worst = 0.0
-    for angle in _ANGLES:
+    shapes, exponents, terms = _modes_of(_sorted(clusters))
+    worst, growth = 0.0, max(exponents[:, 0].max(), 0.0)
+    for angle in angles:
         t = 2.0 ** round(math.log2(angle / scale))  # products with it are exact
-        wanted = units[:, None] * exponential(matrix * t) / units
-        total = np.zeros_like(matrix)
-        for cluster in clusters:
-            factor = np.exp(cluster.centre * t) * (2 if cluster.centre.imag > 0 else 1)
-            for k, term in enumerate(cluster.terms or ()):
-                total += (factor * t**k / math.factorial(k) * term).real
+        if growth * t > _GROWTH:
+            continue
+        wanted = units[:, None] * exponential_of(matrix * t) / units
+        total = np.tensordot(np.array(functions_at(shapes, exponents, t)), terms, axes=1)
         missed = np.abs(units[:, None] * total / units - wanted).max()
-        worst = max(worst, float(missed / max(1.0, np.abs(wanted).max())))
+        allowed = max(1.0, np.abs(wanted).max()) * max(1.0, angle / _TURNED)
+        worst = max(worst, float(missed / allowed))
     return worst
 
 
@@ -172,6 +243,7 @@ def _candidates(
     single = _precise(matrix, scale)
     if single is not None:
         yield single
+    yield from _chains(matrix, scale)
     known: list[list[list[complex]]] = []
     for nearness in _NEARNESS:
         groups = _groups(values, nearness * scale if scale else math.inf)
@@ -182,6 +254,35 @@ def _candidates(
                  if _leads(group)]  # fmt: skip
         if all(cluster.terms is not None for cluster in found):
             yield found
+
+
+def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[_Cluster]]:
+    """Chains of the eigenvalues that are near each other, further and further."""
+    tiny = _EPSILON * scale
+    poles = [
+        complex(p.real if abs(p.real) > tiny else 0.0, p.imag if abs(p.imag) > tiny else 0.0)
+        for p in poles_of(matrix)
+    ]
+    known: list[list[list[complex]]] = []
+    for nearness in _NEARNESS:
+        groups = _groups(poles, nearness * scale if scale else math.inf)
+        if groups in known or max(map(len, groups)) > _LONGEST_NEWTON:
+            continue
+        known.append(groups)
+        try:
+            yield [_newton_cluster(matrix, group, groups) for group in groups if _leads(group)]
+        except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
+            continue
+
+
+def _newton_cluster(
+    matrix: np.ndarray, group: list[complex], groups: list[list[complex]]
+) -> _Cluster:
+    others = [v for other in groups if other is not group for v in other]
+    # zero first, then what is real, then pairs of conjugates
+    poles = tuple(sorted(group, key=lambda v: (v.imag != 0, abs(v.imag), abs(v), -v.imag)))
+    terms = newton(matrix, group, others, list(poles))
+    return _Cluster(poles[0], float(np.abs(terms[0]).max()), terms, poles)
 
 
 def _leads(group: list[complex]) -> bool:

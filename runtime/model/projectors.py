@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
-from flint import acb, acb_mat
+from flint import acb, acb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.core.values import flint_precision
 
-__all__ = ["chain", "exponential_of"]
+__all__ = ["chain", "exponential_of", "newton", "poles_of"]
 
 _BITS = 600  # to which a projector is known: its last power may be tiny
 _MOST_BITS = 120_000
@@ -46,6 +47,58 @@ def chain(
     ValueError
         If no circle of some width has the cluster alone inside.
     """
+    projector, bits = _projector(matrix, group, others)
+    with flint_precision(bits):
+        exact, unit = acb_mat(matrix.tolist()), _unit(len(matrix))
+        centre = (exact * projector).trace() / len(group)
+        centre = acb(0) if constant else acb(centre.real.mid(), 0 if real else centre.imag.mid())
+        shifted, term = exact - unit * centre, projector
+    while True:
+        yield complex(centre), np.array(term.tolist()).astype(complex)
+        with flint_precision(bits):
+            term = (shifted * term).mid()
+
+
+def newton(
+    matrix: np.ndarray, group: list[complex], others: list[complex], poles: list[complex]
+) -> list[np.ndarray]:
+    """The products (B - p_0) ... (B - p_(k-1)) P for k = 0, ..., as many as there are poles p.
+
+    Parameters and exceptions are those of `chain`.
+    """
+    projector, bits = _projector(matrix, group, others)
+    terms = []
+    with flint_precision(bits):
+        exact, unit = acb_mat(matrix.tolist()), _unit(len(matrix))
+        for pole in poles:
+            terms.append(np.array(projector.tolist()).astype(complex))
+            projector = ((exact - unit * acb(pole)) * projector).mid()
+    return terms
+
+
+def poles_of(matrix: np.ndarray) -> list[complex]:
+    """The eigenvalues of B, each to its last digit, with their conjugates and multiplicities."""
+    with flint_precision(_BITS):
+        rational = fmpq_mat([[_rational(x) for x in row] for row in matrix.tolist()])
+        found: list[complex] = []
+        roots: Any = rational.charpoly().numer().complex_roots()
+        for root, count in roots:
+            pole = complex(root)
+            if pole.imag > 0:
+                found += [pole, pole.conjugate()] * count
+            elif pole.imag == 0:
+                found += [pole] * count
+    return found
+
+
+def _rational(number: float) -> fmpq:
+    return fmpq(*number.as_integer_ratio())
+
+
+def _projector(
+    matrix: np.ndarray, group: list[complex], others: list[complex]
+) -> tuple[acb_mat, int]:
+    """The projector of a cluster, and the bits it is computed with; ValueError without a circle."""
     middle = sum(group) / len(group)
     inside = max(abs(v - middle) for v in group)
     outside = min((abs(v - middle) for v in others), default=math.inf)
@@ -57,21 +110,14 @@ def chain(
     bits = math.ceil(2**steps * math.log2(max(farthest / radius, 2.0))) + 2 * _BITS
     if bits > _MOST_BITS:
         raise ValueError("the circle is too narrow")
+    if not others:
+        return _unit(size), bits
     with flint_precision(bits):
         exact, unit = acb_mat(matrix.tolist()), _unit(size)
-        projector = unit
-        if others:
-            power = (exact - unit * acb(middle)) * (1 / acb(radius))
-            for _ in range(steps):
-                power = (power * power).mid()
-            projector = (unit + power).inv().mid()
-        centre = (exact * projector).trace() / len(group)
-        centre = acb(0) if constant else acb(centre.real.mid(), 0 if real else centre.imag.mid())
-        shifted, term = exact - unit * centre, projector
-    while True:
-        yield complex(centre), np.array(term.tolist()).astype(complex)
-        with flint_precision(bits):
-            term = (shifted * term).mid()
+        power = (exact - unit * acb(middle)) * (1 / acb(radius))
+        for _ in range(steps):
+            power = (power * power).mid()
+        return (unit + power).inv().mid(), bits
 
 
 def exponential_of(matrix: np.ndarray) -> np.ndarray:

@@ -4,8 +4,9 @@ Inside a configuration a boundary function is
 
     g(t) = Re sum_m P_m(t) e^(lambda_m t),
 
-P_m polynomials of low degree. Its derivatives are bounded in closed form over any interval, so
-a search (`quasi_crossing`) can tell that nothing hides between two samples.
+P_m polynomials of low degree, beside chains of exponents that nearly meet. Its derivatives are
+bounded in closed form over any interval, so a search (`quasi_crossing`) can tell that nothing
+hides between two samples.
 """
 
 from __future__ import annotations
@@ -15,7 +16,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-__all__ = ["TINY", "UNIT", "Coefficients", "Jet", "QuasiPolynomial", "wave"]
+import numpy as np
+
+from nonsmooth.runtime.model.structure import ModeShape
+from nonsmooth.runtime.model.time_functions import (
+    derivative_matrix,
+    function_bounds,
+    functions_at,
+)
+
+__all__ = ["TINY", "UNIT", "Chain", "Coefficients", "Jet", "QuasiPolynomial", "wave"]
 
 UNIT = 2.0**-48  # 16 eps
 TINY = 1e-300  # what underflow may take away
@@ -24,6 +34,7 @@ Jet = tuple[float, float, float, float]  # g, g', g'' and the error of g
 Coefficients = tuple[complex, ...]
 
 
+_QUIET = np.errstate(over="ignore", invalid="ignore")  # numbers beyond all end a motion
 _SPLIT = 2.0**27 + 1  # halves a double's digits
 
 
@@ -57,6 +68,79 @@ def _slope(coefficients: Coefficients, exponent: complex) -> Coefficients:
     return tuple(raised)
 
 
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """A part of a quasi-polynomial: a sum of the functions of a chain of modes.
+
+    Parameters
+    ----------
+    shapes : tuple of ModeShape
+    exponents : array (modes, 2)
+    coefficients, sizes : array (functions,)
+    """
+
+    shapes: tuple[ModeShape, ...]
+    exponents: np.ndarray
+    coefficients: np.ndarray
+    sizes: np.ndarray
+
+    @cached_property
+    def _turned(self) -> np.ndarray:
+        """Matrix that makes the derivative's coefficients of a function's."""
+        return derivative_matrix(self.shapes, self.exponents).T
+
+    @cached_property
+    def fastest(self) -> float:
+        """Largest absolute value of the exponents."""
+        return float(np.hypot(*self.exponents.T).max())
+
+    @cached_property
+    def tower(self) -> list[np.ndarray]:
+        """Coefficients of the derivatives of order 0, 1, 2."""
+        first = self._turned @ self.coefficients
+        return [self.coefficients, first, self._turned @ first]
+
+    @_QUIET
+    def derivative(self) -> Chain:
+        """The derivative, with the rounding errors of its own coefficients."""
+        sizes = abs(self._turned) @ self.sizes
+        return replace(self, coefficients=self.tower[1], sizes=sizes)
+
+    @_QUIET
+    def jet(self, t: float) -> Jet:
+        """Values and the rounding error, which is relative to the sizes."""
+        values = np.array(functions_at(self.shapes, self.exponents, t))
+        bounds = np.array(function_bounds(self.shapes, self.exponents, t, t))
+        error = float(bounds @ self.sizes) * (1.0 + float(abs(self.exponents[:, 0]).max()) * t / 8)
+        value, slope, curvature = (float(values @ part) for part in self.tower)
+        return value, slope, curvature, error
+
+    @_QUIET
+    def bound(self, order: int, t: float, length: float) -> float:
+        """Bound on the absolute value of a derivative over [t, t + length]."""
+        part = self.coefficients
+        for _ in range(order):
+            part = self._turned @ part
+        bounds = np.array(function_bounds(self.shapes, self.exponents, t, t + length))
+        return float(abs(part[part != 0]) @ bounds[part != 0])
+
+    @_QUIET
+    def taylor(self, count: int) -> tuple[list[float], list[float]]:
+        """Derivatives of order 0, ..., count - 1 at 0, where only the first function is not 0."""
+        values, sizes = [], []
+        part, size = self.coefficients, self.sizes
+        for _ in range(count):
+            values.append(float(part[0]))
+            sizes.append(float(size[0]))
+            part, size = self._turned @ part, abs(self._turned) @ size
+        return values, sizes
+
+    def ceiling(self) -> float:
+        """Bound at all times, inf where there is none; a constant has its sign."""
+        head = float(self.coefficients[0])
+        return self.bound(0, 0.0, math.inf) - (0.0 if self.exponents[0].any() else abs(head) - head)
+
+
 @dataclass(frozen=True)
 class QuasiPolynomial:
     """The function g(t) = Re sum_m P_m(t) e^(lambda_m t).
@@ -70,11 +154,14 @@ class QuasiPolynomial:
     sizes : tuple of tuple of float, optional
         For each coefficient the sum of the absolute values it was added up from: its rounding
         error is 16 eps times that. By default its own absolute value.
+    chains : tuple of Chain
+        Added to the sum.
     """
 
     exponents: tuple[complex, ...]
     polynomials: tuple[Coefficients, ...]
     sizes: tuple[tuple[float, ...], ...] = ()
+    chains: tuple[Chain, ...] = ()
 
     def __post_init__(self) -> None:
         if not self.sizes:
@@ -94,13 +181,15 @@ class QuasiPolynomial:
                 tuple(map(abs, _slope(s, abs(x))))
                 for s, x in zip(self.sizes, self.exponents, strict=True)
             ),
+            tuple(chain.derivative() for chain in self.chains),
         )
 
     def raised(self, by: float) -> QuasiPolynomial:
         """The function g + a constant."""
         if 0 not in self.exponents:
             polynomials = ((by + 0j,), *self.polynomials)
-            return QuasiPolynomial((0j, *self.exponents), polynomials, ((0.0,), *self.sizes))
+            sizes = ((0.0,), *self.sizes)
+            return QuasiPolynomial((0j, *self.exponents), polynomials, sizes, self.chains)
         place = self.exponents.index(0)
         head, *rest = self.polynomials[place]
         before, after = self.polynomials[:place], self.polynomials[place + 1 :]
@@ -109,7 +198,8 @@ class QuasiPolynomial:
     @cached_property
     def fastest(self) -> float:
         """Largest |lambda_m|."""
-        return max(map(abs, self.exponents), default=0.0)
+        speeds = [*map(abs, self.exponents), *(chain.fastest for chain in self.chains)]
+        return max(speeds, default=0.0)
 
     @cached_property
     def _parts(self) -> tuple[list[tuple[complex, ...]], list[tuple[complex, list[Coefficients]]]]:
@@ -148,6 +238,10 @@ class QuasiPolynomial:
             slope += (_horner(first_, t) * turn).real
             curvature += (_horner(second_, t) * turn).real
             error += abs(_horner(sizes, t) * turn) * (1.0 + abs(exponent.real) * t / 8)
+        for chain in self.chains:
+            parts = chain.jet(t)
+            value, slope, curvature = value + parts[0], slope + parts[1], curvature + parts[2]
+            error += parts[3]
         return value, slope, curvature, UNIT * error + TINY
 
     def rounding(self, t: float) -> float:
@@ -169,6 +263,8 @@ class QuasiPolynomial:
     @cached_property
     def uniform(self) -> tuple[float, ...] | None:
         """Bounds on |g''| and |g'''| at all times, or None where they depend on the interval."""
+        if self.chains:
+            return None
         bounds = [0.0, 0.0]
         for rate, tower in self._amplitudes:
             for i in (0, 1):
@@ -183,7 +279,7 @@ class QuasiPolynomial:
         if order in (2, 3) and self.uniform is not None:
             return self.uniform[order - 2]
         end = t + length
-        total = 0.0
+        total = sum(chain.bound(order, t, length) for chain in self.chains)
         for index, (rate, tower) in enumerate(self._amplitudes):
             if order < 4:
                 coefficients = tower[order]
@@ -210,11 +306,15 @@ class QuasiPolynomial:
                 values[k] += p[0].real
                 errors[k] += UNIT * abs(size[0])
                 p, size = _slope(p, exponent), _slope(size, speed)
+        for chain in self.chains:
+            for k, (own, rounds) in enumerate(zip(*chain.taylor(count), strict=True)):
+                values[k] += own
+                errors[k] += UNIT * rounds
         return values, errors
 
     def ceiling(self, t: float) -> float:
         """Bound on g over [t, infinity), inf where the amplitudes give none."""
-        total = 0.0
+        total = sum(chain.ceiling() for chain in self.chains)
         for exponent, p in zip(self.exponents, self.polynomials, strict=True):
             rate = exponent.real
             if exponent == 0 and not any(p[2:]):
@@ -234,7 +334,7 @@ class QuasiPolynomial:
 
     def last_root(self) -> float:
         """Bound on the roots where g is a polynomial, else inf."""
-        if any(self.exponents):
+        if any(self.exponents) or self.chains:
             return math.inf
         longest = max(map(len, self.polynomials), default=0)
         coefficients = [

@@ -32,12 +32,16 @@ class ModeShape:
     """Functions of time with one exponent: t^k e^(st) cos(wt), and sines where it oscillates.
 
     `places` are the functions' places among those of the configuration: for each power k the
-    cosine's, then the sine's if there is one.
+    cosine's, then the sine's if there is one. A mode that is `joined` goes on from the one in
+    front of it (`functions`): then it has one power. One that is `paired` stands for its
+    exponent and the conjugate one: its second function is the divided difference of both.
     """
 
     length: int
     oscillates: bool
     places: tuple[int, ...]
+    joined: bool = False
+    paired: bool = False
 
 
 Modes = tuple[tuple[ModeShape, ...], ...]  # of each configuration
@@ -266,11 +270,14 @@ def _pairs(
     return tuple((states.index(a), states.index(b)) for a, b in named)
 
 
-def mode_shapes(modes: Iterable[tuple[int, bool]]) -> tuple[ModeShape, ...]:
-    """Modes of a configuration from their lengths and whether they oscillate."""
+def mode_shapes(
+    modes: Iterable[tuple[int, bool] | tuple[int, bool, bool, bool]],
+) -> tuple[ModeShape, ...]:
+    """Modes of a configuration: their lengths, whether they oscillate, are joined, are paired."""
     shapes, first = [], 0
-    for length, oscillates in modes:
+    for length, oscillates, *chained in modes:
         count = length * (2 if oscillates else 1)
-        shapes.append(ModeShape(length, oscillates, tuple(range(first, first + count))))
+        places = tuple(range(first, first + count))
+        shapes.append(ModeShape(length, oscillates, places, *chained))
         first += count
     return tuple(shapes)

@@ -44,6 +44,7 @@ from nonsmooth.runtime.shooting.symmetry import (
     part_of,
     symmetry_of,
     whole_cycle,
+    whole_itinerary,
     whole_orbit,
 )
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
@@ -117,10 +118,15 @@ def compose(
     """
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
-    kernels = with_routes(kernels_of(system), itinerary)
+    kernels, mirror = kernels_of(system), None
+    phases = itinerary
+    if symmetry is not None:
+        declared = piecewise(kernels, parameters)
+        mirror = symmetry_of(declared, symmetry)
+        phases = whole_itinerary(declared.structure, mirror, itinerary)
+    kernels = with_routes(kernels, phases)
     point = piecewise(kernels, parameters)
     structure = point.structure
-    mirror = None if symmetry is None else symmetry_of(point, symmetry)
     if mirror is None:
         cycle = cycle_of(structure, itinerary)
     else:

@@ -188,7 +188,10 @@ def compose_many(
             else:
                 fields = numbers_in(group.structure, group.flat).fields
                 first_field = fields[:, cycle.configurations[0]]
-                timed = stroboscopic_maps(here, first_field, found.starts[:, 0], found.maps, driven)
+                with np.errstate(divide="ignore", invalid="ignore"):  # points without an orbit
+                    timed = stroboscopic_maps(
+                        here, first_field, found.starts[:, 0], found.maps, driven
+                    )
                 maps[part] = _with_translations(timed, directions[..., driven])
             iterations[part], status[part] = found.iterations, found.status
 

@@ -136,13 +136,17 @@ def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.n
 
 
 def _lawful(cycle: Cycle, numbers: Numbers, now: Passage, place: int) -> bool:
-    """Whether the laws of contact lead to the itinerary's next configuration."""
+    """Whether the laws of contact lead to the itinerary's next configuration, as it does."""
     structure, source = cycle.structure, cycle.configurations[place]
     wanted, known = cycle.transitions[place], np.append(now.ends[place].astype(float), 1.0)
     decider = Decider(structure, numbers.fields, numbers.rows, numbers.resets)
     error = 2 * abs(float(now.gaps[place]) / float(now.speeds[place]))
     found = decider.decision(source, wanted.boundaries, known, abs(known), error)
-    return found is not None and found.target == wanted.target
+    if found is None or found.target != wanted.target:
+        return False
+    taken, assumed = numbers.resets[found.reset], numbers.resets[wanted.reset]
+    size = (abs(taken) + abs(assumed)) @ abs(known)
+    return bool((abs((taken - assumed) @ known) <= MOST_MISSED * size).all())
 
 
 def _positive(

@@ -9,6 +9,7 @@
 `existence`       Newton's method in balls, and Krawczyk's test on a box
 `location`        the box in which an orbit is unique
 `known`           which boundary functions are exactly zero where a phase begins or ends
+`vanishing`       what is zero along one orbit because that closes
 `plan`            what has to be shown of each phase, as far as exact arithmetic tells
 `waves`           whether an affine function stays negative along a phase
 `admissibility`   all boundaries for all times of all phases, and each transition

@@ -171,17 +171,26 @@ class _Phase:
         return None
 
     def _follows(self) -> None:
-        """Prove that the itinerary's transition is the first whose conditions hold."""
-        for follower in self.plan.followers:
+        """Prove that in every order what follows first is the itinerary's transition."""
+        for followers in self.plan.orders:
+            self._first(followers)
+
+    def _first(self, followers: Sequence[Follower]) -> None:
+        """Prove that of these the first whose conditions hold is wanted."""
+        for follower in followers:
             holds = self._holds(follower)
             if holds is None:
                 raise Undecided(f"whether {follower.target} follows")
-            if follower.lawful and holds != follower.wanted:
-                raise Undecided(f"by which steps of the contact law {follower.target} follows")
-            if holds and not follower.wanted:
+            if holds and follower.wanted:
+                return
+            if holds and follower.doubt:
+                raise Undecided(follower.doubt, digits=False)
+            if holds:
                 raise _Refuted(f"{follower.target} follows, or another transition to it")
-            if follower.wanted and not holds:
-                raise _Refuted(f"{follower.target} does not follow: its conditions do not hold")
+        last = followers[-1]
+        if last.doubt:
+            raise Undecided(last.doubt, digits=False)
+        raise _Refuted(f"{last.target} does not follow: its conditions do not hold")
 
     def _holds(self, follower: Follower) -> bool | None:
         unknown = False

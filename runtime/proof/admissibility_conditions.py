@@ -69,17 +69,26 @@ class Condition(NamedTuple):
 class Follower(NamedTuple):
     """A transition that is declared for what is reached where a phase ends.
 
-    By a contact law others may lead to the same target: that one does not follow refutes nothing.
+    Attributes
+    ----------
+    target : str
+    wanted : bool
+        Whether it is the itinerary's, or the same there where stops act in several orders.
+    conditions : tuple of Condition
+    doubt : str
+        What stays open where it follows and is not wanted, or the reverse; empty where that
+        refutes the itinerary: by a law of contacts other steps may lead to the same target,
+        and what orders of impacts do not agree on is left open.
     """
 
     target: str
     wanted: bool
     conditions: tuple[Condition, ...]
-    lawful: bool = False
+    doubt: str = ""
 
 
 class Plan(NamedTuple):
-    """A phase; the followers up to the itinerary's, which is the last of them.
+    """A phase, and what may follow it.
 
     Attributes
     ----------
@@ -89,7 +98,9 @@ class Plan(NamedTuple):
     held : tuple of Row
         What the configuration holds, as far as it is not known to be zero.
     watched : tuple of Watched
-    followers : tuple of Follower
+    orders : tuple of tuple of Follower
+        For each order in which stops may act that are reached together, what may follow, up to
+        the last that is wanted; one where they need no order, none where nothing is reached.
     """
 
     place: int
@@ -98,7 +109,7 @@ class Plan(NamedTuple):
     ends: Facts
     held: tuple[Row, ...]
     watched: tuple[Watched, ...]
-    followers: tuple[Follower, ...]
+    orders: tuple[tuple[Follower, ...], ...]
 
     def at(self, number: Callable[[Any], Any]) -> Plan:
         """The same with numbers in place of exact entries, but for exact zeros."""
@@ -125,11 +136,16 @@ class Plan(NamedTuple):
                 )
                 for w in self.watched
             ),
-            followers=tuple(
-                f._replace(
-                    conditions=tuple(Condition(derivative(c), holds) for c, holds in f.conditions)
+            orders=tuple(
+                tuple(
+                    f._replace(
+                        conditions=tuple(
+                            Condition(derivative(c), holds) for c, holds in f.conditions
+                        )
+                    )
+                    for f in followers
                 )
-                for f in self.followers
+                for followers in self.orders
             ),
         )
 
@@ -165,30 +181,6 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
                 ends.reduce(rate),
             )
         )
-    own = {boundaries[index].row for index in wanted.boundaries}
-    followers = []
-    for transition in structure.transitions[configuration]:
-        if transition.boundaries != wanted.boundaries:
-            continue
-        conditions = tuple(
-            Condition(_first(tables.rows[row], tables.fields[along], ends, int(row in own)), holds)
-            for row, along, holds in transition.conditions
-        )
-        target = structure.configurations[transition.target]
-        lawful = transition.path is not None
-        if lawful:
-            names = [boundaries[b].name for b in transition.boundaries]
-            conditions = _decided(structure, configuration, names, transition, conditions)
-            if not _puts_nothing(tables.resets[transition.reset], ends):
-                conditions += (Condition(_OPEN, True),)
-        followers.append(Follower(target, transition is wanted, conditions, lawful))
-        if transition is wanted:
-            break
-    if structure.orders(configuration, wanted.boundaries):  # they would all have to agree
-        last = followers[-1]
-        followers[-1] = last._replace(
-            conditions=(*last.conditions, Condition(_OPEN, True)), lawful=True
-        )
     held = (starts.reduce(tables.rows[row]) for row in structure.constraints[configuration])
     return Plan(
         place,
@@ -197,8 +189,47 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
         ends,
         tuple(row for row in held if any(row)),
         tuple(watched),
-        tuple(followers),
+        tuple(
+            _followers(tables, cycle, place, order, ends)
+            for order in structure.orders(configuration, wanted.boundaries) or (0,)
+            if wanted.boundaries  # a motion that reaches nothing goes on
+        ),
     )
+
+
+def _followers(
+    tables: Tables, cycle: Cycle, place: int, order: int, ends: Facts
+) -> tuple[Follower, ...]:
+    """What may follow in an order in which stops act, 0 where there is but one."""
+    structure, wanted = cycle.structure, cycle.transitions[place]
+    configuration = cycle.configurations[place]
+    boundaries = structure.boundaries[configuration]
+    own = {boundaries[index].row for index in wanted.boundaries}
+    names = [boundaries[index].name for index in sorted(wanted.boundaries)]
+    doubt = f"the orders in which {' and '.join(names)} act need not agree" if order else ""
+    found = []
+    for transition in structure.transitions[configuration]:
+        if transition.boundaries != wanted.boundaries or transition.order not in (0, order):
+            continue
+        conditions = tuple(
+            Condition(_first(tables.rows[row], tables.fields[along], ends, int(row in own)), holds)
+            for row, along, holds in transition.conditions
+        )
+        target = structure.configurations[transition.target]
+        open_ = doubt
+        if transition.path is not None:
+            open_ = doubt or f"by which steps of the contact law {target} follows"
+            conditions = _decided(structure, configuration, names, transition, conditions)
+            if not _puts_nothing(tables.resets[transition.reset], ends):
+                conditions += (Condition(_OPEN, True),)
+        alike = transition.target == wanted.target and ends.agree(
+            tables.resets[transition.reset], tables.resets[wanted.reset]
+        )
+        found.append(Follower(target, alike if order else transition is wanted, conditions, open_))
+        if transition is wanted and not order:
+            break
+    last = max((k for k, f in enumerate(found, 1) if f.wanted), default=len(found))
+    return tuple(found[:last])
 
 
 def _decided(
@@ -225,10 +256,8 @@ def _decided(
 
 def _puts_nothing(reset: Matrix, facts: Facts) -> bool:
     """Whether a reset leaves the state alone for which the facts hold."""
-    return not any(
-        any(facts.reduce(tuple(x - int(j == k) for j, x in enumerate(row))))
-        for k, row in enumerate(reset)
-    )
+    size = len(reset)
+    return facts.agree(reset, [[int(j == k) for j in range(size)] for k in range(size)])
 
 
 def _first(row: Row, field: Matrix, facts: Facts, order: int = 0) -> Derivative | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
@@ -43,6 +44,7 @@ from nonsmooth.runtime.proof.orbit_cycle import (
 )
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
 from nonsmooth.runtime.proof.statement import closing_json, decimals
+from nonsmooth.runtime.proof.vanishing import vanishing_along
 
 if TYPE_CHECKING:
     from flint import acb, arb
@@ -116,6 +118,12 @@ def certify(
         begin("stability")
         stability = stability_of(subject, tables, closing, known, root)
         begin("admissibility")
+        if known is not None and any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
+            start = root.passage.starts[0].entries()[:-1]
+            dwell = root.equations.dwell(root.contraction.image)
+            zero = vanishing_along(tables, subject.cycle, shifts, start, dwell)
+            closing = replace(closing, vanishing=zero)
+            known = known_of(tables, subject.cycle, shifts, zero)
         judgement = _admissible(subject, tables, shifts, known, root, work)
         return _certificate(subject, tables, closing, bits, root, stability, judgement)
 

@@ -69,6 +69,8 @@ class Closing:
         States of the forcings.
     translations : tuple of Row
         Directions along which nothing changes, in echelon form; the cycle closes up to these.
+    vanishing : tuple of Row
+        Functions that are zero where the orbit begins, because it closes.
     """
 
     kind: str
@@ -79,6 +81,7 @@ class Closing:
     turns: int = 0
     pairs: tuple[tuple[int, int], ...] = field(default=())
     translations: tuple[Row, ...] = ()
+    vanishing: tuple[Row, ...] = ()
 
     @property
     def timed(self) -> bool:

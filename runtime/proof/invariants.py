@@ -25,11 +25,19 @@ class Known(NamedTuple):
     ends: tuple[Facts, ...]
 
 
-def known_of(tables: Tables, cycle: Cycle, translations: Sequence[Row] = ()) -> Known:
-    """Facts of a cycle that closes up to translations, of a system whose numbers are exact."""
+def known_of(
+    tables: Tables,
+    cycle: Cycle,
+    translations: Sequence[Row] = (),
+    vanishing: Sequence[Row] = (),
+) -> Known:
+    """Facts of a cycle that closes up to translations, of a system whose numbers are exact.
+
+    What vanishes where it begins by `vanishing_along` is true of the orbit alone.
+    """
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)
-    facts = Facts((), ())
+    facts = Facts.of(vanishing)
     while True:
         found: list[tuple[Facts, Facts, Facts]] = []
         begin = facts

@@ -84,6 +84,8 @@ def declaration_json(
                 "reset": [_row(row) for row in tables.resets[other.reset][:-1]],
                 "target": names[other.target],
             }
+            if other.order:
+                entry["order"] = other.order
             if other.path is not None and structure.law is not None:
                 entry["steps"] = steps_json(structure.law, other.path)
             needed |= {along for _, along, _ in other.conditions}
@@ -143,6 +145,8 @@ def closing_json(
         told["turns"] = closing.turns
     if closing.translations:
         told["translations"] = [_row(row) for row in closing.translations]
+    if closing.vanishing:
+        told["vanishing"] = [_row(row) for row in closing.vanishing]
     if closing.form is not None:
         places, count = [parameters.index(name) for name in variables], len(parameters)
         names, form = cycle.structure.configurations, closing.form

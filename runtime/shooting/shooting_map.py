@@ -21,6 +21,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
+from nonsmooth.runtime.model.time_functions import functions_at
 
 __all__ = [
     "Cycle",
@@ -228,17 +229,9 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
     """
     if structure.modes is None:
         return exponential(numbers.fields[configuration], np.asarray(time).item(), lib)
-    functions: list[Any] = []
-    exponents = numbers.exponents[configuration]
-    for place, mode in enumerate(structure.modes[configuration]):
-        rate, frequency = exponents[..., place, 0], exponents[..., place, 1]
-        power = lib.exp(rate * time)
-        for _ in range(mode.length):
-            if mode.oscillates:
-                functions += [power * f(frequency * time) for f in (lib.cos, lib.sin)]
-            else:
-                functions.append(power)
-            power = power * time
+    functions = functions_at(
+        structure.modes[configuration], numbers.exponents[configuration], time, lib
+    )
     parts = numbers.flows[configuration]
     return sum(
         np.asarray(function)[..., None, None] * parts[..., place, :, :]

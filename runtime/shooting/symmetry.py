@@ -35,6 +35,7 @@ __all__ = [
     "part_of",
     "symmetry_of",
     "whole_cycle",
+    "whole_itinerary",
     "whole_orbit",
 ]
 
@@ -156,14 +157,18 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
     return Symmetry(matrix, order, tuple(found[c] for c in every), boundaries)
 
 
-def _expanded(
+def whole_itinerary(
     structure: Structure, symmetry: Symmetry, part: Sequence[tuple[str, str]]
 ) -> tuple[tuple[str, str], ...]:
-    """Itinerary of the whole orbit whose first part is given.
+    """Itinerary of the whole orbit whose first part is given; InputError where that is malformed.
 
     The symmetry maps the end of a part to its start: each part is the preimage of the one
     before it.
     """
+    try:
+        part = tuple((c, b) for c, b in part)
+    except (TypeError, ValueError):
+        raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
     backward = {image: c for c, image in enumerate(symmetry.configurations)}
     whole = []
     phases = [_phase(structure, *pair) for pair in part]
@@ -241,14 +246,9 @@ def whole_cycle(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Cycle
 
     InputError as `cycle_of`, and where boundaries reset the state as their images do not.
     """
-    structure = system.structure
-    try:
-        pairs = tuple((c, b) for c, b in part)
-    except (TypeError, ValueError):
-        raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
-    cycle = cycle_of(structure, _expanded(structure, symmetry, pairs))
+    cycle = cycle_of(system.structure, whole_itinerary(system.structure, symmetry, part))
     for place, transition in enumerate(cycle.transitions):
-        image = place - len(pairs)
+        image = place - len(part)
         resets = system.resets[[transition.reset, cycle.transitions[image].reset]]
         if not _close(_turned(symmetry.matrix, resets[0]), resets[1], _SAME):
             names = " and ".join(cycle.itinerary[k][1] for k in (place, image))

@@ -12,6 +12,7 @@
 `engine_layout`  a system packed for it
 `stepping`       the same rules in Python: the fallback, and the engine's judge
 `tables`         its numbers of a configuration, and its clock
+`functions`      functions of time of modes, and of chains of modes that nearly meet
 `quasi`          quasi-polynomials with error bounds
 `crossing`       their first crossing, guaranteed
 `simulate`       one motion, or many in threads

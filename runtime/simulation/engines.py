@@ -92,7 +92,7 @@ def run_compiled(
     if not (np.isfinite(numbers).all() and np.isfinite(state).all()):
         raise InputError("the system or the state is not finite")
     most = np.iinfo(np.int64).max if transitions is None else transitions
-    options: list[tuple[int, ...]] = []
+    options: list[tuple[tuple[int, ...], int]] = []
     decide = batch_decider(structure, numbers[None], options)
     # unknown counts: once more with room for twice as many
     entries, touches = min(most + 1, _FIRST_ENTRIES), _GRAZINGS
@@ -136,7 +136,7 @@ def run_compiled(
         ),
         Status(status),
         float(ends[0]),
-        options[-1] if status == Status.AMBIGUOUS else (),
+        *(options[-1] if status == Status.AMBIGUOUS else ()),
     )
 
 

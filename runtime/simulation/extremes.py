@@ -14,6 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.model.flows import functions_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.time_functions import derivative_matrix, function_bounds
 from nonsmooth.runtime.simulation.phase_functions import Panels, Phases, panels
 
 __all__ = ["Extreme", "extremes"]
@@ -188,28 +189,13 @@ def _upper(
 
 def _derivative(system: PiecewiseLinear, configuration: int) -> np.ndarray:
     """Matrix (functions, functions) that gives the derivatives of the functions of time."""
-    modes = system.structure.shapes[configuration]
-    size = system.structure.functions[configuration]
-    matrix = np.zeros((size, size))
-    for mode, (rate, frequency) in zip(modes, system.exponents[configuration], strict=True):
-        step = 2 if mode.oscillates else 1
-        for index, place in enumerate(mode.places):
-            matrix[place, place] = rate
-            if index >= step:
-                matrix[place, mode.places[index - step]] = index // step
-            if mode.oscillates:
-                other = mode.places[index + 1 if index % 2 == 0 else index - 1]
-                matrix[place, other] = -frequency if index % 2 == 0 else frequency
-    return matrix
+    shapes = system.structure.shapes[configuration]
+    return derivative_matrix(shapes, system.exponents[configuration])
 
 
 def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
     """Bounds (n, functions) of the functions' absolute values on panels."""
-    columns = []
-    modes = system.structure.shapes[found.configuration]
+    shapes = system.structure.shapes[found.configuration]
     exponents = system.exponents[found.configuration]
-    for mode, (rate, _) in zip(modes, exponents, strict=True):
-        growth = np.exp(np.maximum(rate * found.left, rate * found.right))
-        for power in range(mode.length):
-            columns += [found.right**power * growth] * (2 if mode.oscillates else 1)
-    return np.stack(columns, axis=-1)
+    bounds = function_bounds(shapes, exponents, found.left, found.right)
+    return np.stack(np.broadcast_arrays(*bounds), axis=-1)

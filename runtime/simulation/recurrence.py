@@ -71,8 +71,9 @@ def canonical(itinerary: Itinerary) -> int:
 def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: float) -> np.ndarray:
     """After how many transitions the last entry of each motion came back; 0 where it did not.
 
-    The whole last cycle repeats the configurations and boundaries of the one before, and each
-    state comes back within `tolerance` times its scale (n, N).
+    The whole last cycle repeats the configurations and boundaries of the one before and lasts as
+    long, within `tolerance`, and each state comes back within that times its scale (n, N).
+    Impacts that follow each other ever faster come back but for the time.
     """
     count, kept = motions.last_times.shape
     configurations, sets, states = (
@@ -80,7 +81,7 @@ def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: floa
         motions.last_sets,
         motions.last_states,
     )
-    found = np.zeros(count, dtype=int)
+    found, times = np.zeros(count, dtype=int), motions.last_times
     for length in range(1, (kept - 1) // 2 + 1):
         back = slice(kept - 2 * length, kept - length)
         same = (configurations[:, -length:] == configurations[:, back]).all(axis=1)
@@ -88,6 +89,9 @@ def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: floa
         same &= configurations[:, kept - 2 * length - 1] >= 0
         with np.errstate(invalid="ignore"):
             miss = (np.abs(states[:, -1] - states[:, -1 - length]) / scales).max(axis=1)
+            last = times[:, -1] - times[:, -1 - length]
+            before = times[:, -1 - length] - times[:, -1 - 2 * length]
+            same &= np.abs(last - before) <= tolerance * last
         found[(found == 0) & same & (miss <= tolerance)] = length
     return np.asarray(found)
 

@@ -221,7 +221,7 @@ def _start(
     found.
     """
     value, following = dot(boundary.orders[0], state), dot(boundary.orders[1], state)
-    rounding = UNIT * sum(s[0] for s in function.sizes)
+    rounding = function.taylor(1)[1][0]
     if not zero and abs(value) > rounding + error * abs(following):
         return Start(1, None, True) if value > 0 else Start(-1, None)
     count = len(boundary.values)
@@ -284,7 +284,7 @@ def run(
     error, immediate, left_out = 0.0, 0, frozenset[int]()
     waited = 0.0  # since the last transition
 
-    def ended(status: Status, end: float, options: tuple[int, ...] = ()) -> Run:
+    def ended(status: Status, end: float, options: tuple[int, ...] = (), open_at: int = 0) -> Run:
         times, configurations, before, states, sets = zip(*entries, strict=True)
         return Run(
             np.array(times),
@@ -296,6 +296,7 @@ def run(
             status,
             end,
             options,
+            open_at,
         )
 
     while True:
@@ -350,8 +351,9 @@ def run(
         transition = stepper.transition(configuration, event, before, (sizes, moved, error))
         if transition is None:
             return ended(Status.UNDECLARED, clock.time)
+        mask = sum(1 << b for b in event.boundaries)
         if isinstance(transition, Decision):
-            return ended(Status.AMBIGUOUS, clock.time, transition.options)
+            return ended(Status.AMBIGUOUS, clock.time, transition.options, mask)
         shapes = system.structure.boundaries[configuration]
         located = {shapes[b].row for b in event.located} | (zero if dwell == 0 else frozenset())
         zero = stepper.kept(transition, located)
@@ -360,5 +362,4 @@ def run(
         configuration, left_out = transition.target, frozenset()
         immediate = 0 if dwell > 0 else immediate + 1
         waited = 0.0
-        mask = sum(1 << b for b in event.boundaries)
         entries.append((clock.time, configuration, before, extended, mask))

@@ -123,10 +123,22 @@ class Trajectory:
         return tuple(self.structure.configurations[c] for c in self.run.options)
 
     @property
+    def open_at(self) -> tuple[str, ...]:
+        """Boundaries that are reached together where the laws of contact leave it open."""
+        shapes = self.structure.boundaries[self.run.configurations[-1]]
+        return tuple(b.name for i, b in enumerate(shapes) if self.run.open_at >> i & 1)
+
+    @property
     def message(self) -> str:
         """Why it ended, in words."""
         found = self.run.status.message
-        return f"{found}: {' or '.join(self.options)}" if self.options else found
+        if not self.options:
+            return found
+        here = int(self.run.configurations[-1])
+        reached = frozenset(self.structure.boundary(here, name) for name in self.open_at)
+        if self.structure.orders(here, reached):
+            return f"{found}: the orders in which {' and '.join(self.open_at)} act do not agree"
+        return f"{found}: {' or '.join(self.options)}"
 
     @property
     def grazings(self) -> tuple[Grazing, ...]:

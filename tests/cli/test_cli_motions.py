@@ -47,7 +47,7 @@ def test_json_of_simulate_is_the_motion(backend, monkeypatch):
     motion = simulate("dry-friction", values(A), [0, 0, 0, 0], transitions=12)
     assert list(found) == [
         *("system", "parameters", "names", "times", "configurations", "boundaries", "states"),
-        *("transitions", "end", "status", "message", "options", "grazings", "files"),
+        *("transitions", "end", "status", "message", "options", "open_at", "grazings", "files"),
     ]
     # one entry for the start and one behind each transition, every digit in a decimal string
     assert found["transitions"] == 12

@@ -12,7 +12,6 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
-from declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
 
 from nonsmooth.derive.document.arrange import by_function
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
@@ -29,6 +28,7 @@ from nonsmooth.derive.itinerary import Itinerary, Phase
 from nonsmooth.derive.parameter import Parameter
 from nonsmooth.derive.system import Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import SYSTEMS, declaration
+from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
 from tests.latex_reader import ORBITS, written_of
 
 VOID = {"meta", "br", "hr", "img", "link"}

@@ -8,15 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from declared_documents import (
-    chain,
-    forced_stop,
-    impacts,
-    one_mass,
-    rattle,
-    switched,
-    switching,
-)
 from scipy.linalg import expm
 from scipy.optimize import brentq, fsolve
 
@@ -34,6 +25,15 @@ from nonsmooth.derive.itinerary import Itinerary, Phase
 from nonsmooth.derive.modal import derive_flows
 from nonsmooth.derive.system import Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import SYSTEMS, declaration
+from tests.declared_documents import (
+    chain,
+    forced_stop,
+    impacts,
+    one_mass,
+    rattle,
+    switched,
+    switching,
+)
 from tests.latex_reader import Reader, text_of, value_of
 
 Field = tuple[np.ndarray, np.ndarray]

@@ -30,7 +30,7 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
     program = tmp_path_factory.mktemp("engine") / "harness"
     sources = [
         CHECKOUT / "runtime" / "engine" / f"{name}.c"
-        for name in ("engine", "phase", "search", "tables")
+        for name in ("chain", "engine", "phase", "search", "tables")
     ]
     flags = ["-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
     flags += ["-ffp-contract=off", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]

@@ -9,17 +9,12 @@ import pytest
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.modes import NumericModes, numeric_modes
+from nonsmooth.runtime.model.time_functions import functions_at
 
 
 def summed(modes: NumericModes, t: float) -> np.ndarray:
     """Flow (N, N + 1) after a time."""
-    functions = []
-    for shape, (rate, frequency) in zip(modes.shapes, modes.exponents, strict=True):
-        for power in range(shape.length):
-            factor = t**power * np.exp(rate * t)
-            functions.append(factor * np.cos(frequency * t))
-            if shape.oscillates:
-                functions.append(factor * np.sin(frequency * t))
+    functions = functions_at(modes.shapes, modes.exponents, t)
     return np.tensordot(np.array(functions), modes.flows, axes=1)
 
 

@@ -19,12 +19,14 @@ from nonsmooth.derive.translation import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
+from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.proof.closure import exact_translations
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
+from nonsmooth.runtime.simulation.simulate import simulate_many
 from tests.places import GALLERY
 
 GEAR = str(GALLERY / "backlash_gear.py")
@@ -221,6 +223,11 @@ def test_orbits_are_found_up_to_their_shift():
     (entry,) = found.orbits
     assert entry.period == pytest.approx(sled().period, abs=1e-12)
     assert entry.starts > 5
+    kernels, data = kernels_of(SLED), {name: float(x) for name, x in found.parameters.items()}
+    motions = simulate_many(kernels, data, found.starts, transitions=200, keep=65)
+    told = settled(kernels, data, motions)
+    assert ((told.outcomes == PERIODIC) == (found.labels == 0)).all()
+    np.testing.assert_allclose(told.periods[found.labels == 0], entry.period, atol=1e-5)
 
 
 @pytest.mark.parametrize(("damper", "outcome"), [("0", Outcome.FAMILY), ("0.3", Outcome.DRIFTING)])

@@ -180,6 +180,34 @@ def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> Non
         np.testing.assert_allclose(end, ends[0][1], atol=1e-7)
 
 
+@pytest.mark.parametrize("reverse", [False, True])
+def test_motions_of_coupled_contacts_are_proved(reverse: bool) -> None:
+    for sign in (1, -1):
+        data, start = {"P": sign, "A": 2 * sign}, [0, 0, 0, 0, 1, 0]
+        proof = ns.validate(stack(reverse), data, start, "stick-stick", 8)
+        motion = ns.simulate(stack(reverse), data, start, transitions=8)
+        assert proof.decided
+        assert proof.configurations == tuple(motion.configurations)
+        states = [[float(x) for x in state] for state in proof.states]
+        np.testing.assert_allclose(motion.states, states, atol=1e-9)
+
+
+def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
+    """The upper block turns back: its static limit is all that the lower one holds."""
+    contacts = [
+        Friction("x1", kinetic=1, static=2, name="ground"),
+        Friction({"x2": 1, "x1": -1}, kinetic=1, static=2, name="between"),
+    ]
+    system = oscillator(
+        "limits", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2),
+        forcing=[Harmonic(1, sine=[0, 3])], elements=contacts,
+    )  # fmt: skip
+    proof = ns.validate(system, {}, [0, 0, 0, 0, 1, 0], "stick-stick", 3)
+    assert not proof.decided
+    assert proof.transitions == 1
+    assert "what the contact law says at between-reaches-belt" in str(proof.reason)
+
+
 def least(point: PiecewiseLinear, state: np.ndarray, reached: set[int]) -> list[str]:
     """What each contact of a system at rest does, by minima of the primal problem."""
     law = point.structure.law
@@ -269,7 +297,11 @@ def test_stops_at_one_instant_are_ambiguous_without_a_law(reverse: bool) -> None
     assert motion.end == pytest.approx(1.0)
     assert motion.options == ("free-free",)
     assert motion.run.options == second.options
-    assert motion.message.endswith("free-free")
+    assert motion.open_at == ("a-reaches-stop", "b-reaches-stop")[:: -1 if reverse else 1]
+    assert motion.run.open_at == second.open_at
+    assert motion.message.endswith(
+        f"orders in which {' and '.join(motion.open_at)} act do not agree"
+    )
 
 
 STRUCK = """
@@ -288,6 +320,7 @@ def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path
     again = ns.load_trajectory(tmp_path / f"motion.{ending}")
     assert again.status == Status.AMBIGUOUS
     assert again.options == motion.options == ("free-free",)
+    assert again.message == motion.message
     other = replace(motion.run, status=Status.UNTIL)
     replace(motion, run=other).save(tmp_path / f"other.{ending}")
     with pytest.raises(InputError, match="it holds options, though it ended as 'until'"):
@@ -362,3 +395,51 @@ def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path)
     refused(lambda d: d["law"]["contacts"][0].update(static=d["law"]["contacts"][1]["static"]))
     refused(lambda d: d["law"].update(limits=d["law"]["arrivals"]))
     refused(lambda d: d["law"].pop("free"))
+
+
+def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path: Path) -> None:
+    file = tmp_path / "sliding.py"
+    file.write_text(SLIDING)
+    motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
+    itinerary, dwell, start = itinerary_of(motion)
+    whole = ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist())
+    count = len(itinerary) // 2
+    turned = {name: f"-{name}" for name in ("x1", "x2", "v1", "v2", "c1", "s1")}
+    half = ns.compose(
+        str(file), {}, itinerary[:count], dwell.tolist()[:count], start.tolist(), symmetry=turned
+    )
+    assert half.itinerary == whole.itinerary
+    assert half.admissibility.verdict is True
+    np.testing.assert_allclose(half.states, whole.states, atol=1e-12)
+    assert set(ns.certify(half).claims.values()) == {"proved"}
+
+
+CRAWLING = (
+    SLIDING.replace('[[1, 0], [0, "1/2"]]', "sp.Matrix([[1, -1], [-1, 1]]) / 2")
+    .replace('[["1/10", 0], [0, "1/10"]]', "sp.Matrix([[1, -1], [-1, 1]]) / 10")
+    .replace('{"x1": 1, "x2": "3/10"}', '{"x1": 2, "x2": -1}')
+)
+
+
+def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "crawling.py"
+    file.write_text(CRAWLING)
+    motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
+    itinerary, dwell, start = itinerary_of(motion)
+    proof = ns.certify(ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist()))
+    assert set(proof.claims.values()) == {"proved"}
+    proof.save(tmp_path / "proof.json")
+    content = json.loads((tmp_path / "proof.json").read_text())
+    assert content["closing"]["translations"] == [["1", "1", "0", "0", "0", "0"]]
+    check(content)
+    law = content["declaration"]["law"]
+    rows = [c[name] for c in law["contacts"] for name in ("static", "kinetic", "slipping")]
+    reasons = []
+    for row in (*rows, *(row for free in law["free"].values() for row in free)):
+        kept, row[0] = row[0], "1/100"  # it depends on where the lower block is
+        content["sha256"] = checksum_of(content)
+        with pytest.raises(Failure) as refused:
+            check(content)
+        reasons.append(str(refused.value))
+        row[0] = kept
+    assert "no translation of the system" in reasons  # of a limit that no condition has

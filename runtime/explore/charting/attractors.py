@@ -60,7 +60,7 @@ class AttractorProblem:
         compiled = kernels.compiled is not None and compiled_engine() is not None
         return {
             "kind": "attractors",
-            "version": 2,
+            "version": 3,
             "system": str(kernels.table["name"]),
             "derivation": str(kernels.module.DERIVATION),
             "table": table_hash(kernels.table),

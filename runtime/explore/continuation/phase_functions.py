@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
+from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage
 
 __all__ = ["ConditionRow", "Conditions", "conditions_of", "phase_waves"]
@@ -139,18 +140,7 @@ def phase_waves(
         rows = rows[..., :-1] @ field
 
     def basis(points: np.ndarray, times: np.ndarray) -> np.ndarray:
-        functions: list[np.ndarray] = []
-        for column, mode in enumerate(modes):
-            rate, frequency = exponents[points, column, 0], exponents[points, column, 1]
-            power = np.exp(rate * times)
-            for _ in range(mode.length):
-                if mode.oscillates:
-                    functions += [power * np.cos(frequency * times)]
-                    functions += [power * np.sin(frequency * times)]
-                else:
-                    functions.append(power)
-                power = power * times
-        return np.stack(functions, axis=-1)
+        return np.stack(functions_at(modes, exponents[points], times), axis=-1)
 
     return PhaseWaves(
         place,

@@ -6,6 +6,8 @@
 `primitive`   candidates solved as orbits, over their primitive period, each once
 `steady`      equilibria, and what a forcing makes of one configuration
 `stretching`  how fast neighbouring motions part
+`escape`      motions followed on, and whether they grow without bound
+`stroboscope` motions that come back with the forcing
 `mirrors`     symmetries of a system, found from its tables
 `outcomes`    where motions lead, each by its name
 `find`        `find_orbits`: attractors by simulation, others by Newton

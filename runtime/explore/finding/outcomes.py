@@ -8,6 +8,7 @@ from enum import IntEnum
 
 import numpy as np
 
+from nonsmooth.runtime.explore.finding.escape import Pursued, numbers_of, pursue
 from nonsmooth.runtime.explore.finding.primitive import admissible, orbit_scale
 from nonsmooth.runtime.explore.finding.steady import (
     Equilibrium,
@@ -16,22 +17,30 @@ from nonsmooth.runtime.explore.finding.steady import (
     responses,
 )
 from nonsmooth.runtime.explore.finding.stretching import Stretching, stretching
-from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.explore.finding.stroboscope import stroboscopic_returns
+from nonsmooth.runtime.model.engine_run import LARGEST_STATE, Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.shooting.newton import SINGULAR
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.recurrence import scales_of
-from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
+from nonsmooth.runtime.simulation.simulate import Trajectories
 
-__all__ = ["Attractors", "Outcome", "attractors_of", "quiet_outcomes", "stretched_outcomes"]
+__all__ = [
+    "Attractors",
+    "Outcome",
+    "attractors_of",
+    "labels_of_ends",
+    "pursued_outcomes",
+    "quiet_outcomes",
+]
 
 _ARRIVED = 1e-3  # how near to an attractor a motion has to end, relative to its size
 _NOTHING = 1e-9  # of a state's size: a part of a motion that is none
 _SLOW = 1e-12  # rate of a motion that neither decays nor grows, in units of the fastest
+_ROUNDED = 1e-7  # exponent that rounding makes of zero, beside a drift, in the same units
 _EQUAL = 1e-9  # relative difference of a frequency from the forcing's
-_ENDURING = 4096  # transitions for which chaos has to go on
 _CERTAIN = 3.0  # standard errors of an exponent
 
 
@@ -58,7 +67,7 @@ _TEXTS = {
     Outcome.UNCLASSIFIED: "not classified",
     Outcome.RESTING: "came to rest",
     Outcome.ILLEGAL: "in no configuration",
-    Outcome.FAMILY: "one of an undamped family",
+    Outcome.FAMILY: "one of a family of motions",
     Outcome.INCOMMENSURATE: "quasi-periodic, as the forcings have no common period",
     Outcome.QUASIPERIODIC: "quasi-periodic",
     Outcome.CHAOTIC: "chaotic",
@@ -110,36 +119,19 @@ class Attractors:
     def measured(
         self, motions: Trajectories, labels: np.ndarray, threads: int | None = None
     ) -> np.ndarray:
-        """The same labels, where those that are not classified are told by their exponents.
-
-        Chaos goes on: a motion that ends within many more transitions is labelled by its end.
-        """
+        """The same labels, where motions that are not classified are followed further on."""
         places = np.flatnonzero(
             (labels == Outcome.UNCLASSIFIED) & (motions.status == Status.TRANSITIONS)
         )
         found = labels.copy()
-        values = {name: float(value) for name, value in self.system.parameters.items()}
         if places.size:
-            part = motions.at(places)
-            scales = scales_of(self.system, part)
-            common = forcing_turns(self.system) is not None
-            found[places] = stretched_outcomes(
-                stretching(self.kernels, values, part, scales, threads),
-                np.full(len(places), common),
-            )
-        chaotic = np.flatnonzero(found == Outcome.CHAOTIC)
-        if chaotic.size:
-            longer = simulate_many(
-                self.kernels,
-                values,
-                motions.last_states[chaotic, -1],
-                motions.last_configurations[chaotic, -1],
-                transitions=_ENDURING,
-                keep=2,
-                threads=threads,
-            )
-            ended = longer.status != Status.TRANSITIONS
-            found[chaotic[ended]] = self.labels(longer)[ended]
+            systems = [self.system] * len(places)
+            pursued = pursue(self.kernels, systems, motions.at(places), threads)
+            later = self.labels(pursued.motions)
+            returns = stroboscopic_returns(self.kernels, systems, pursued.motions, threads)
+            known = pursued.undecided | (returns.lengths > 0)  # as orbits that were not solved
+            pursued = pursued._replace(undecided=known)
+            found[places] = pursued_outcomes(self.kernels, systems, pursued, later, threads)
         return found
 
     def _steady(self, configuration: int) -> int | None:
@@ -170,7 +162,31 @@ def attractors_of(
     )
 
 
-def stretched_outcomes(measured: Stretching, common: np.ndarray) -> np.ndarray:
+def pursued_outcomes(
+    kernels: SystemKernels,
+    systems: Sequence[PiecewiseLinear],
+    pursued: Pursued,
+    labels: np.ndarray,
+    threads: int | None = None,
+) -> np.ndarray:
+    """Labels (n,) of motions of as many systems that were followed further on.
+
+    Those that are not classified there escape, or are told by their largest exponents.
+    """
+    found, motions = labels.copy(), pursued.motions
+    found[pursued.escapes] = Outcome.DIVERGENT
+    goes_on = (found == Outcome.UNCLASSIFIED) & (motions.status == Status.TRANSITIONS)
+    places = np.flatnonzero(goes_on & ~pursued.undecided)
+    if places.size:
+        here, part = [systems[place] for place in places.tolist()], motions.at(places)
+        scales = [scales_of(system, part.at([k]))[0] for k, system in enumerate(here)]
+        measured = stretching(kernels, numbers_of(here), part, np.array(scales), threads)
+        common = np.array([forcing_turns(system) is not None for system in here])
+        found[places] = _stretched_outcomes(measured, common)
+    return found
+
+
+def _stretched_outcomes(measured: Stretching, common: np.ndarray) -> np.ndarray:
     """Outcomes (n,) of motions that go on and do not come back, by their largest exponents.
 
     Parameters
@@ -184,8 +200,20 @@ def stretched_outcomes(measured: Stretching, common: np.ndarray) -> np.ndarray:
     found = np.where(value > error, int(Outcome.CHAOTIC), regular)
     found = np.where(value < -error, settling, found)
     found[np.isnan(value)] = Outcome.UNCLASSIFIED
-    found[measured.grows] = Outcome.DIVERGENT
     return found
+
+
+def labels_of_ends(motions: Trajectories) -> np.ndarray:
+    """Outcomes (n,) of motions that could not be followed; UNCLASSIFIED for all others.
+
+    They are ILLEGAL where nothing was simulated, and DIVERGENT where they grew until nothing can
+    be computed. The last entry of the motions has to be kept.
+    """
+    labels = np.where(motions.status < 0, int(Outcome.ILLEGAL), int(Outcome.UNCLASSIFIED))
+    now, before = motions.states, motions.last_states[:, -1]
+    small = [(np.abs(states) < LARGEST_STATE).all(axis=1) for states in (now, before)]
+    labels[(motions.status == Status.OVERFLOW) & ~small[0] & small[1]] = Outcome.DIVERGENT
+    return labels
 
 
 def _arrivals(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndarray:
@@ -195,9 +223,7 @@ def _arrivals(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndar
     motions have to be kept.
     """
     structure = motions.structure
-    labels = np.full(len(motions.times), int(Outcome.UNCLASSIFIED))
-    labels[motions.status < 0] = Outcome.ILLEGAL
-    labels[motions.status == Status.OVERFLOW] = Outcome.DIVERGENT
+    labels = labels_of_ends(motions)
     nearest = np.full(len(labels), _ARRIVED)
     for index, orbit in enumerate(orbits):
         if orbit.stability.verdict not in ("stable", "undecided") or orbit.cycle.uninterrupted:
@@ -252,10 +278,14 @@ def quiet_outcomes(
     sizes = np.maximum(parts.max(axis=1), _NOTHING * parts.max(axis=(0, 1)))
     shifted, present = ((part > _NOTHING * sizes[:, None]).any(axis=2) for part in (parts, within))
     exponents = system.exponents[configuration]
-    slow = _SLOW * float(np.abs(exponents).max(initial=0.0))
+    fastest = float(np.abs(exponents).max(initial=0.0))
+    slow = _SLOW * fastest
     speeds = np.abs([system.fields[0, s, c] for c, s in structure.forcing])
     moving, free, grows, drifts = np.zeros((4, len(states)), dtype=bool)
     for mode, (rate, frequency) in zip(structure.shapes[configuration], exponents, strict=True):
+        if mode.joined and abs(rate) + frequency <= _ROUNDED * fastest:
+            drifts |= shifted[:, list(mode.places)].any(axis=1)
+            continue
         if rate < -slow:
             continue
         lowest = 2 if mode.oscillates else 1  # functions without a power of time
@@ -270,7 +300,10 @@ def quiet_outcomes(
     staying = Outcome.UNCLASSIFIED
     if forcing_turns(system) is None:
         staying = Outcome.INCOMMENSURATE
-    elif response is not None and response.status == SINGULAR:
+    elif response is not None and (
+        response.status == SINGULAR
+        or (not response.converged and _rests_anywhere(system, configuration, own))
+    ):
         staying = Outcome.FAMILY
     labels = np.where(drifts, int(Outcome.DRIFTING), int(Outcome.RESTING))
     labels[moving] = staying
@@ -279,3 +312,11 @@ def quiet_outcomes(
     labels[free] = Outcome.FAMILY
     labels[grows] = Outcome.DIVERGENT
     return labels
+
+
+def _rests_anywhere(system: PiecewiseLinear, configuration: int, own: list[int]) -> bool:
+    """Whether a configuration holds a part where it is, as a mass that sticks, at any place."""
+    normals = system.rows[list(system.structure.constraints[configuration])]
+    rows = np.concatenate([system.fields[configuration][own], normals])[:, own]
+    values = np.linalg.svd(rows, compute_uv=False)
+    return bool(values[-1] <= _NOTHING * values[0])

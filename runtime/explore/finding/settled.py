@@ -2,21 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import compress
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.explore.finding.escape import pursue
 from nonsmooth.runtime.explore.finding.outcomes import (
     Outcome,
     attractors_of,
-    stretched_outcomes,
+    labels_of_ends,
+    pursued_outcomes,
 )
-from nonsmooth.runtime.explore.finding.steady import forcing_turns
-from nonsmooth.runtime.explore.finding.stretching import stretching
+from nonsmooth.runtime.explore.finding.stroboscope import stroboscopic_returns
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import parameter_points, piecewise_at
+from nonsmooth.runtime.model.piecewise import (
+    PiecewiseLinear,
+    parameter_points,
+    piecewise_at,
+)
+from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.simulation.recurrence import recurrent_lengths
 from nonsmooth.runtime.simulation.simulate import Trajectories
 
 __all__ = ["EQUILIBRIUM", "PERIODIC", "UNINTERRUPTED", "Settled", "settled", "settled_texts"]
@@ -59,31 +68,27 @@ def settled(
     points, given = parameter_points(kernels, parameters)
     places = np.broadcast_to(np.arange(len(points)).reshape(given), shape).ravel()
     flat = motions.reshaped(count)
-    scales = _scales(flat.last_states)
-    lengths = _lengths(flat, scales)
-    times = flat.last_times
-    before = np.take_along_axis(times, (times.shape[-1] - 1 - lengths)[:, None], axis=1)[:, 0]
-    periods = np.where(lengths > 0, times[:, -1] - before, np.nan)
-    outcomes = np.full(count, int(Outcome.UNCLASSIFIED))
-    outcomes[flat.status < 0] = Outcome.ILLEGAL
-    outcomes[flat.status == Status.OVERFLOW] = Outcome.DIVERGENT
-    outcomes[lengths > 0] = PERIODIC
-    for place in np.flatnonzero(flat.status == Status.QUIET).tolist():
-        here = flat.at([place])
-        outcomes[place], periods[place] = _quiet(kernels, points[places[place]], here)
-    going = np.flatnonzero((outcomes == Outcome.UNCLASSIFIED) & (flat.status == Status.TRANSITIONS))
+    found = _returned(flat, flat.last_states)
+    rest = np.flatnonzero(
+        (found.outcomes == Outcome.UNCLASSIFIED)
+        & ((flat.status == Status.TRANSITIONS) | (flat.status == Status.QUIET))
+    )
+    systems = [piecewise_at(kernels, points[place]) for place in places[rest]]
+    first = _arrived(kernels, systems, flat.at(rest))
+    _put(found, rest, first)
+    goes_on = (first.outcomes == Outcome.UNCLASSIFIED) & (flat.status[rest] == Status.TRANSITIONS)
+    going = rest[goes_on]
     if going.size:
-        values = {
-            table.name: points[places[going], column]
-            for column, table in enumerate(kernels.parameters)
-        }
-        common = np.ones(going.size, dtype=bool)
-        if len(motions.structure.forcing) > 1:
-            systems = (piecewise_at(kernels, points[place]) for place in places[going])
-            common = np.array([forcing_turns(system) is not None for system in systems])
-        measured = stretching(kernels, values, flat.at(going), scales[going], threads)
-        outcomes[going] = stretched_outcomes(measured, common)
-    return Settled(*(array.reshape(shape) for array in (outcomes, lengths, periods)))
+        here = list(compress(systems, goes_on))
+        pursued = pursue(kernels, here, flat.at(going), threads)
+        later = _arrived(kernels, here, pursued.motions)
+        returns = stroboscopic_returns(kernels, here, pursued.motions, threads)
+        back = (later.outcomes == Outcome.UNCLASSIFIED) & (returns.lengths > 0)
+        later.outcomes[back] = PERIODIC
+        later.lengths[back], later.periods[back] = returns.lengths[back], returns.periods[back]
+        told = pursued_outcomes(kernels, here, pursued, later.outcomes, threads)
+        _put(found, going, later._replace(outcomes=told))
+    return Settled(*(array.reshape(shape) for array in found))
 
 
 def settled_texts() -> dict[int, str]:
@@ -96,15 +101,42 @@ def settled_texts() -> dict[int, str]:
     }
 
 
-def _quiet(kernels: SystemKernels, point: np.ndarray, motion: Trajectories) -> tuple[int, float]:
-    """Outcome and period of a motion that leaves its configuration no more."""
-    attractors = attractors_of(kernels, piecewise_at(kernels, point), ())
-    label = int(attractors.labels(motion)[0])
-    if label < 0:
-        return label, np.nan
-    if label < len(attractors.orbits):
-        return UNINTERRUPTED, float(attractors.orbits[label].period)
-    return EQUILIBRIUM, np.nan
+def _put(found: Settled, places: np.ndarray, others: Settled) -> None:
+    for array, other in zip(found, others, strict=True):
+        array[places] = other
+
+
+def _arrived(
+    kernels: SystemKernels, systems: Sequence[PiecewiseLinear], motions: Trajectories
+) -> Settled:
+    """What motions (n,) of as many systems have settled on, up to translations."""
+    states = motions.last_states.copy()
+    for place, system in enumerate(systems):
+        states[place] = up_to_shift(states[place], translations_of(system))
+    found = _returned(motions, states)
+    for place in np.flatnonzero(motions.status == Status.QUIET).tolist():
+        attractors = attractors_of(kernels, systems[place], ())
+        label = int(attractors.labels(motions.at([place]))[0])
+        if label >= len(attractors.orbits):
+            found.outcomes[place] = EQUILIBRIUM
+        elif label >= 0:
+            found.outcomes[place] = UNINTERRUPTED
+            found.periods[place] = attractors.orbits[label].period
+        else:
+            found.outcomes[place] = label
+    return found
+
+
+def _returned(motions: Trajectories, states: np.ndarray) -> Settled:
+    """Those motions (n,) that came back, as their states (n, k, N) at the entries tell."""
+    seen = replace(motions, last_states=states)
+    lengths = recurrent_lengths(seen, _scales(states), _RETURN)
+    lengths[motions.status != Status.TRANSITIONS] = 0
+    times = motions.last_times
+    before = np.take_along_axis(times, (times.shape[-1] - 1 - lengths)[:, None], axis=1)[:, 0]
+    outcomes = labels_of_ends(motions)
+    outcomes[lengths > 0] = PERIODIC
+    return Settled(outcomes, lengths, np.where(lengths > 0, times[:, -1] - before, np.nan))
 
 
 def _scales(states: np.ndarray) -> np.ndarray:
@@ -112,23 +144,3 @@ def _scales(states: np.ndarray) -> np.ndarray:
     largest = np.nan_to_num(np.abs(states)).max(axis=1, initial=0.0)
     found = np.maximum(largest, _LEAST * largest.max(axis=1, keepdims=True))
     return np.where(found > 0, found, 1.0)
-
-
-def _lengths(motions: Trajectories, scales: np.ndarray) -> np.ndarray:
-    """After how many transitions the end of each motion came back; 0 where it did not.
-
-    The last cycle repeats the configurations and boundaries of the one before.
-    """
-    configurations, sets = motions.last_configurations, motions.last_sets
-    states, kept = motions.last_states, motions.last_times.shape[1]
-    found = np.zeros(len(motions.status), dtype=int)
-    for length in range(1, (kept - 1) // 2 + 1):
-        last, before = slice(kept - length, kept), slice(kept - 2 * length, kept - length)
-        same = (configurations[:, last] == configurations[:, before]).all(axis=1)
-        same &= (sets[:, last] == sets[:, before]).all(axis=1)
-        same &= configurations[:, kept - 2 * length - 1] >= 0
-        with np.errstate(invalid="ignore"):
-            miss = np.abs(states[:, -1] - states[:, -1 - length]) / scales
-        same &= (miss <= _RETURN).all(axis=1) & (found == 0)
-        found[same & (motions.status == Status.TRANSITIONS)] = length
-    return found

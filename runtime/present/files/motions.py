@@ -46,6 +46,7 @@ MOTION = Form(
         "status": str,
         "end": str,
         "options": list,
+        "open_at": list,
         "grazings": list,
     },
     version=2,
@@ -99,6 +100,7 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
         "status": run.status.name.lower(),
         "end": repr(float(run.end)),
         "options": list(trajectory.options),
+        "open_at": list(trajectory.open_at),
         "grazings": [_grazing_texts(structure, grazing) for grazing in run.grazings],
     }
     header = MOTION.content(entries, *_numbers(table))
@@ -257,7 +259,8 @@ def _checked(entries: Any) -> dict[str, Any]:
     """Header of a file, complete and of the right types."""
     MOTION.check_entries(entries)
     header: dict[str, Any] = entries
-    texts = [*entries["parameters"].values(), *entries["states"], *entries["options"]]
+    texts = [*entries["parameters"].values(), *entries["states"]]
+    texts += [*entries["options"], *entries["open_at"]]
     grazings = entries["grazings"]
     if not all(isinstance(entry, list) and len(entry) == 4 for entry in grazings):
         raise InputError("'grazings' holds something else than four texts each")
@@ -289,8 +292,12 @@ def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Traje
         known[header["status"]],
         _number("end", header["end"]),
         tuple(map(structure.configuration, header["options"])),
+        sum(1 << structure.boundary(int(configurations[-1]), b) for b in header["open_at"]),
     )
-    if run.options and run.status != Status.AMBIGUOUS:
+    names = header["open_at"]
+    if len({*names}) < len(names):
+        raise InputError("'open_at' holds a boundary twice")
+    if (run.options or run.open_at) and run.status != Status.AMBIGUOUS:
         raise InputError(f"it holds options, though it ended as {header['status']!r}")
     if not (run.times[0] == 0 and (np.diff(run.times) >= 0).all() and run.end >= run.times[-1]):
         raise InputError("its times do not increase from 0 to its end")

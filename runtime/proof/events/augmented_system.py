@@ -255,7 +255,8 @@ def _condition(event: Event) -> Callable[[_Here], list[Any]]:
         state = here.now.ends[plan.place].entries()[:-1]
         found = [
             evaluate(behind.row, state)
-            for follower in plan.followers
+            for followers in plan.orders
+            for follower in followers
             for behind, _ in follower.conditions
             if behind is not None
         ]

@@ -72,6 +72,13 @@ class Facts:
         """What is true behind a reset of a state for which these are."""
         return Facts.of(left_kernel([self.reduce(row) for row in reset]))
 
+    def agree(self, first: Sequence[Sequence[Any]], second: Sequence[Sequence[Any]]) -> bool:
+        """Whether two resets take every state for which these are true to one state."""
+        return not any(
+            any(self.reduce([x - y for x, y in zip(*rows, strict=True)]))
+            for rows in zip(first, second, strict=True)
+        )
+
     def tighten(self, state: Sequence[arb]) -> list[arb]:
         """Balls around the coordinates, smaller where a fact gives one by the others."""
         found = list(state)

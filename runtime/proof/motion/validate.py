@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.model.structure import Structure, TransitionShape
 from nonsmooth.runtime.proof.motion.enclosures import (
     EnclosedSystem,
     Undecided,
@@ -21,6 +21,7 @@ from nonsmooth.runtime.proof.motion.enclosures import (
 )
 from nonsmooth.runtime.proof.motion.exact_rows import Facts, evaluate
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
+from nonsmooth.runtime.proof.motion.lawful import lawful
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactly
 
 if TYPE_CHECKING:
@@ -176,12 +177,45 @@ class _Motion:
     def _next(
         self, reached: tuple[int, ...], rows: set[int], facts: Facts, state: Sequence[arb]
     ) -> tuple[int, int]:
-        """Target and reset of the first transition declared for a set whose conditions hold."""
+        """Target and reset of what follows a set, in whatever order its stops act."""
+        structure, exact = self.system.structure, self.system.exact
+        orders = structure.orders(self.configuration, frozenset(reached))
+        found = [self._first(reached, rows, facts, state, order) for order in orders or (0,)]
+        first = found[0]
+        if any(found):
+            if not all(
+                first is not None
+                and other is not None
+                and other.target == first.target
+                and facts.agree(exact.resets[other.reset], exact.resets[first.reset])
+                for other in found
+            ):
+                both = self._names(reached, " and ")
+                raise Undecided(f"the orders in which {both} act need not agree", digits=False)
+            assert first is not None
+            return first.target, first.reset
+        names = [structure.boundaries[self.configuration][b].name for b in reached]
+        law = structure.law
+        event = None if law is None else law.event(self.configuration, names)
+        if event is None:
+            raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
+        told = lawful(self.system, self.configuration, event, facts, state)
+        if told is None:
+            raise Undecided(f"what the contact law says at {self._names(reached)}")
+        return told
+
+    def _first(
+        self,
+        reached: tuple[int, ...],
+        rows: set[int],
+        facts: Facts,
+        state: Sequence[arb],
+        order: int,
+    ) -> TransitionShape | None:
+        """The first transition declared for a set whose conditions hold, in one order of stops."""
         structure = self.system.structure
-        if structure.orders(self.configuration, frozenset(reached)):
-            raise Undecided(f"in which order the stops act at {self._names(reached)}", digits=False)
         for transition in structure.transitions[self.configuration]:
-            if transition.boundaries != frozenset(reached):
+            if transition.boundaries != frozenset(reached) or transition.order not in (0, order):
                 continue
             unknown: Undecided | None = None
             for row, along, holds in transition.conditions:
@@ -196,19 +230,16 @@ class _Motion:
                     break
             else:
                 if unknown is None:
-                    return transition.target, transition.reset
+                    return transition
                 target = structure.configurations[transition.target]
                 raise Undecided(
                     f"at {self._names(reached)}, whether {target} follows: {unknown.reason}"
                 )
-        if structure.law is not None:
-            told = f"what the contact law says at {self._names(reached)}: motions do not ask it yet"
-            raise Undecided(told, digits=False)
-        raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
+        return None
 
-    def _names(self, reached: tuple[int, ...]) -> str:
+    def _names(self, reached: tuple[int, ...], between: str = " with ") -> str:
         found = self.system.structure.boundaries[self.configuration]
-        return " with ".join(found[b].name for b in reached)
+        return between.join(found[b].name for b in reached)
 
     def proof(self) -> Proof:
         """What was found, by name."""

@@ -1,0 +1,135 @@
+"""Affine functions that vanish along one orbit, as x1 - x2 along one that is symmetric.
+
+Functions u of the state which the phases and resets of a cycle map linearly into each other
+are u = Q u where the orbit begins. If 1 is no eigenvalue of Q they are zero there. Unlike what
+is in `known` that is not true of motions nearby.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from scipy.linalg import expm
+
+from nonsmooth.runtime.proof.closure import projected
+from nonsmooth.runtime.proof.exact_tables import Matrix, Tables, rational_of
+from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, product
+from nonsmooth.runtime.shooting.shooting_map import Cycle
+
+__all__ = ["vanishing_along"]
+
+_SMALL = 1e-8  # of a guess
+_LARGEST_DENOMINATOR = 1000
+
+
+def vanishing_along(
+    tables: Tables,
+    cycle: Cycle,
+    translations: Sequence[Row],
+    start: Sequence[Any],
+    dwell: Sequence[Any],
+) -> tuple[Row, ...]:
+    """Functions that are proved to vanish where an orbit begins, and that last; often none.
+
+    Parameters
+    ----------
+    tables : Tables
+        Exact.
+    cycle : Cycle
+    translations : sequence of Row
+        Along which the cycle closes.
+    start, dwell : sequences of arb
+        Enclosures of the orbit.
+    """
+    from flint import arb_mat, fmpq
+
+    field = tables.fields[cycle.configurations[0]]
+    facts = _guessed(tables, field, [float(x.mid()) for x in start], float(dwell[0].mid()))
+    facts = facts.lasting(field)
+    images = _returned(tables, cycle, translations, facts, dwell)
+    if not images:
+        return ()
+    size = range(len(images))
+    missed = arb_mat([[int(i == j) - images[i][j] for j in size] for i in size]).det()
+    rational = all(isinstance(x, fmpq) for row in facts.rows for x in row)
+    return facts.rows if rational and (missed > 0 or missed < 0) else ()
+
+
+def _guessed(tables: Tables, field: Matrix, start: Sequence[float], dwell: float) -> Facts:
+    """Rational functions that are about zero at instants of the first phase."""
+    rates = np.array([[tables.near(x) for x in row] for row in field])
+    size = len(rates)
+    state = np.append(start, 1.0)[:size]
+    states = np.array([expm(rates * t) @ state for t in np.linspace(0, dwell, 4 * size)])
+    *_, sizes, turned = np.linalg.svd(states)
+    left = turned[sizes < _SMALL * sizes[0]]
+    found: list[np.ndarray] = []
+    for column in range(size):
+        if not len(left):
+            break
+        place = int(np.argmax(abs(left[:, column])))
+        if abs(left[place, column]) > _SMALL:
+            taken = left[place] / left[place, column]
+            left = np.delete(left, place, axis=0)
+            left = left - left[:, column, None] * taken
+            found = [*(row - row[column] * taken for row in found), taken]
+    near = [[Fraction(x).limit_denominator(_LARGEST_DENOMINATOR) for x in row] for row in found]
+    return Facts.of([[rational_of(x) for x in row] for row in near])
+
+
+def _returned(
+    tables: Tables,
+    cycle: Cycle,
+    translations: Sequence[Row],
+    facts: Facts,
+    dwell: Sequence[Any],
+) -> list[list[Any]] | None:
+    """What becomes of functions over one period, by their values; None where not they alone do."""
+    from flint import arb, arb_mat
+
+    first, count = facts, len(facts.rows)
+    images = [[arb(int(i == j)) for j in range(count)] for i in range(count)]
+
+    def combined(factors: Sequence[Sequence[Any]]) -> list[list[Any]]:
+        return [
+            [
+                sum((tables.number(x) * image[k] for x, image in zip(row, images, strict=True)),
+                    arb(0))
+                for k in range(count)
+            ]
+            for row in factors
+        ]  # fmt: skip
+
+    resets = [tables.resets[t.reset] for t in cycle.transitions]
+    resets[-1] = projected(resets[-1], translations)
+    for place, (configuration, reset) in enumerate(zip(cycle.configurations, resets, strict=True)):
+        field, leaves = tables.fields[configuration], tables.rows[cycle.rows[place]]
+        lasting = facts.lasting(field)
+        images = combined([_factors(row, facts) for row in lasting.rows])
+        if lasting.rows:
+            rates = [_factors(product(row, field), lasting) for row in lasting.rows]
+            flow = (arb_mat([list(map(tables.number, row)) for row in rates]) * dwell[place]).exp()
+            images = (flow * arb_mat(images)).tolist()
+        facts = Facts.of([*lasting.rows, leaves]).reset(reset)
+        images = combined([_at_exit(product(row, reset), leaves, lasting) for row in facts.rows])
+    if any(any(facts.reduce(row)) for row in first.rows):
+        return None
+    return combined([_factors(row, facts) for row in first.rows])
+
+
+def _factors(row: Row, facts: Facts) -> list[Any]:
+    """A combination of facts by its factors."""
+    return [row[pivot] for pivot in facts.pivots]
+
+
+def _at_exit(row: Row, leaves: Row, lasting: Facts) -> list[Any]:
+    """The same where it is a combination of facts and of a function that is zero."""
+    rest, zero = lasting.reduce(row), lasting.reduce(leaves)
+    for x, y in zip(rest, zero, strict=True):
+        if y:
+            row = tuple(a - x / y * b for a, b in zip(row, leaves, strict=True))
+            break
+    return _factors(row, lasting)

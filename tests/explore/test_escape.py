@@ -1,0 +1,158 @@
+"""Motions are called divergent where they are, and nowhere else."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.explore.finding.escape import natural_size
+from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
+from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.simulation.simulate import simulate_many
+from nonsmooth.runtime.simulation.starting import on_circles
+
+pytestmark = pytest.mark.compiled
+
+KINDS = [
+    (1, ("stop",)),
+    (1, ("friction",)),
+    (1, ("stop", "friction")),
+    (2, ("stop",)),
+    (2, ("stop", "friction")),
+]
+
+
+@cache
+def shaken(masses, contacts):
+    """One mass, or two in a row, damped, shaken at the first; what touches acts on the last."""
+    zeta, gap = (Parameter(name, "", lower=-sp.oo) for name in ("zeta", "gap"))
+    w, mu, k = (Parameter(name, "") for name in ("w", "mu", "k"))
+    r = Parameter("r", "", sp.Integer(0), sp.Integer(1), closed=True, upper_closed=True)
+    names = [f"x{place}" for place in range(1, masses + 1)]
+    elements, used = [], [zeta, w]
+    if "stop" in contacts:
+        elements.append(RigidStop(names[-1], at=gap.symbol, restitution=r.symbol, name="stop"))
+        used += [gap, r]
+    if "friction" in contacts:
+        elements.append(Friction(names[-1], mu.symbol, name="ground"))
+        used += [mu]
+    coupling = sp.Matrix([[1, -1], [-1, 1]]) * k.symbol if masses == 2 else sp.zeros(1)
+    return oscillator(
+        "-".join(["shaken", str(masses), *contacts]),
+        names,
+        mass=sp.eye(masses),
+        stiffness=sp.eye(masses) + coupling,
+        damping=2 * zeta.symbol * sp.eye(masses),
+        forcing=[Harmonic(w.symbol, cosine=[1, 0][:masses])],
+        elements=elements,
+        parameters=[*used, k][: len(used) + masses - 1],
+    )
+
+
+def outcomes_from(kernels, data, starts, transitions=200):
+    motions = simulate_many(kernels, data, starts, transitions=transitions, keep=65)
+    assert (motions.status >= 0).all()
+    return settled(kernels, data, motions).outcomes
+
+
+@pytest.mark.parametrize(("masses", "contacts"), KINDS)
+def test_what_is_damped_never_escapes(masses, contacts):
+    """Its energy decays, but for what a bounded force of one frequency can give."""
+    rng = np.random.default_rng([7, masses, len(contacts)])
+    kernels, size = kernels_of(shaken(masses, contacts)), 2 * masses
+    for _ in range(12):
+        drawn = {
+            "zeta": 10 ** rng.uniform(-4, -0.5), "w": rng.uniform(0.3, 4), "r": rng.uniform(0, 1),
+            "gap": rng.uniform(-0.3, 1), "mu": rng.uniform(0.01, 1), "k": rng.uniform(0.05, 3),
+        }  # fmt: skip
+        data = {table.name: drawn[table.name] for table in kernels.parameters}
+        starts = rng.normal(size=(6, size + 2)) * 10 ** rng.uniform(-3, 4)
+        starts[:, masses - 1] = drawn["gap"] - np.abs(starts[:, masses - 1])
+        starts = on_circles(piecewise(kernels, data), starts, rng.uniform(0, 6, 6))
+        assert Outcome.DIVERGENT not in outcomes_from(kernels, data, starts), data
+
+
+@pytest.mark.parametrize("beyond", [0.9, 0.98, 1.02, 1.1])
+def test_impacts_bound_what_grows_between_them(beyond):
+    """A stop at rest is struck each half period, between which sizes grow by e^(-zeta pi/w1).
+
+    With the restitution that makes a factor for each half period, of what is far out.
+    """
+    kernels, rng = kernels_of(shaken(1, ("stop",))), np.random.default_rng(3)
+    for _ in range(4):
+        zeta = -rng.uniform(0.03, 0.2)
+        grown = np.exp(-zeta * np.pi / np.sqrt(1 - zeta**2))
+        data = {"zeta": zeta, "gap": 0, "r": beyond / grown, "w": rng.uniform(0.3, 4)}
+        outcomes = outcomes_from(kernels, data, [[-1e4, 0, 1, 0], [-1e6, 5, 0, 1]])
+        assert (outcomes == Outcome.DIVERGENT).tolist() == [beyond > 1] * 2, data
+
+
+@pytest.mark.parametrize("force", [0.9, 1.1])
+def test_friction_bounds_a_resonance_as_den_hartog_says(force):
+    """At resonance the force gives pi F A in a period; friction takes 4 mu A.
+
+    J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, Trans. ASME 53
+    (1931). What is left makes the size grow in proportion to time.
+    """
+    kernels = kernels_of(shaken(1, ("friction",)))
+    data = {"zeta": 0, "w": 1, "mu": np.pi / 4 / force}
+    outcomes = outcomes_from(kernels, data, [[0.5, 0, 1, 0], [0, -5, 0, 1], [0, 50, 0, 1]], 2000)
+    assert (outcomes == Outcome.DIVERGENT).tolist() == [force > 1] * 3
+
+
+def test_a_start_that_leaves_an_unstable_orbit_does_not_escape():
+    system = "docs/gallery/impact_oscillator.py"
+    found = find_orbits(system, {"w": "2.5555555", "sigma": "1/5", "r": "4/5"}, 60)
+    assert set(found.outcomes) == {Outcome.CHAOTIC}
+    assert found.share(Outcome.CHAOTIC) == pytest.approx(0.9)
+
+
+def test_growth_next_to_rest_ends_where_boundaries_are():
+    """Between two stops, from a rest from which sizes grow a thousandfold in 9,000 impacts."""
+    near, far = sp.Rational(9698, 10**4), sp.Rational(1, 2)
+    system = oscillator(
+        "bounded-growth", ["x"], mass=[[1]], stiffness=[[1]], damping=[[sp.Rational(-1, 50)]],
+        elements=[
+            RigidStop("x", at=0, restitution=near, name="near"),
+            RigidStop("x", at=-1, restitution=far, side="lower", name="far"),
+        ],
+    )  # fmt: skip
+    outcomes = outcomes_from(kernels_of(system), {}, [[-1e-6, 0], [-1e-5, 0]])
+    assert Outcome.DIVERGENT not in outcomes
+
+
+def test_what_builds_up_to_a_response_does_not_escape():
+    """Next to the resonance of a mass at a stop, at twice the frequency of the mass alone."""
+    kernels = kernels_of(shaken(1, ("stop",)))
+    data = {"zeta": 1e-4, "gap": 0, "r": 1, "w": 2.0}
+    outcomes = outcomes_from(kernels, data, [[-0.5, 0, 1, 0], [-0.1, 0, 0, 1]], 70)
+    assert Outcome.DIVERGENT not in outcomes
+    data |= {"zeta": 0.01}
+    assert outcomes_from(kernels, data, [[-0.5, 0, 1, 0]], 2000).tolist() == [PERIODIC]
+
+
+def test_the_natural_size_is_that_of_boundaries_and_responses():
+    kernels = kernels_of(shaken(1, ("stop",)))
+    size = natural_size(piecewise(kernels, {"zeta": 0.01, "gap": 7, "r": 0.5, "w": 0.1}))
+    assert size == pytest.approx(7)
+    size = natural_size(piecewise(kernels, {"zeta": 0.01, "gap": 7, "r": 0.5, "w": 1}))
+    assert size == pytest.approx(1 / 0.02)
+
+
+def test_two_masses_that_escape_far_keep_their_forcing():
+    """Modes are found in numbers; a forcing that rounding of large states moved is none."""
+    kernels = kernels_of(shaken(2, ("stop",)))
+    data = {"zeta": -0.03, "w": 1.3, "gap": 0.1, "r": 1, "k": 0.5}
+    system = piecewise(kernels, data)
+    for flows in system.flows:
+        assert not flows[:, 4:][:, :, [0, 1, 2, 3, 6]].any()
+    starts = np.array([[-1, -2, 0, 0, 1, 0], [1, -3, 1, 0, 0, 1.0]]) * [1e3, 1e3, 1, 1, 1, 1]
+    far = simulate_many(kernels, data, starts, transitions=1500)
+    assert np.abs(far.states[:, :4]).max(axis=1).min() > 1e9
+    np.testing.assert_allclose(np.hypot(*far.states[:, 4:].T), 1, rtol=1e-9)
+    assert (outcomes_from(kernels, data, starts, 1500) == Outcome.DIVERGENT).all()

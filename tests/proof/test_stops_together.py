@@ -1,0 +1,143 @@
+"""Stops that are reached at one instant, in proofs: every order of impacts has to agree."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.checker import Failure, check
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.proof import certify_orbit as certify
+from nonsmooth.runtime.proof.exact_tables import exact_tables
+from tests.certified import struck, struck_together
+
+BOTH = ("a-reaches-stop", "b-reaches-stop")
+OPEN = "the orders in which a-reaches-stop and b-reaches-stop act need not agree"
+
+
+@cache
+def saved(law: str | None = None, coupling: str = "0") -> Any:
+    with TemporaryDirectory() as folder:
+        certificate = ns.certify(struck_together(law, coupling))
+        certificate.save(Path(folder) / "proof.json")
+        return json.loads((Path(folder) / "proof.json").read_text())
+
+
+@pytest.mark.parametrize(
+    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
+)
+def test_masses_that_are_struck_together_are_proved(law: str | None, coupling: str) -> None:
+    content = saved(law, coupling)
+    assert content["itinerary"] == [["free-free", "+".join(BOTH)]] * len(content["itinerary"])
+    assert content["claims"]["admissibility"] == "proved"
+    numbers = {t.get("order", 0) for t in content["declaration"]["transitions"]}
+    assert numbers >= {1, 2} if law is None else numbers == {0}
+    assert len(content["closing"]["vanishing"]) == 2  # x1 = x2, v1 = v2
+    check(content)
+
+
+def of_order(content: Any, number: int) -> list[Any]:
+    return [t for t in content["declaration"]["transitions"] if t.get("order", 0) == number]
+
+
+def renumbered(content: Any, number: int, other: int) -> None:
+    for transition in of_order(content, number):
+        transition["order"] = other
+
+
+def without(content: Any, number: int) -> None:
+    left = [t for t in content["declaration"]["transitions"] if t.get("order", 0) != number]
+    content["declaration"]["transitions"] = left
+
+
+def one_mass_alone(content: Any) -> None:
+    """In the second order only the second mass is struck."""
+    for transition in of_order(content, 2):
+        transition["reset"] = of_order(content, 1)[-1]["reset"]
+
+
+def elsewhere(content: Any) -> None:
+    for transition in of_order(content, 2):
+        transition["target"] = "contact-free"
+
+
+FALSE: dict[str, Callable[[Any], Any]] = {
+    "one order twice": lambda content: renumbered(content, 2, 1),
+    "another number": lambda content: renumbered(content, 2, 3),
+    "no number": lambda content: renumbered(content, 1, 0),
+    "an order is left out": lambda content: without(content, 2),
+    "the orders do not agree": one_mass_alone,
+    "an order leads elsewhere": elsewhere,
+    "nothing vanishes": lambda content: content["closing"].pop("vanishing"),
+    "one vanishes alone": lambda content: content["closing"]["vanishing"].pop(),
+    "another sum": lambda content: content["closing"]["vanishing"][0].__setitem__(1, "1"),
+    "not at zero": lambda content: content["closing"]["vanishing"][0].__setitem__(6, "1"),
+    "a mass is at rest": lambda content: content["closing"]["vanishing"][1].__setitem__(3, "0"),
+    "twice": lambda content: content["closing"]["vanishing"].append(
+        content["closing"]["vanishing"][0]
+    ),
+    "the forcing vanishes": lambda content: content["closing"]["vanishing"].extend(
+        [["0", "0", "0", "0", "1", "0", "0"], ["0", "0", "0", "0", "0", "1", "0"]]
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FALSE)
+def test_false_orders_and_symmetries_are_refused(name: str) -> None:
+    content = copy.deepcopy(saved())
+    FALSE[name](content)
+    content["sha256"] = checksum_of(content)
+    with pytest.raises(Failure):
+        check(content)
+
+
+def test_orders_that_do_not_agree_are_left_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    orbit = struck_together()
+    shapes = orbit.cycle.structure.transitions[orbit.cycle.configurations[0]]
+    first, second = ({t.reset for t in shapes if t.order == number} for number in (1, 2))
+    alone = max(first & second)  # in both orders only one mass may be struck
+    assert second - first
+
+    def tables_with_another_second_order(*given: Any) -> Any:
+        tables = exact_tables(*given)
+        resets = [
+            tables.resets[alone if k in second - first else k] for k in range(len(tables.resets))
+        ]
+        return replace(tables, resets=tuple(resets))
+
+    monkeypatch.setattr(certify, "exact_tables", tables_with_another_second_order)
+    found = ns.certify(orbit)
+    assert found.claims["admissibility"] == "undecided"
+    assert OPEN in found.reasons["admissibility"]
+
+
+@pytest.mark.parametrize(
+    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
+)
+def test_motions_of_masses_that_are_struck_together_are_proved(
+    law: str | None, coupling: str
+) -> None:
+    start = [0, 0, 1, 1, 1, 0]
+    proof = ns.validate(struck(law), {"c": coupling}, start, "free-free", 3)
+    assert proof.decided
+    assert proof.sets == (BOTH,) * 3
+    motion = ns.simulate(struck(law), {"c": coupling}, start, transitions=3)
+    states = [[float(x) for x in state] for state in proof.states]
+    np.testing.assert_allclose(motion.states, states, atol=1e-13)
+
+
+def test_a_motion_whose_impacts_have_no_order_is_proved_up_to_there() -> None:
+    proof = ns.validate(struck(), {"c": "1/4"}, [0, 0, 1, 1, 1, 0], "free-free", 3)
+    assert not proof.decided
+    assert OPEN in str(proof.reason)
+    assert proof.transitions == 0
