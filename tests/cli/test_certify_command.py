@@ -13,6 +13,8 @@ import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
 from tests.user_systems import declare
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 STICK = "dry-friction/global-stick"
 
 

@@ -21,6 +21,8 @@ import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import format_in
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 pty = pytest.importorskip("pty")  # progress is shown on terminals alone
 
 FRICTION = "chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"

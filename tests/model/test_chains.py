@@ -19,6 +19,8 @@ from nonsmooth.runtime.model.time_functions import (
 )
 from tests.model.test_modes import exact, oscillator, soft, summed
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 TIMES = (0.01, 1.0, 1000.0)
 SMALL = (*10.0 ** -np.arange(16, -0.1, -1), *10.0 ** np.random.default_rng(3).uniform(-16, 0, 8))
 

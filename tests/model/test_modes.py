@@ -11,6 +11,8 @@ from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.modes import NumericModes, numeric_modes
 from nonsmooth.runtime.model.time_functions import functions_at
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 
 def summed(modes: NumericModes, t: float) -> np.ndarray:
     """Flow (N, N + 1) after a time."""

@@ -29,6 +29,8 @@ from nonsmooth.runtime.shooting.translations import projection_along, translatio
 from nonsmooth.runtime.simulation.simulate import simulate_many
 from tests.places import GALLERY
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 GEAR = str(GALLERY / "backlash_gear.py")
 u, e, V, k, g, r, A, w, i, c = sp.symbols("u e V k g r A w i c")
 

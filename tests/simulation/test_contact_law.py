@@ -26,6 +26,8 @@ from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 from nonsmooth.runtime.simulation.starting import configuration_of
 from nonsmooth.runtime.simulation.stepping import run
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 SIGN = sp.Symbol("sign", real=True)
 
 

@@ -16,6 +16,8 @@ from nonsmooth.derive import Friction, Harmonic, RigidStop, SoftStop, System, os
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.piecewise import piecewise
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 MASS = np.array([[2, 0.5], [0.5, 1]])
 STIFFNESS = np.array([[2, -0.4], [-0.4, 3]])
 DAMPING = np.array([[0.2, 0], [0, 0.1]])

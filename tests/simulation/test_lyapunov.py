@@ -20,6 +20,8 @@ from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
 from nonsmooth.runtime.simulation.tangent import tangent_map
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 DATA_B = {
     **{"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"},

@@ -13,6 +13,8 @@ from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError
 
+pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
+
 START = {"x": "-0.5", "v": 0}
 
 
