@@ -61,7 +61,7 @@ class Stated(Enclosure):
         return self.texts
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Certificate:
     """What ball arithmetic proves of one orbit at one parameter point.
 

@@ -168,20 +168,20 @@ def _branch(curve: Curve, path: Path) -> Branch:
     found.sort(key=lambda each: each.place)
     multipliers = curve.multipliers(points)
     return Branch(
-        curve.orbit.name,
-        curve.parameter,
-        points[:, -1],
-        curve.names,
-        points[:, :-1],
-        curve.order * _period(curve, points),
-        multipliers**curve.order,
-        curve.traces(points),
-        tuple(_verdict(row, curve.conservative) for row in multipliers),
-        allowed,
-        tuple(replace(each.event, place=each.place) for each in found),
-        ends,
-        path.start,
-        curve.orbit,
+        name=curve.orbit.name,
+        parameter=curve.parameter,
+        parameter_values=points[:, -1],
+        unknown_names=curve.names,
+        unknowns=points[:, :-1],
+        period=curve.order * _period(curve, points),
+        multipliers=multipliers**curve.order,
+        trace=curve.traces(points),
+        stability=tuple(_verdict(row, curve.conservative) for row in multipliers),
+        admissible=allowed,
+        events=tuple(replace(each.event, place=each.place) for each in found),
+        ends=ends,
+        start=path.start,
+        orbit=curve.orbit,
     )
 
 

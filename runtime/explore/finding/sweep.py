@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.json_codec import AnyTable, BlankDigits, BlankText, Integers, Row
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.explore.finding.find import Found
@@ -64,19 +65,19 @@ class Sweep:
     """
 
     system: str
-    parameters: dict[str, Value]
+    parameters: Mapping[str, Value]
     parameter: str
     state: str
-    configuration: str | None
-    phase: float | None
-    values: np.ndarray
-    samples: np.ndarray
-    outcomes: np.ndarray
-    start: np.ndarray
+    configuration: BlankText
+    phase: BlankDigits
+    values: Row
+    samples: AnyTable
+    outcomes: Integers
+    start: Row
     transient: int
     follow: bool
     done: int
-    next_start: np.ndarray
+    next_start: Row
 
     @property
     def when(self) -> str:
