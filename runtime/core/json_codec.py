@@ -11,6 +11,7 @@ annotation                     entry
 ``str``, ``bool``, ``int``     the same
 ``float``                      a finite JSON number
 `Digits`, `AnyDigits`          a decimal string with every digit; finite, or also nan and inf
+`Exact`                        the text of a decimal number or a fraction, kept as it is
 `Complex`, `AnyComplex`        ``"re im"``, or ``"re"`` for a real one
 `Value`                        a given value as it was written
 `Row`, `AnyRow`, `Table`, ...  an array, flat or row by row, of decimal strings
@@ -29,6 +30,7 @@ a record                       an object with exactly its fields
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from fractions import Fraction
@@ -52,6 +54,7 @@ __all__ = [
     "Codec",
     "Complex",
     "Digits",
+    "Exact",
     "Flags",
     "FromOne",
     "Integers",
@@ -184,6 +187,22 @@ def _number(entry: Any) -> float:
 def _value(entry: Any) -> Value:
     text = _text(entry)
     return parse(text) if len(text) <= LONGEST_TEXT else as_value(Fraction(text))
+
+
+def _matching(pattern: str) -> Callable[[Any], str]:
+    """Refuse a text of another form."""
+    form = re.compile(pattern)
+
+    def read(entry: Any) -> str:
+        text: str = _text(entry)
+        if not form.fullmatch(text):
+            raise _Refused(f" is {text!r}, not a number")
+        return text
+
+    return read
+
+
+_fraction = _matching(r"-?\d+(/\d+)?")
 
 
 def _digits(entry: Any) -> float:
@@ -340,10 +359,11 @@ _PLAIN: dict[Any, Codec] = {
     int: Codec(int, _of_type(int)),
     float: Codec(float, _number),
     Value: Codec(lambda value: value.text, _value),
-    Fraction: Codec(str, lambda entry: Fraction(_text(entry))),
+    Fraction: Codec(str, lambda entry: Fraction(_fraction(entry))),
 }
 _DIGITS, _ANY_DIGITS = Codec(_digits_of, _finite), Codec(_digits_of, _digits)
 
+Exact = Annotated[str, Codec(_same, _matching(r"-?\d+(\.\d+)?(e[-+]?\d+)?(/\d+)?"))]
 Digits = Annotated[float, _DIGITS]
 AnyDigits = Annotated[float, _ANY_DIGITS]
 Row = Annotated[np.ndarray, _flat(_DIGITS, float)]

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.family_of_orbit import check_interval, curve_of
 from nonsmooth.runtime.explore.continuation.locating import (
@@ -132,9 +133,8 @@ def _check_same(
     """Refuse to go on with a branch of another orbit, parameter or value."""
     if (known.name, known.parameter) != (orbit.name, parameter):
         raise InputError(f"the branch to resume is of {known.name} over {known.parameter}")
-    for name, value in orbit.given.items():
-        if name != parameter and known.orbit.given.get(name) != value:
-            raise InputError(f"the branch to resume has another {name}")
+    asked = {name: value for name, value in orbit.given.items() if name != parameter}
+    check_same_question("branch", asked, known.orbit.given)
     values = known.parameter_values
     if not (limits[0] <= values.min() and values.max() <= limits[1]):
         raise InputError("the branch to resume leaves the interval")

@@ -59,7 +59,11 @@ class BoxEntries:
 
 
 BOX = FileFormat(
-    name="nonsmooth box certificate", what="proven map", entries=BoxEntries, version=VERSION
+    name="nonsmooth box certificate",
+    what="proven map",
+    entries=BoxEntries,
+    version=VERSION,
+    follows=("claims", "reasons", "shares", "enclosures"),
 )
 
 
@@ -88,7 +92,10 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
     with naming(path) as file:
-        return box_of(BOX.read(file))
+        entries = BOX.read(file)
+        found = box_of(entries)
+        BOX.check_follows(entries, box_entries(found))
+        return found
 
 
 def box_of(entries: BoxEntries) -> BoxCertificate:

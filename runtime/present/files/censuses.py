@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from nonsmooth.runtime.core.json_codec import Codec, decode
+from nonsmooth.runtime.core.json_codec import Codec, Exact, decode
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.present.files.certificates import (
@@ -30,7 +30,7 @@ _Certificate = Annotated[CertificateEntries, Codec(CERTIFICATE.content, CERTIFIC
 class CountedEntries:
     """What a census' file states of one orbit."""
 
-    unique: Mapping[str, tuple[str, str]]
+    unique: Mapping[str, tuple[Exact, Exact]]
     certificate: _Certificate | None
     reason: str
 
@@ -39,7 +39,7 @@ class CountedEntries:
 class OpenEntries:
     """What a census' file states of a box of which it is not known what it holds."""
 
-    bounds: Mapping[str, tuple[str, str]]
+    bounds: Mapping[str, tuple[Exact, Exact]]
     reason: str
 
 

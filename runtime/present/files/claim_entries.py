@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, TypeVar
 
-from nonsmooth.runtime.core.json_codec import decode
+from nonsmooth.runtime.core.json_codec import Exact, decode
 from nonsmooth.runtime.proof.certificate import Stated
 
 __all__ = ["Ball", "ClaimEntries", "Enclosures", "Itinerary", "Verdict", "enclosed", "stated"]
@@ -20,8 +20,8 @@ Itinerary = tuple[tuple[str, str], ...]
 class Ball:
     """An enclosure: decimal texts, exactly."""
 
-    mid: str
-    rad: str
+    mid: Exact
+    rad: Exact
 
     def stated(self, bits: int) -> Stated:
         """The enclosure that the texts state."""

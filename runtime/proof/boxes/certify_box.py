@@ -11,6 +11,7 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -301,15 +302,7 @@ def _record(
 
 
 def _check_same(wanted: BoxCertificate, found: BoxCertificate) -> None:
-    """What is resumed is of the same orbit and box, and its system is still the same."""
-
-    def compare(names: Sequence[str]) -> None:
-        for name in names:
-            if getattr(wanted, name) != getattr(found, name):
-                raise InputError(f"the state to resume has another {name}")
-
-    compare(("orbit", "itinerary", "box", "chosen"))
-    for name in wanted.parameters:
-        if wanted.parameters[name] != found.parameters.get(name):
-            raise InputError(f"the state to resume has another {name}")
-    compare(("declaration", "closing"))
+    """Refuse to go on with a map of another orbit, box or system."""
+    names = ("orbit", "itinerary", "box", "chosen", *wanted.parameters, "declaration", "closing")
+    asked, known = ({**vars(box), **box.parameters} for box in (wanted, found))
+    check_same_question("state", {name: asked[name] for name in names}, known)
