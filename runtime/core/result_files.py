@@ -22,7 +22,15 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file, write_file
 from nonsmooth.runtime.core.json_codec import decode, encode
 
-__all__ = ["WRONG_SHAPE", "FileFormat", "checksum_of", "format_in", "naming", "parsed"]
+__all__ = [
+    "WRONG_SHAPE",
+    "FileFormat",
+    "check_follows",
+    "checksum_of",
+    "format_in",
+    "naming",
+    "parsed",
+]
 
 _BEGINNING = 400  # characters of a file in which its format is named
 # what entries of the wrong shape raise where they are read
@@ -47,8 +55,6 @@ class FileFormat(Generic[Entries]):
     version : int
     most : int
         Bytes; a larger file is not read.
-    follows : tuple of str
-        Entries that follow from the others: what is read is compared with what they give.
     """
 
     name: str
@@ -56,7 +62,6 @@ class FileFormat(Generic[Entries]):
     entries: type[Entries]
     version: int = 1
     most: int = 500_000_000
-    follows: tuple[str, ...] = ()
 
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
@@ -127,22 +132,24 @@ class FileFormat(Generic[Entries]):
         if content["sha256"] != checksum_of(content, *numbers):
             raise InputError("edited or damaged: the checksum differs")
 
-    def check_follows(self, told: Entries, found: Entries) -> None:
-        """Refuse entries that do not follow from the others of a file.
 
-        Parameters
-        ----------
-        told, found
-            What the file says, and what the result that was made from it gives.
+def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
+    """Refuse entries that do not follow from the others of a file.
 
-        Raises
-        ------
-        InputError
-        """
-        said, given = encode(told), encode(found)
-        for name in self.follows:
-            if said[name] != given[name]:
-                raise InputError(f"{name!r} is not what the other entries give")
+    Parameters
+    ----------
+    entries : record
+        What the file says.
+    given : mapping of str to object
+        Entries that follow, as the result that was made from the others gives them.
+
+    Raises
+    ------
+    InputError
+    """
+    for name, entry in given.items():
+        if getattr(entries, name) != entry:
+            raise InputError(f"{name!r} is not what the other entries give")
 
 
 def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:

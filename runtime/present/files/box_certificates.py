@@ -9,9 +9,11 @@ from fractions import Fraction
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.json_codec import decode
+from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.present.files.claim_entries import (
+    Ball,
     ClaimEntries,
     Enclosures,
     Itinerary,
@@ -63,7 +65,6 @@ BOX = FileFormat(
     what="proven map",
     entries=BoxEntries,
     version=VERSION,
-    follows=("claims", "reasons", "shares", "enclosures"),
 )
 
 
@@ -94,7 +95,17 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
     with naming(path) as file:
         entries = BOX.read(file)
         found = box_of(entries)
-        BOX.check_follows(entries, box_entries(found))
+        check_follows(
+            entries,
+            {
+                "claims": decode(ClaimEntries, found.claims),
+                "reasons": found.reasons,
+                "shares": {name: float(share) for name, share in found.shares.items()},
+                "enclosures": {
+                    name: Ball(mid=x.mid, rad=x.rad) for name, x in found.enclosures.items()
+                },
+            },
+        )
         return found
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from nonsmooth.runtime.core.json_codec import Codec, Exact, decode
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.present.files.certificates import (
     CERTIFICATE,
@@ -64,13 +64,7 @@ class CensusEntries:
     bits: int
 
 
-CENSUS = FileFormat(
-    name="nonsmooth census",
-    what="census",
-    entries=CensusEntries,
-    version=VERSION,
-    follows=("count", "admissible", "decided", "statement"),
-)
+CENSUS = FileFormat(name="nonsmooth census", what="census", entries=CensusEntries, version=VERSION)
 
 
 def save_census(census: Census, path: str | os.PathLike[str]) -> None:
@@ -126,7 +120,8 @@ def census_of(entries: CensusEntries) -> Census:
         looked=entries.looked,
         bits=entries.bits,
     )
-    CENSUS.check_follows(entries, census_entries(census))
+    follows = ("count", "admissible", "decided", "statement")
+    check_follows(entries, {name: getattr(census, name) for name in follows})
     return census
 
 

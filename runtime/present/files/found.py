@@ -12,7 +12,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, Integers, Table, encode
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
@@ -120,7 +120,6 @@ FOUND = FileFormat(
     entries=FoundEntries,
     version=2,
     most=200_000_000,
-    follows=("starts", "outcomes", "resting", "unclassified"),
 )
 
 
@@ -157,7 +156,6 @@ def _summary(found: Found) -> FoundSummary:
     return FoundSummary(
         system=found.system,
         parameters=found.parameters,
-        starts=len(found.starts),
         transitions=found.transitions,
         complete=found.complete,
         box=dict(zip(found.names, found.box.tolist(), strict=True)),
@@ -165,10 +163,18 @@ def _summary(found: Found) -> FoundSummary:
         equilibria=tuple(
             _equilibrium_entries(found, place) for place in range(len(found.equilibria))
         ),
-        outcomes={o.name.lower(): found.share(o) for o in found.outcomes},
-        resting=found.resting,
-        unclassified=found.unclassified,
+        **_shares(found),
     )
+
+
+def _shares(found: Found) -> dict[str, Any]:
+    """What follows from the labels of the starts."""
+    return {
+        "starts": len(found.starts),
+        "outcomes": {o.name.lower(): found.share(o) for o in found.outcomes},
+        "resting": found.resting,
+        "unclassified": found.unclassified,
+    }
 
 
 def _entries(found: Found) -> FoundEntries:
@@ -263,7 +269,7 @@ def _found(entries: FoundEntries, folder: Path) -> Found:
         entries.transitions,
         entries.complete,
     )
-    FOUND.check_follows(entries, _entries(found))
+    check_follows(entries, _shares(found))
     return found
 
 
