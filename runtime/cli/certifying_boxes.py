@@ -16,7 +16,7 @@ from nonsmooth.runtime.cli.application import (
     print_json,
     without_picture,
 )
-from nonsmooth.runtime.cli.keeping import check_new, interrupted, same_command, worked
+from nonsmooth.runtime.cli.keeping import check_new, kept_of, worked
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
 
@@ -96,10 +96,7 @@ def certify_over(
     if not stopped:
         return found, code or (ANSWERED if found.decided >= _ENOUGH else UNANSWERED)
     done = f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided"
-    if save is None:
-        return found, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
-    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
-    return found, interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
+    return found, kept_of(done, save)
 
 
 def box_and_values(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED, print_json
 from nonsmooth.runtime.cli.certifying_boxes import box_and_values, solved_in
-from nonsmooth.runtime.cli.keeping import interrupted, same_command, worked
+from nonsmooth.runtime.cli.keeping import kept_of, worked
 
 __all__ = ["certify_events"]
 
@@ -74,7 +74,4 @@ def certify_events(
     if not stopped:
         return claims, UNANSWERED if "undecided" in claims.values() else ANSWERED
     done = f"{len(found)} of {len(branch.events)} events are done"
-    if save is None:
-        return claims, interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
-    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
-    return claims, interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
+    return claims, kept_of(done, save)

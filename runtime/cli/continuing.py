@@ -19,13 +19,7 @@ from nonsmooth.runtime.cli.application import (
     split,
     without_picture,
 )
-from nonsmooth.runtime.cli.keeping import (
-    Overwrite,
-    check_new,
-    interrupted,
-    same_command,
-    worked,
-)
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
 from nonsmooth.runtime.cli.options import AsJson, OrbitName
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.explore.continuation.event import KINDS, Event
@@ -222,13 +216,7 @@ def follow(
     code = without_picture(failed)
     if not stopped:
         return code
-    done = f"{len(branch)} points"
-    if save is None or switch:
-        where = f"are kept in {save}" if save is not None else "are shown, not saved"
-        again = same_command(*["--overwrite"] if save is not None else [])
-        return interrupted(f"{done} {where}", f"begin again with: {again}")
-    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
-    return interrupted(f"{done} are kept in {save}", f"go on with: {goes_on}")
+    return kept_of(f"{len(branch)} points are done", save, resumes=not switch)
 
 
 def _go_on(stopped: bool) -> None:
@@ -320,9 +308,7 @@ def _in_the_plane(
         _show_written(written)
     code = without_picture(failed)
     if stopped:
-        where = "are shown, not saved" if save is None else f"are kept in {save}"
-        again = same_command(*["--overwrite"] if save is not None else [])
-        return interrupted(f"{len(locus)} points {where}", f"begin again with: {again}")
+        return kept_of(f"{len(locus)} points are done", save, resumes=False)
     return code
 
 

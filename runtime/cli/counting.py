@@ -15,7 +15,7 @@ from nonsmooth.runtime.cli.application import (
     assignments,
     print_json,
 )
-from nonsmooth.runtime.cli.keeping import interrupted, same_command, worked
+from nonsmooth.runtime.cli.keeping import kept_of, worked
 from nonsmooth.runtime.core.errors import InputError
 
 __all__ = ["Every", "count_orbits", "split_bounds"]
@@ -87,9 +87,8 @@ def count_orbits(
         if save is not None:
             print(f"\n{save} written")
     if stopped:
-        where = "shown, not saved" if save is None else f"kept in {save}"
-        again = same_command(*[] if save is None else ["--overwrite"])
-        return interrupted(f"what was found until then is {where}", f"begin again with: {again}")
+        boxes = f"{census.looked} boxes are looked at, {census.count} orbits found"
+        return kept_of(boxes, save, resumes=False)
     if census.decided:
         return ANSWERED
     if require is not None:

@@ -20,7 +20,15 @@ import typer
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.files import check_target
 
-__all__ = ["INTERRUPTED", "Overwrite", "check_new", "interrupted", "same_command", "worked"]
+__all__ = [
+    "INTERRUPTED",
+    "Overwrite",
+    "check_new",
+    "interrupted",
+    "kept_of",
+    "same_command",
+    "worked",
+]
 
 INTERRUPTED = 130  # exit code
 
@@ -74,6 +82,27 @@ def interrupted(kept: str, command: str) -> int:
     """Say in one line what was kept, and which command goes on; gives the exit code."""
     print(f"nonsmooth: interrupted: {kept}; {command}", file=sys.stderr)
     return INTERRUPTED
+
+
+def kept_of(done: str, save: Path | None, *, resumes: bool = True) -> int:
+    """Say what is kept of a work that was interrupted, and how to go on; gives the exit code.
+
+    Parameters
+    ----------
+    done : str
+        How much of it is done.
+    save : Path or None
+        The file that it is kept in.
+    resumes : bool
+        Whether the command can go on with such a file.
+    """
+    if save is None:
+        return interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
+    if not resumes:
+        again = same_command("--overwrite")
+        return interrupted(f"{done}, kept in {save}", f"begin again with: {again}")
+    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
+    return interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
 
 
 def same_command(*more: str, without: Sequence[str] = ()) -> str:

@@ -22,13 +22,7 @@ from nonsmooth.runtime.cli.application import (
     split,
     without_picture,
 )
-from nonsmooth.runtime.cli.keeping import (
-    Overwrite,
-    check_new,
-    interrupted,
-    same_command,
-    worked,
-)
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
 from nonsmooth.runtime.cli.options import AsJson, Physical, SystemName
 from nonsmooth.runtime.core.errors import InputError
 
@@ -272,9 +266,8 @@ def find(
             print(f"{write}:{name}")
     code = without_picture(failed)
     if stopped:
-        where = "shown, not saved" if save is None else f"kept in {save}"
-        again = same_command(*[] if save is None else ["--overwrite"])
-        return interrupted(f"what was found until then is {where}", f"begin again with: {again}")
+        count = len(found.orbits) + len(found.equilibria)
+        return kept_of(f"{count} orbits and equilibria are found", save, resumes=False)
     return code
 
 
@@ -410,11 +403,7 @@ def sweep(
             print(f"{path} written")
     code = without_picture(failed)
     if stopped:
-        done = f"{diagram.done} of {count} values are done"
-        if save is None:
-            return interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
-        goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
-        return interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
+        return kept_of(f"{diagram.done} of {count} values are done", save)
     return code
 
 

@@ -1,7 +1,7 @@
 """The codec of result files: a format, a version, a checksum, whole or not at all.
 
-Every kind of result file is a `Form`: its name, what it holds, and the entries that are
-expected. Files are written atomically, and read only if nothing of them is missing, unknown,
+Every kind of result file is a `FileFormat`: its name, what it holds, and the record of its
+entries. Files are written atomically, and read only if nothing of them is missing, unknown,
 cut, edited or of another release.
 """
 
@@ -16,21 +16,31 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file, write_file
+from nonsmooth.runtime.core.json_codec import decode, encode
 
-__all__ = ["WRONG_SHAPE", "Form", "checksum_of", "format_in", "naming", "parsed"]
+__all__ = [
+    "WRONG_SHAPE",
+    "FileFormat",
+    "check_follows",
+    "checksum_of",
+    "format_in",
+    "naming",
+    "parsed",
+]
 
-_COMMON: dict[str, type] = {"format": str, "version": int, "package": str, "sha256": str}
 _BEGINNING = 400  # characters of a file in which its format is named
 # what entries of the wrong shape raise where they are read
 WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
+_HEAD = ("format", "version", "package", "sha256")
+Entries = TypeVar("Entries")
 
 
-@dataclass(frozen=True)
-class Form:
+@dataclass(frozen=True, kw_only=True)
+class FileFormat(Generic[Entries]):
     """A kind of result file.
 
     Attributes
@@ -39,8 +49,9 @@ class Form:
         Its format.
     what : str
         What it holds, in words.
-    fields : dict of str to type
-        Its entries, beside format, version, package and checksum.
+    entries : type
+        A record: the entries beside format, version, package and checksum, as
+        `nonsmooth.runtime.core.json_codec` writes and reads them.
     version : int
     most : int
         Bytes; a larger file is not read.
@@ -48,11 +59,11 @@ class Form:
 
     name: str
     what: str
-    fields: Mapping[str, type]
+    entries: type[Entries]
     version: int = 1
     most: int = 500_000_000
 
-    def write(self, path: str | os.PathLike[str], entries: Mapping[str, Any]) -> None:
+    def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
 
         Raises
@@ -63,36 +74,35 @@ class Form:
         text = json.dumps(self.content(entries), indent=2, allow_nan=False) + "\n"
         write_file(Path(path), text.encode())
 
-    def content(self, entries: Mapping[str, Any], *numbers: bytes) -> dict[str, Any]:
+    def content(self, entries: Entries, *numbers: bytes) -> dict[str, Any]:
         """Entries with the format, version, package and checksum; that covers numbers too."""
         head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
-        content = {**head, **entries}
+        content = {**head, **encode(entries)}
         return {**content, "sha256": checksum_of(content, *numbers)}
 
-    def read(self, path: Path) -> dict[str, Any]:
-        """Entries of a file, of the right types.
+    def read(self, path: Path) -> Entries:
+        """Read the entries of a file.
 
         Raises
         ------
         InputError
             If the file cannot be read, or is cut, edited or foreign.
         """
-        content: dict[str, Any] = parsed(read_file(path, self.most, self.what))
-        self.check(content)
-        return content
+        return self.check(parsed(read_file(path, self.most, self.what)))
 
-    def check(self, content: Any) -> None:
-        """Refuse content of another format or version, with other entries or checksum.
+    def check(self, content: Any) -> Entries:
+        """Give the entries of content; refuse another format, version, entries or checksum.
 
         Raises
         ------
         InputError
         """
-        self.check_entries(content)
+        entries = self.check_entries(content)
         self.check_sum(content)
+        return entries
 
-    def check_entries(self, content: Any) -> None:
-        """Refuse content of another format or version, or with other entries.
+    def check_entries(self, content: Any) -> Entries:
+        """Give the entries of content; refuse another format, version or entries.
 
         Raises
         ------
@@ -100,17 +110,17 @@ class Form:
         """
         if not isinstance(content, dict) or content.get("format") != self.name:
             raise InputError(f"not a {self.what}, such as --save or save() writes")
-        if content.get("version") != self.version:
+        if content.get("version") != self.version or type(content["version"]) is not int:
             raise InputError(
                 f"version {content.get('version')!r} of the format, where {self.version} is"
                 " known: use the release that wrote it"
             )
-        expected = {**_COMMON, **self.fields}
-        for name in sorted(expected.keys() ^ content.keys()):
-            raise InputError(f"{name!r} is {'missing' if name in expected else 'unknown'}")
-        for name, kind in expected.items():
-            if type(content[name]) is not kind:
+        for name in ("package", "sha256"):
+            if name not in content:
+                raise InputError(f"{name!r} is missing")
+            if type(content[name]) is not str:
                 raise InputError(f"{name!r} is of the wrong type")
+        return decode(self.entries, {n: x for n, x in content.items() if n not in _HEAD})
 
     def check_sum(self, content: Mapping[str, Any], *numbers: bytes) -> None:
         """Refuse content, or numbers beside it, with another checksum.
@@ -121,6 +131,25 @@ class Form:
         """
         if content["sha256"] != checksum_of(content, *numbers):
             raise InputError("edited or damaged: the checksum differs")
+
+
+def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
+    """Refuse entries that do not follow from the others of a file.
+
+    Parameters
+    ----------
+    entries : record
+        What the file says.
+    given : mapping of str to object
+        Entries that follow, as the result that was made from the others gives them.
+
+    Raises
+    ------
+    InputError
+    """
+    for name, entry in given.items():
+        if getattr(entries, name) != entry:
+            raise InputError(f"{name!r} is not what the other entries give")
 
 
 def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
@@ -30,8 +31,8 @@ class Unknown:
     """One side of the box in which the orbit is unique: decimal texts, exactly."""
 
     name: str
-    mid: str
-    rad: str
+    mid: Exact
+    rad: Exact
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +62,7 @@ class Stated(Enclosure):
         return self.texts
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Certificate:
     """What ball arithmetic proves of one orbit at one parameter point.
 

@@ -221,24 +221,28 @@ def _certificate(
             (stated(m.real, bits, 1), stated(m.imag, bits, 1)) for m in stability.multipliers
         )
         margins = tuple(_margin(m) for m in judgement.margins)
+    declaration, how = _statement(
+        subject, tables, closing, claimed=claims["existence"] != "undecided"
+    )
     return Certificate(
-        subject.label,
-        subject.kernels.name,
-        subject.values,
-        subject.chosen,
-        subject.cycle.itinerary,
-        claims,
-        "stable" if stability is None else stability.claim,
-        reasons,
-        enclosures,
-        multipliers,
-        margins,
-        root.box,
-        bits,
-        subject.start_names,
-        subject.dwell_names,
-        closing.period,
-        *_statement(subject, tables, closing, claimed=claims["existence"] != "undecided"),
+        orbit=subject.label,
+        system=subject.kernels.name,
+        parameters=subject.values,
+        chosen=subject.chosen,
+        itinerary=subject.cycle.itinerary,
+        claims=claims,
+        stability="stable" if stability is None else stability.claim,
+        reasons=reasons,
+        enclosures=enclosures,
+        multipliers=multipliers,
+        margins=margins,
+        box=root.box,
+        bits=bits,
+        start_names=subject.start_names,
+        dwell_names=subject.dwell_names,
+        given_period=closing.period,
+        declaration=declaration,
+        closing=how,
     )
 
 
@@ -298,6 +302,22 @@ def _uncovered(orbit: Orbit | ComposedOrbit, bits: int, reason: str) -> Certific
     reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], NO_ORBIT)
     claims = dict.fromkeys(CLAIMS, "undecided")
     return Certificate(
-        orbit.name, system_of(orbit), dict(orbit.given), (), (), claims, "stable", reasons, {}, (),
-        (), (), bits, (), (), None, {}, {},
-    )  # fmt: skip
+        orbit=orbit.name,
+        system=system_of(orbit),
+        parameters=dict(orbit.given),
+        chosen=(),
+        itinerary=(),
+        claims=claims,
+        stability="stable",
+        reasons=reasons,
+        enclosures={},
+        multipliers=(),
+        margins=(),
+        box=(),
+        bits=bits,
+        start_names=(),
+        dwell_names=(),
+        given_period=None,
+        declaration={},
+        closing={},
+    )

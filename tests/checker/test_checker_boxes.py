@@ -90,7 +90,7 @@ def of(*names: str) -> pytest.MarkDecorator:
 
 def totalled(content: dict[str, Any]) -> dict[str, Any]:
     """With totals that follow from the tiles, and the checksum made right again."""
-    told = box_of(content).to_json()
+    told = box_of(BOX.check_entries(content)).to_json()
     content |= {name: told[name] for name in ("claims", "shares", "enclosures")}
     content["sha256"] = checksum_of(content)
     return content
@@ -118,7 +118,7 @@ def test_true_maps_pass(content: dict[str, Any]) -> None:
 
 
 def test_the_maps_are_of_all_kinds() -> None:
-    verdicts = {name: box_of(json.loads(written(name))).shares for name in MAPS}
+    verdicts = {name: box_of(BOX.check_entries(json.loads(written(name)))).shares for name in MAPS}
     assert verdicts["stick"]["proved"] == verdicts["rigid"]["proved"] == 1
     assert verdicts["forced"]["proved"] == verdicts["irrational"]["proved"] == 1
     assert min(verdicts["flip"][name] for name in ("proved", "unstable")) > 0

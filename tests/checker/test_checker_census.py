@@ -73,7 +73,7 @@ def test_an_edited_file_is_refused(content: dict[str, Any], tmp_path: Path) -> N
         (lambda c: c.update(orbits=[c["orbits"][0], copy.deepcopy(c["orbits"][0])], admissible=2),
          "may be one"),
         (lambda c: c["orbits"].pop(), "the count is not"),
-        (lambda c: c.update(statement="exactly 7 orbits"), "not what the orbits give"),
+        (lambda c: c.update(statement="exactly 7 orbits"), "not what the other entries give"),
         (lambda c: c["orbits"][0]["certificate"]["parameters"].update(k="8"), "k is not that"),
     ],
 )  # fmt: skip

@@ -398,12 +398,15 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
         (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
         (
             lambda text: text.replace('"instant"', '"moment"', 1),
-            "'(instant|moment)' of (event|entry) 1",
+            "'events/1/(instant|moment)' is",
         ),
-        (lambda text: text.replace('"bits": 128', '"bits": true', 1), "'bits' of (event|entry) 1"),
+        (
+            lambda text: text.replace('"bits": 128', '"bits": true', 1),
+            "'events/1/bits' is of the wrong type",
+        ),
         (
             lambda text: text.replace('"events": [', '"events": [[],', 1),
-            "(event 1 is none|entry 1 of)",
+            "'events/1' is of the wrong type",
         ),
     ],
 )

@@ -125,7 +125,7 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
     assert ended.code == 130
     part = ns.load_branch(tmp_path / "b.json")
     assert "interrupted" in part.ends
-    assert f"{len(part)} points are kept in b.json; go on with: " in ended.said
+    assert f"{len(part)} points are done, kept in b.json; go on with: " in ended.said
     assert (tmp_path / "b.png").stat().st_size > 0
     assert run(*ended.goes_on, "--step", "0.05", folder=tmp_path)[0] == 0
     whole = ns.load_branch(tmp_path / "b.json")
@@ -144,7 +144,7 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
             f"find dry-friction V=0.6773 {FRICTION} --starts 60 --save found.json",
             "looking for unstable",
             "found.json",
-            "what was found until then is kept in found.json; begin again with: ",
+            "orbits and equilibria are found, kept in found.json; begin again with: ",
         ),
         (
             "certify dry-friction/symmetric V=0.6:1.3 --events --digits 1500 --save events.json",
@@ -156,7 +156,7 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
             "certify dry-friction/global-stick --all tau=0:200 tau1=0:200 --save census.json",
             "searching",
             "census.json",
-            "what was found until then is kept in census.json; begin again with: ",
+            "orbits found, kept in census.json; begin again with: ",
         ),
         (
             "chart dry-friction/global-stick V=0.8:1.3:2000 eta=0.8:1.3:2000 --chunk 4000"

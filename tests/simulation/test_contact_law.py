@@ -21,7 +21,7 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.present.checking.certificates import compare_certificate
+from nonsmooth.runtime.present.checking.compare_declarations import compare_certificate
 from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 from nonsmooth.runtime.simulation.starting import configuration_of
 from nonsmooth.runtime.simulation.stepping import run

@@ -24,7 +24,7 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 __all__ = ["Branch"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Branch:
     """Orbits of one itinerary along one parameter, in the order in which they follow.
 

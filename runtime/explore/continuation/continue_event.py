@@ -182,16 +182,16 @@ def continue_event(
 
     path = trace_both_ways(locus, limits, step, points, go_on)
     found = Locus(
-        branch.name,
-        event.kind,
-        event.boundary,
-        (branch.parameter, parameter),
-        path.points[:, -2:],
-        branch.unknown_names,
-        path.points[:, :-2],
-        path.ends,
-        path.start,
-        branch.orbit,
+        name=branch.name,
+        kind=event.kind,
+        boundary=event.boundary,
+        parameters=(branch.parameter, parameter),
+        values=path.points[:, -2:],
+        unknown_names=branch.unknown_names,
+        unknowns=path.points[:, :-2],
+        ends=path.ends,
+        start=path.start,
+        orbit=branch.orbit,
     )
     if INTERRUPTED in path.ends:
         raise Interrupted(found)

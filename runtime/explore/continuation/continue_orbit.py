@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.family_of_orbit import check_interval, curve_of
 from nonsmooth.runtime.explore.continuation.locating import (
@@ -132,9 +133,8 @@ def _check_same(
     """Refuse to go on with a branch of another orbit, parameter or value."""
     if (known.name, known.parameter) != (orbit.name, parameter):
         raise InputError(f"the branch to resume is of {known.name} over {known.parameter}")
-    for name, value in orbit.given.items():
-        if name != parameter and known.orbit.given.get(name) != value:
-            raise InputError(f"the branch to resume has another {name}")
+    asked = {name: value for name, value in orbit.given.items() if name != parameter}
+    check_same_question("branch", asked, known.orbit.given)
     values = known.parameter_values
     if not (limits[0] <= values.min() and values.max() <= limits[1]):
         raise InputError("the branch to resume leaves the interval")
@@ -168,20 +168,20 @@ def _branch(curve: Curve, path: Path) -> Branch:
     found.sort(key=lambda each: each.place)
     multipliers = curve.multipliers(points)
     return Branch(
-        curve.orbit.name,
-        curve.parameter,
-        points[:, -1],
-        curve.names,
-        points[:, :-1],
-        curve.order * _period(curve, points),
-        multipliers**curve.order,
-        curve.traces(points),
-        tuple(_verdict(row, curve.conservative) for row in multipliers),
-        allowed,
-        tuple(replace(each.event, place=each.place) for each in found),
-        ends,
-        path.start,
-        curve.orbit,
+        name=curve.orbit.name,
+        parameter=curve.parameter,
+        parameter_values=points[:, -1],
+        unknown_names=curve.names,
+        unknowns=points[:, :-1],
+        period=curve.order * _period(curve, points),
+        multipliers=multipliers**curve.order,
+        trace=curve.traces(points),
+        stability=tuple(_verdict(row, curve.conservative) for row in multipliers),
+        admissible=allowed,
+        events=tuple(replace(each.event, place=each.place) for each in found),
+        ends=ends,
+        start=path.start,
+        orbit=curve.orbit,
     )
 
 

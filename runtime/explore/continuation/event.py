@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated
+
+from nonsmooth.runtime.core.json_codec import FromOne, one_of
 
 __all__ = ["BORDER_COLLISIONS", "KINDS", "SWITCHES", "Event"]
 
@@ -35,7 +38,7 @@ BORDER_COLLISIONS = (
 )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Event:
     """A point of a branch where something happens.
 
@@ -48,7 +51,7 @@ class Event:
         Of the parameter.
     unknowns : dict of str to float
     phase : int or None
-        Counted from 0, where it is a matter of one.
+        Counted from 0, in files from 1, where it is a matter of one.
     configuration, boundary : str
         Of that phase; empty otherwise.
     time : float or None
@@ -62,11 +65,11 @@ class Event:
         back, a boundary is touched at this value alone.
     """
 
-    kind: str
+    kind: Annotated[str, one_of(tuple(KINDS))]
     parameter: str
     value: float
     unknowns: Mapping[str, float]
-    phase: int | None
+    phase: FromOne
     configuration: str
     boundary: str
     time: float | None

@@ -369,14 +369,14 @@ def describe(
     when = "" if time is None else f" at t = {time:.6g}"
     value = float(point[-1])
     return Event(
-        monitor.kind,
-        curve.parameter,
-        value,
-        dict(zip(curve.names, point[:-1].tolist(), strict=True)),
-        phase,
-        configuration,
-        monitor.boundary,
-        time,
-        place,
-        f"{curve.parameter} = {value:.10g}: {KINDS[monitor.kind]}{where}{when}",
+        kind=monitor.kind,
+        parameter=curve.parameter,
+        value=value,
+        unknowns=dict(zip(curve.names, point[:-1].tolist(), strict=True)),
+        phase=phase,
+        configuration=configuration,
+        boundary=monitor.boundary,
+        time=time,
+        place=place,
+        text=f"{curve.parameter} = {value:.10g}: {KINDS[monitor.kind]}{where}{when}",
     )

@@ -17,7 +17,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 __all__ = ["Locus"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Locus:
     """A curve in the plane of two parameters along which an event happens.
 

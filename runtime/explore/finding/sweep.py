@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.json_codec import AnyTable, BlankDigits, BlankText, Integers, Row
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.explore.finding.find import Found
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
@@ -64,19 +66,19 @@ class Sweep:
     """
 
     system: str
-    parameters: dict[str, Value]
+    parameters: Mapping[str, Value]
     parameter: str
     state: str
-    configuration: str | None
-    phase: float | None
-    values: np.ndarray
-    samples: np.ndarray
-    outcomes: np.ndarray
-    start: np.ndarray
+    configuration: BlankText
+    phase: BlankDigits
+    values: Row
+    samples: AnyTable
+    outcomes: Integers
+    start: Row
     transient: int
     follow: bool
     done: int
-    next_start: np.ndarray
+    next_start: Row
 
     @property
     def when(self) -> str:
@@ -228,13 +230,14 @@ def sweep(
 
 def _resumed(question: Sweep, known: Sweep) -> Sweep:
     """What is known of a question; InputError if it is of another one."""
-    for field in fields(Sweep):
-        if field.name in ("samples", "outcomes", "done", "next_start"):
-            continue
-        if not np.array_equal(getattr(question, field.name), getattr(known, field.name)):
-            raise InputError(f"the sweep to resume has another {field.name}")
-    if known.samples.shape != question.samples.shape:
-        raise InputError("the sweep to resume has another number of samples")
+    found = ("samples", "outcomes", "done", "next_start")
+    asked = {name: value for name, value in vars(question).items() if name not in found}
+    count = "number of samples"
+    check_same_question(
+        "sweep",
+        {**asked, count: question.samples.shape},
+        {**vars(known), count: known.samples.shape},
+    )
     return known
 
 

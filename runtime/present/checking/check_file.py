@@ -23,11 +23,15 @@ from nonsmooth.runtime.checker import (
 )
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
-from nonsmooth.runtime.core.result_files import WRONG_SHAPE, Form, checksum_of, parsed
+from nonsmooth.runtime.core.json_codec import encode
+from nonsmooth.runtime.core.result_files import WRONG_SHAPE, FileFormat, parsed
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.present.checking.box_certificates import compare_box
-from nonsmooth.runtime.present.checking.censuses import compare_census
-from nonsmooth.runtime.present.checking.certificates import compare_certificate
+from nonsmooth.runtime.present.checking.compare_declarations import (
+    compare_box,
+    compare_census,
+    compare_certificate,
+    compare_events,
+)
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
 from nonsmooth.runtime.present.files.censuses import CENSUS, census_entries, census_of
 from nonsmooth.runtime.present.files.certificates import (
@@ -37,7 +41,6 @@ from nonsmooth.runtime.present.files.certificates import (
 )
 from nonsmooth.runtime.present.files.event_certificates import (
     EVENTS,
-    compare_events,
     event_entries,
     events_of,
 )
@@ -86,10 +89,10 @@ class Check:
 class _Kind(NamedTuple):
     """What is done with a file: proof, record, what that states, claims, comparison."""
 
-    form: Form
+    format: FileFormat[Any]
     check: Callable[[dict[str, Any]], None]
-    of: Callable[[Mapping[str, Any]], Any]
-    entries: Callable[[Any], Mapping[str, Any]]
+    of: Callable[[Any], Any]
+    entries: Callable[[Any], Any]
     claims: Callable[[Any], Mapping[str, str]]
     compare: Callable[[Mapping[str, Any], Path], bool]
 
@@ -101,7 +104,7 @@ def _listed(census: Census) -> dict[str, str]:
 
 
 _KINDS = {
-    kind.form.name: kind
+    kind.format.name: kind
     for kind in (
         _Kind(
             CERTIFICATE, check, certificate_of, certificate_entries,
@@ -137,14 +140,14 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
         kind = _KINDS.get(str(content.get("format"))) if isinstance(content, dict) else None
         if kind is None:
             raise InputError("not a certificate, such as --save or save() writes")
-        kind.form.check({**content, "sha256": checksum_of(content)})  # that is the checker's
+        entries = kind.format.check_entries(content)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
         with flint_precision(64):  # the one precision of the process is kept
             kind.check(content)
-        found = kind.of(content)
-        if not _agrees(kind.entries(found), content):
+        found = kind.of(entries)
+        if not _agrees(encode(kind.entries(found)), content):
             return Check("what follows from other entries is not what the file says")
         compared = kind.compare(content, folder)
     except Malformed as problem:

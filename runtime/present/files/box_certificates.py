@@ -1,42 +1,70 @@
-"""Proven maps in files: JSON, refused when it is cut, edited or foreign."""
+"""Proven maps in files."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import Form, naming
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.core.json_codec import decode
+from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.present.files.claim_entries import (
+    Ball,
+    ClaimEntries,
+    Enclosures,
+    Itinerary,
+    enclosed,
+    stated,
+)
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.boxes.tile_places import Place
-from nonsmooth.runtime.proof.certificate import VERSION, Stated
+from nonsmooth.runtime.proof.certificate import VERSION
 
 __all__ = ["BOX", "box_entries", "box_of", "load_box_certificate", "save_box"]
 
-BOX = Form(
-    "nonsmooth box certificate",
-    "proven map",
-    {
-        "orbit": str,
-        "system": str,
-        "parameters": dict,
-        "chosen": list,
-        "itinerary": list,
-        "box": dict,
-        "claims": dict,
-        "stability": str,
-        "reasons": dict,
-        "shares": dict,
-        "enclosures": dict,
-        "tiles": list,
-        "declaration": dict,
-        "closing": dict,
-    },
-    VERSION,
+
+@dataclass(frozen=True, kw_only=True)
+class TileEntries:
+    """What a map's file states of one tile."""
+
+    place: tuple[tuple[int, int], ...]
+    claims: ClaimEntries
+    reasons: Mapping[str, str]
+    enclosures: Enclosures
+    guess: tuple[float, ...]
+    looked_at: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class BoxEntries:
+    """What a map's file states."""
+
+    orbit: str
+    system: str
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    itinerary: Itinerary
+    box: Mapping[str, tuple[Fraction, Fraction]]
+    claims: ClaimEntries
+    stability: str
+    reasons: Mapping[str, str]
+    shares: Mapping[str, float]
+    enclosures: Enclosures
+    tiles: tuple[TileEntries, ...]
+    declaration: Mapping[str, Any]
+    closing: Mapping[str, Any]
+
+
+BOX = FileFormat(
+    name="nonsmooth box certificate",
+    what="proven map",
+    entries=BoxEntries,
+    version=VERSION,
 )
 
 
@@ -51,13 +79,9 @@ def save_box(found: BoxCertificate, path: str | os.PathLike[str]) -> None:
     BOX.write(path, box_entries(found))
 
 
-def box_entries(found: BoxCertificate) -> dict[str, Any]:
+def box_entries(found: BoxCertificate) -> BoxEntries:
     """What a map's file states."""
-    return {
-        **found.to_json(),
-        "declaration": dict(found.declaration),
-        "closing": dict(found.closing),
-    }
+    return stated(BoxEntries, found)
 
 
 def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
@@ -69,27 +93,41 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
     with naming(path) as file:
-        return box_of(BOX.read(file))
+        entries = BOX.read(file)
+        found = box_of(entries)
+        check_follows(
+            entries,
+            {
+                "claims": decode(ClaimEntries, found.claims),
+                "reasons": found.reasons,
+                "shares": {name: float(share) for name, share in found.shares.items()},
+                "enclosures": {
+                    name: Ball(mid=x.mid, rad=x.rad) for name, x in found.enclosures.items()
+                },
+            },
+        )
+        return found
 
 
-def box_of(content: Mapping[str, Any]) -> BoxCertificate:
+def box_of(entries: BoxEntries) -> BoxCertificate:
     """The map that a file's entries describe.
 
     Raises
     ------
     InputError
+        If its tiles do not fill the box.
     """
     found = BoxCertificate(
-        content["orbit"],
-        content["system"],
-        {name: given_value(name, text) for name, text in content["parameters"].items()},
-        tuple(content["chosen"]),
-        tuple((str(c), str(b)) for c, b in content["itinerary"]),
-        {name: (Fraction(low), Fraction(high)) for name, (low, high) in content["box"].items()},
-        content["stability"],
-        tuple(map(_tile, content["tiles"])),
-        content["declaration"],
-        content["closing"],
+        orbit=entries.orbit,
+        system=entries.system,
+        parameters=entries.parameters,
+        chosen=entries.chosen,
+        itinerary=entries.itinerary,
+        box=entries.box,
+        stability=entries.stability,
+        tiles=tuple(map(_tile, entries.tiles)),
+        declaration=entries.declaration,
+        closing=entries.closing,
     )
     total = sum(tile.place.share for tile in found.tiles)
     if total != 1:
@@ -97,12 +135,12 @@ def box_of(content: Mapping[str, Any]) -> BoxCertificate:
     return found
 
 
-def _tile(entry: Mapping[str, Any]) -> Tile:
+def _tile(entries: TileEntries) -> Tile:
     return Tile(
-        Place(tuple((int(step), int(level)) for step, level in entry["place"])),
-        dict(entry["claims"]),
-        dict(entry["reasons"]),
-        {name: Stated.of(x["mid"], x["rad"], BITS) for name, x in entry["enclosures"].items()},
-        tuple(map(float, entry["guess"])),
-        bool(entry["looked_at"]),
+        place=Place(entries.place),
+        claims=vars(entries.claims),
+        reasons=entries.reasons,
+        enclosures=enclosed(entries.enclosures, BITS),
+        guess=entries.guess,
+        looked_at=entries.looked_at,
     )

@@ -1,48 +1,50 @@
-"""Branches in files: JSON with every digit, refused when it is cut, edited or foreign.
+"""Branches in files.
 
-Numbers are decimal strings that give back the very same doubles. The orbit that the branch
-was followed from is in the file too, and is checked as a saved orbit is.
+The orbit that the branch was followed from is in the file too, and is checked as a saved orbit
+is.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from dataclasses import fields
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import Form, naming
+from nonsmooth.runtime.core.json_codec import AnyComplex, AnyRow, Flags, Row
+from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event
+from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.composed_orbits import composed_content
 from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_of
 
-__all__ = ["load_branch", "numbers_of", "orbit_entries", "save_branch", "texts_of"]
+__all__ = ["load_branch", "orbit_entries", "save_branch"]
 
-_FORM = Form(
-    "nonsmooth branch",
-    "saved branch",
-    {
-        "name": str,
-        "parameter": str,
-        "unknown_names": list,
-        "columns": list,
-        "stability": list,
-        "admissible": list,
-        "events": list,
-        "ends": list,
-        "start": int,
-        "orbit": list,
-    },
-    version=2,
-)
-_COLUMNS = ("parameter_values", "unknowns", "period", "multipliers", "trace")
+
+@dataclass(frozen=True, kw_only=True)
+class BranchEntries:
+    """What a branch's file holds.
+
+    The columns are values of the parameter, unknowns, period, multipliers and trace, row after
+    row; `orbit` is the content of one orbit's file.
+    """
+
+    name: str
+    parameter: str
+    unknown_names: tuple[str, ...]
+    columns: tuple[Row, Row, Row, AnyComplex, AnyRow]
+    stability: tuple[str, ...]
+    admissible: Flags
+    events: tuple[Event, ...]
+    ends: tuple[str, str]
+    start: int
+    orbit: tuple[Any]
+
+
+_BRANCH = FileFormat(name="nonsmooth branch", what="saved branch", entries=BranchEntries, version=2)
 
 
 def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
@@ -53,21 +55,26 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    _FORM.write(
-        path,
-        {
-            "name": branch.name,
-            "parameter": branch.parameter,
-            "unknown_names": list(branch.unknown_names),
-            "columns": [texts_of(getattr(branch, name)) for name in _COLUMNS],
-            "stability": list(branch.stability),
-            "admissible": branch.admissible.tolist(),
-            "events": [_entries(event) for event in branch.events],
-            "ends": list(branch.ends),
-            "start": branch.start,
-            "orbit": [orbit_entries(branch.orbit)],
-        },
+    columns = (
+        branch.parameter_values,
+        branch.unknowns,
+        branch.period,
+        branch.multipliers,
+        branch.trace,
     )
+    entries = BranchEntries(
+        name=branch.name,
+        parameter=branch.parameter,
+        unknown_names=branch.unknown_names,
+        columns=columns,
+        stability=branch.stability,
+        admissible=branch.admissible,
+        events=branch.events,
+        ends=branch.ends,
+        start=branch.start,
+        orbit=(orbit_entries(branch.orbit),),
+    )
+    _BRANCH.write(path, entries)
 
 
 def load_branch(path: str | os.PathLike[str]) -> Branch:
@@ -80,60 +87,34 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
         the system that is there. The message names the file.
     """
     with naming(path) as file:
-        return _branch(_FORM.read(file), file.parent)
+        return _branch(_BRANCH.read(file), file.parent)
 
 
-def _branch(content: dict[str, Any], folder: Path) -> Branch:
-    (entries,) = content["orbit"]
-    orbit = orbit_of(entries, folder)
-    values, unknowns, period, multipliers, trace = map(numbers_of, content["columns"])
-    names = tuple(content["unknown_names"])
-    count = len(values)
+def _branch(entries: BranchEntries, folder: Path) -> Branch:
+    orbit = orbit_of(entries.orbit[0], folder)
+    values, unknowns, period, multipliers, trace = entries.columns
+    count, names = len(values), entries.unknown_names
+    rows = (period, trace, entries.stability, entries.admissible)
+    if not 0 <= entries.start < count or any(len(row) != count for row in rows):
+        raise InputError("its points do not belong together")
     return Branch(
-        orbit.name,
-        content["parameter"],
-        values.real,
-        names,
-        unknowns.real.reshape(count, len(names)),
-        period.real,
-        multipliers.reshape(count, -1),
-        trace.real,
-        tuple(content["stability"]),
-        np.array(content["admissible"], dtype=bool),
-        tuple(_event(entry) for entry in content["events"]),
-        (content["ends"][0], content["ends"][1]),
-        content["start"],
-        orbit,
+        name=orbit.name,
+        parameter=entries.parameter,
+        parameter_values=values,
+        unknown_names=names,
+        unknowns=unknowns.reshape(count, len(names)),
+        period=period,
+        multipliers=multipliers.reshape(count, -1),
+        trace=trace,
+        stability=entries.stability,
+        admissible=entries.admissible,
+        events=entries.events,
+        ends=entries.ends,
+        start=entries.start,
+        orbit=orbit,
     )
 
 
 def orbit_entries(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
-    """Entries of the file of an orbit of either kind."""
+    """Content of the file of an orbit of either kind."""
     return composed_content(orbit) if isinstance(orbit, ComposedOrbit) else orbit_content(orbit)
-
-
-def texts_of(array: np.ndarray) -> list[str]:
-    """Numbers, row by row, as decimal texts of real and imaginary parts."""
-    return [
-        f"{float(x.real)!r} {float(x.imag)!r}" if x.imag else repr(float(x.real))
-        for x in np.ravel(array).tolist()
-    ]
-
-
-def numbers_of(texts: Sequence[str]) -> np.ndarray:
-    """The complex numbers of such texts."""
-    parts = (tuple(map(float, text.split())) for text in texts)
-    return np.array([complex(*pair) for pair in parts], dtype=complex)
-
-
-def _entries(event: Event) -> dict[str, Any]:
-    found = {field.name: getattr(event, field.name) for field in fields(event)}
-    phase = None if event.phase is None else event.phase + 1
-    return {**found, "unknowns": dict(event.unknowns), "phase": phase}
-
-
-def _event(entry: Any) -> Event:
-    if entry["kind"] not in KINDS:
-        raise InputError(f"{entry['kind']!r} is no kind of event")
-    phase = None if entry["phase"] is None else entry["phase"] - 1
-    return Event(**{**entry, "phase": phase})

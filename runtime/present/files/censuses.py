@@ -4,50 +4,67 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import dataclass
+from typing import Annotated
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import Form, naming
+from nonsmooth.runtime.core.json_codec import Codec, Exact, decode
+from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
+from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.present.files.certificates import (
-    certificate_content,
+    CERTIFICATE,
+    CertificateEntries,
+    certificate_entries,
     certificate_of,
-    check_certificate_entries,
 )
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.claim_entries import Itinerary
 from nonsmooth.runtime.proof.certificate import VERSION
-from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
+from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
 
-__all__ = [
-    "CENSUS",
-    "census_entries",
-    "census_of",
-    "load_census",
-    "save_census",
-]
+__all__ = ["CENSUS", "CensusEntries", "census_entries", "census_of", "load_census", "save_census"]
 
-CENSUS = Form(
-    "nonsmooth census",
-    "census",
-    {
-        "orbit": str,
-        "system": str,
-        "parameters": dict,
-        "itinerary": list,
-        "box": list,
-        "conditions": list,
-        "count": int,
-        "admissible": int,
-        "decided": bool,
-        "statement": str,
-        "orbits": list,
-        "beyond": int,
-        "undecided": list,
-        "looked": int,
-        "bits": int,
-    },
-    VERSION,
-)
-_FOLLOW = ("count", "admissible", "decided", "statement")  # from the rest of the file
+# the whole content of a certificate's file, with its checksum
+_Certificate = Annotated[CertificateEntries, Codec(CERTIFICATE.content, CERTIFICATE.check)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class CountedEntries:
+    """What a census' file states of one orbit."""
+
+    unique: Mapping[str, tuple[Exact, Exact]]
+    certificate: _Certificate | None
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OpenEntries:
+    """What a census' file states of a box of which it is not known what it holds."""
+
+    bounds: Mapping[str, tuple[Exact, Exact]]
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class CensusEntries:
+    """What a census' file states."""
+
+    orbit: str
+    system: str
+    parameters: Mapping[str, Value]
+    itinerary: Itinerary
+    box: tuple[str, ...]
+    conditions: tuple[str, ...]
+    count: int
+    admissible: int
+    decided: bool
+    statement: str
+    orbits: tuple[CountedEntries, ...]
+    beyond: int
+    undecided: tuple[OpenEntries, ...]
+    looked: int
+    bits: int
+
+
+CENSUS = FileFormat(name="nonsmooth census", what="census", entries=CensusEntries, version=VERSION)
 
 
 def save_census(census: Census, path: str | os.PathLike[str]) -> None:
@@ -61,13 +78,13 @@ def save_census(census: Census, path: str | os.PathLike[str]) -> None:
     CENSUS.write(path, census_entries(census))
 
 
-def census_entries(census: Census) -> dict[str, Any]:
+def census_entries(census: Census) -> CensusEntries:
     """What a census' file states."""
     content = census.to_json()
     for told, orbit in zip(content["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
-            told["certificate"] = certificate_content(orbit.certificate)
-    return content
+            told["certificate"] = CERTIFICATE.content(certificate_entries(orbit.certificate))
+    return decode(CensusEntries, content)
 
 
 def load_census(path: str | os.PathLike[str]) -> Census:
@@ -82,7 +99,7 @@ def load_census(path: str | os.PathLike[str]) -> Census:
         return census_of(CENSUS.read(file))
 
 
-def census_of(content: Mapping[str, Any]) -> Census:
+def census_of(entries: CensusEntries) -> Census:
     """The census that a file's entries describe.
 
     Raises
@@ -91,32 +108,23 @@ def census_of(content: Mapping[str, Any]) -> Census:
         If what is counted does not follow from the orbits.
     """
     census = Census(
-        content["orbit"],
-        content["system"],
-        {name: given_value(name, text) for name, text in content["parameters"].items()},
-        tuple((str(c), str(b)) for c, b in content["itinerary"]),
-        tuple(content["box"]),
-        tuple(content["conditions"]),
-        tuple(_counted(entry) for entry in content["orbits"]),
-        content["beyond"],
-        tuple(Open(_bounds(box["bounds"]), box["reason"]) for box in content["undecided"]),
-        content["looked"],
-        content["bits"],
+        orbit=entries.orbit,
+        system=entries.system,
+        parameters=entries.parameters,
+        itinerary=entries.itinerary,
+        box=entries.box,
+        conditions=entries.conditions,
+        orbits=tuple(map(_counted, entries.orbits)),
+        beyond=entries.beyond,
+        undecided=tuple(Open(box.bounds, box.reason) for box in entries.undecided),
+        looked=entries.looked,
+        bits=entries.bits,
     )
-    told = census.to_json()
-    for name in _FOLLOW:
-        if content[name] != told[name]:
-            raise InputError(f"{name!r} is not what the orbits give")
+    follows = ("count", "admissible", "decided", "statement")
+    check_follows(entries, {name: getattr(census, name) for name in follows})
     return census
 
 
-def _counted(entry: Any) -> Counted:
-    found = entry["certificate"]
-    if found is not None:
-        check_certificate_entries(found)
-    certificate = None if found is None else certificate_of(found)
-    return Counted(_bounds(entry["unique"]), certificate, entry["reason"])
-
-
-def _bounds(entry: Any) -> Bounds:
-    return {str(name): (str(low), str(high)) for name, (low, high) in entry.items()}
+def _counted(entries: CountedEntries) -> Counted:
+    found = entries.certificate
+    return Counted(entries.unique, None if found is None else certificate_of(found), entries.reason)

@@ -4,52 +4,64 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import Form, naming
-from nonsmooth.runtime.present.files.orbits import given_value
-from nonsmooth.runtime.proof.certificate import (
-    CLAIMS,
-    FORMAT,
-    VERSION,
-    Certificate,
-    Stated,
-    Unknown,
+from nonsmooth.runtime.core.json_codec import BlankValue
+from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.present.files.claim_entries import (
+    Ball,
+    ClaimEntries,
+    Enclosures,
+    Itinerary,
+    enclosed,
+    stated,
 )
+from nonsmooth.runtime.proof.certificate import FORMAT, VERSION, Certificate, Unknown
 
 __all__ = [
     "CERTIFICATE",
-    "certificate_content",
+    "CertificateEntries",
     "certificate_entries",
     "certificate_of",
-    "check_certificate_entries",
     "load_certificate",
     "save_certificate",
 ]
 
-CERTIFICATE = Form(
-    FORMAT,
-    "certificate",
-    {
-        "orbit": str,
-        "system": str,
-        "parameters": dict,
-        "chosen": list,
-        "given_period": str,
-        "itinerary": list,
-        "bits": int,
-        "claims": dict,
-        "stability": str,
-        "reasons": dict,
-        "enclosures": dict,
-        "multipliers": list,
-        "margins": list,
-        "box": list,
-        "declaration": dict,
-        "closing": dict,
-    },
-    VERSION,
+
+@dataclass(frozen=True, kw_only=True)
+class MultiplierBalls:
+    """Enclosures of the two parts of a multiplier."""
+
+    re: Ball
+    im: Ball
+
+
+@dataclass(frozen=True, kw_only=True)
+class CertificateEntries:
+    """What a certificate's file states."""
+
+    orbit: str
+    system: str
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    given_period: BlankValue
+    itinerary: Itinerary
+    bits: int
+    claims: ClaimEntries
+    stability: str
+    reasons: Mapping[str, str]
+    enclosures: Enclosures
+    multipliers: tuple[MultiplierBalls, ...]
+    margins: tuple[Mapping[str, Any], ...]
+    box: tuple[Unknown, ...]
+    declaration: Mapping[str, Any]
+    closing: Mapping[str, Any]
+
+
+CERTIFICATE = FileFormat(
+    name=FORMAT, what="certificate", entries=CertificateEntries, version=VERSION
 )
 
 
@@ -64,11 +76,6 @@ def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> 
     CERTIFICATE.write(path, certificate_entries(certificate))
 
 
-def certificate_content(certificate: Certificate) -> dict[str, Any]:
-    """What is in a certificate's file."""
-    return CERTIFICATE.content(certificate_entries(certificate))
-
-
 def load_certificate(path: str | os.PathLike[str]) -> Certificate:
     """Read a certificate that `Certificate.save` wrote; nothing is proved again.
 
@@ -78,56 +85,34 @@ def load_certificate(path: str | os.PathLike[str]) -> Certificate:
         If the file cannot be read, or is cut, edited or foreign. The message names it.
     """
     with naming(path) as file:
-        content = CERTIFICATE.read(file)
-        check_certificate_entries(content)
-        return certificate_of(content)
+        return certificate_of(CERTIFICATE.read(file))
 
 
-def check_certificate_entries(content: Any) -> None:
-    """Refuse entries that are not those of a certificate, or another checksum.
-
-    Raises
-    ------
-    InputError
-    """
-    CERTIFICATE.check(content)
-    if set(content["claims"]) != set(CLAIMS):
-        raise InputError(f"its claims are not {', '.join(CLAIMS)}")
-
-
-def certificate_entries(certificate: Certificate) -> dict[str, Any]:
+def certificate_entries(certificate: Certificate) -> CertificateEntries:
     """What a certificate's file states."""
-    return {
-        **certificate.to_json(),
-        "declaration": dict(certificate.declaration),
-        "closing": dict(certificate.closing),
-    }
+    return stated(CertificateEntries, certificate)
 
 
-def certificate_of(content: Mapping[str, Any]) -> Certificate:
+def certificate_of(entries: CertificateEntries) -> Certificate:
     """The certificate that a file's entries describe."""
-    bits, declaration = content["bits"], content["declaration"]
-
-    def ball(entry: Mapping[str, str]) -> Stated:
-        return Stated.of(entry["mid"], entry["rad"], bits)
-
+    bits, declaration = entries.bits, entries.declaration
     return Certificate(
-        content["orbit"],
-        content["system"],
-        {name: given_value(name, text) for name, text in content["parameters"].items()},
-        tuple(content["chosen"]),
-        tuple((str(c), str(b)) for c, b in content["itinerary"]),
-        dict(content["claims"]),
-        content["stability"],
-        dict(content["reasons"]),
-        {name: ball(entry) for name, entry in content["enclosures"].items()},
-        tuple((ball(m["re"]), ball(m["im"])) for m in content["multipliers"]),
-        tuple(dict(margin) for margin in content["margins"]),
-        tuple(Unknown(x["name"], x["mid"], x["rad"]) for x in content["box"]),
-        bits,
-        tuple(declaration.get("start", ())),
-        tuple(phase["dwell_time"] for phase in declaration.get("phases", ())),
-        given_value("period", content["given_period"]) if content["given_period"] else None,
-        declaration,
-        content["closing"],
+        orbit=entries.orbit,
+        system=entries.system,
+        parameters=entries.parameters,
+        chosen=entries.chosen,
+        itinerary=entries.itinerary,
+        claims=vars(entries.claims),
+        stability=entries.stability,
+        reasons=entries.reasons,
+        enclosures=enclosed(entries.enclosures, bits),
+        multipliers=tuple((m.re.stated(bits), m.im.stated(bits)) for m in entries.multipliers),
+        margins=entries.margins,
+        box=entries.box,
+        bits=bits,
+        start_names=tuple(declaration.get("start", ())),
+        dwell_names=tuple(phase["dwell_time"] for phase in declaration.get("phases", ())),
+        given_period=entries.given_period,
+        declaration=declaration,
+        closing=entries.closing,
     )

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import Form
+from nonsmooth.runtime.core.json_codec import BlankText, BlankValue
+from nonsmooth.runtime.core.result_files import FileFormat
+from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, system_parameters
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
@@ -24,30 +27,42 @@ from nonsmooth.runtime.shooting.shooting_map import numbers_in
 from nonsmooth.runtime.shooting.symmetry import symmetry_of
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = ["COMPOSED", "composed_content", "composed_orbit", "save_composed"]
+__all__ = ["COMPOSED", "ComposedEntries", "composed_content", "composed_orbit", "save_composed"]
 
-COMPOSED = Form(
-    "nonsmooth composed orbit",
-    "saved orbit",
-    {
-        "system": str,
-        "label": str,
-        "derivation": str,
-        "parameters": dict,
-        "period": str,
-        "symmetry": list,
-        "phases": list,
-        "names": list,
-        "arithmetic": str,
-        "bits": int,
-        "residual": str,
-        "digits": int,
-        "iterations": int,
-        "status": int,
-    },
-    most=50_000_000,
+
+@dataclass(frozen=True, kw_only=True)
+class ComposedPhase:
+    """A phase of an orbit: how it is left, how long it lasts, and where it starts."""
+
+    configuration: str
+    boundary: str
+    dwell_time: str
+    start: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComposedEntries:
+    """What an orbit's file holds; numbers have as many digits as `bits` need."""
+
+    system: str
+    label: BlankText
+    derivation: str
+    parameters: Mapping[str, Value]
+    period: BlankValue
+    symmetry: tuple[tuple[float, ...], ...]
+    phases: tuple[ComposedPhase, ...]
+    names: tuple[str, ...]
+    arithmetic: Literal["double", "mpmath"]
+    bits: int
+    residual: str
+    digits: int
+    iterations: int
+    status: int
+
+
+COMPOSED = FileFormat(
+    name="nonsmooth composed orbit", what="saved orbit", entries=ComposedEntries, most=50_000_000
 )
-_PHASE = ("configuration", "boundary", "dwell_time", "start")
 _SLACK = 100  # times the error that the stated digits allow
 _MOST_MISSED = 1e-9  # the solver's residual, in units of the data
 
@@ -75,74 +90,69 @@ def composed_content(orbit: ComposedOrbit) -> dict[str, Any]:
     return COMPOSED.content(_entries(orbit))
 
 
-def _entries(orbit: ComposedOrbit) -> dict[str, Any]:
+def _entries(orbit: ComposedOrbit) -> ComposedEntries:
     from nonsmooth.runtime.present.files.orbits import bits_of, number_text
 
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
     dwell, states = orbit.dwell_times.tolist(), orbit.states.tolist()
     bits = max(map(bits_of, (*dwell, *(x for row in states for x in row), orbit.residual)))
-    phases = [
-        {
-            "configuration": configuration,
-            "boundary": boundary,
-            "dwell_time": number_text(time, bits),
-            "start": [number_text(x, bits) for x in row],
-        }
+    phases = tuple(
+        ComposedPhase(
+            configuration=configuration,
+            boundary=boundary,
+            dwell_time=number_text(time, bits),
+            start=tuple(number_text(x, bits) for x in row),
+        )
         for (configuration, boundary), time, row in zip(orbit.itinerary, dwell, states, strict=True)
-    ]
-    return {
-        "system": orbit.system,
-        "label": orbit.label or "",
-        "derivation": _derivation(orbit.kernels),
-        "parameters": {name: value.text for name, value in orbit.parameters.items()},
-        "period": "" if orbit.given_period is None else orbit.given_period.text,
-        "symmetry": [] if orbit.symmetry is None else orbit.symmetry.matrix.tolist(),
-        "phases": phases,
-        "names": list(orbit.names),
-        "arithmetic": "mpmath" if orbit.precise else "double",
-        "bits": bits,
-        "residual": number_text(orbit.residual, bits),
-        "digits": orbit.digits,
-        "iterations": orbit.iterations,
-        "status": orbit.status,
-    }
+    )
+    return ComposedEntries(
+        system=orbit.system,
+        label=orbit.label,
+        derivation=_derivation(orbit.kernels),
+        parameters=orbit.parameters,
+        period=orbit.given_period,
+        symmetry=() if orbit.symmetry is None else orbit.symmetry.matrix.tolist(),
+        phases=phases,
+        names=orbit.names,
+        arithmetic="mpmath" if orbit.precise else "double",
+        bits=bits,
+        residual=number_text(orbit.residual, bits),
+        digits=orbit.digits,
+        iterations=orbit.iterations,
+        status=orbit.status,
+    )
 
 
-def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
-    """The orbit that the entries of a file in a folder, of the right types, describe.
+def composed_orbit(entries: ComposedEntries, folder: Path) -> ComposedOrbit:
+    """The orbit that the entries of a file in a folder describe.
 
     Raises
     ------
     InputError
         If the system is not there, or what the file holds is no orbit of it.
     """
-    from nonsmooth.runtime.present.files.orbits import (
-        check_counts,
-        check_texts,
-        given_value,
-        read_number,
-    )
+    from nonsmooth.runtime.present.files.orbits import check_counts, read_number
 
-    check_texts(content, "parameters")
-    kernels = load_system(content["system"], folder)
-    check_counts(content)
-    bits = None if content["arithmetic"] == "double" else content["bits"]
-    given = {name: given_value(name, text) for name, text in content["parameters"].items()}
-    parameters = system_parameters(kernels, given)
-    phases, size = _phases(content["phases"]), len(kernels.table["states"])
-    if any(len(phase["start"]) != size for phase in phases):
+    kernels = load_system(entries.system, folder)
+    check_counts(entries)
+    bits = None if entries.arithmetic == "double" else entries.bits
+    parameters = system_parameters(kernels, entries.parameters)
+    phases, size = entries.phases, len(kernels.table["states"])
+    if not phases:
+        raise InputError("'phases' is empty")
+    if any(len(phase.start) != size for phase in phases):
         raise InputError(f"{kernels.name} has {size} states, and the file another number")
-    names = content["names"]
-    if len(names) not in (0, len(phases) + size) or not all(isinstance(n, str) for n in names):
+    names = entries.names
+    if len(names) not in (0, len(phases) + size):
         raise InputError(f"'names' does not hold {len(phases) + size} names, or none")
-    dwell = [read_number("dwell_time", phase["dwell_time"], bits) for phase in phases]
-    states = [[read_number("start", text, bits) for text in phase["start"]] for phase in phases]
+    dwell = [read_number("dwell_time", phase.dwell_time, bits) for phase in phases]
+    states = [[read_number("start", text, bits) for text in phase.start] for phase in phases]
     kind = float if bits is None else object
     symmetry = None
-    if content["symmetry"]:
-        symmetry = symmetry_of(piecewise(kernels, parameters), content["symmetry"])
-    itinerary = tuple((str(phase["configuration"]), str(phase["boundary"])) for phase in phases)
+    if entries.symmetry:
+        symmetry = symmetry_of(piecewise(kernels, parameters), entries.symmetry)
+    itinerary = tuple((phase.configuration, phase.boundary) for phase in phases)
     point = piecewise(kernels, parameters)
     kernels = with_routes_at(kernels, point, itinerary, np.array(dwell), np.array(states))
     orbit = ComposedOrbit(
@@ -151,15 +161,15 @@ def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
         parameters,
         np.array(dwell, dtype=kind),
         np.array(states, dtype=kind),
-        given_value("period", content["period"]) if content["period"] else None,
-        read_number("residual", content["residual"], bits),
-        content["digits"],
-        content["iterations"],
-        content["status"],
+        entries.period,
+        read_number("residual", entries.residual, bits),
+        entries.digits,
+        entries.iterations,
+        entries.status,
         kernels,
         symmetry,
-        content["label"] or None,
-        tuple(names),
+        entries.label,
+        names,
     )
     if symmetry is not None and len(phases) % symmetry.order:
         raise InputError("its phases are no multiple of those that the symmetry closes")
@@ -168,26 +178,13 @@ def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
     if not _solves(orbit):
         raise InputError(
             f"not a solution of {kernels.name} to {orbit.digits} digits with the kernels that are"
-            f" installed (its derivation {content['derivation']}, here {_derivation(kernels)})"
+            f" installed (its derivation {entries.derivation}, here {_derivation(kernels)})"
         )
     return orbit
 
 
 def _derivation(kernels: SystemKernels) -> str:
     return str(kernels.module.DERIVATION)
-
-
-def _phases(entries: list[Any]) -> list[dict[str, Any]]:
-    """Phases of a file, each with its entries."""
-    if not entries:
-        raise InputError("'phases' is empty")
-    for entry in entries:
-        if not isinstance(entry, dict) or tuple(entry) != _PHASE:
-            raise InputError(f"'phases' holds something else than {', '.join(_PHASE)}")
-        texts = entry["start"] if isinstance(entry["start"], list) else [None]
-        if not all(isinstance(text, str) for text in (*list(entry.values())[:3], *texts)):
-            raise InputError("'phases' holds something else than texts")
-    return entries
 
 
 def _solves(orbit: ComposedOrbit) -> bool:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import Form, naming
+from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, Integers, Table, encode
+from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
+from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import equilibria
@@ -20,54 +24,108 @@ from nonsmooth.runtime.model.piecewise import (
     system_parameters,
 )
 from nonsmooth.runtime.orbits.compose import compose
-from nonsmooth.runtime.shooting.multipliers import Multiplier
 
 __all__ = ["FOUND", "found_json", "load_found", "save_found"]
 
-FOUND = Form(
-    "nonsmooth found orbits",
-    "file of found orbits",
-    {
-        "system": str,
-        "parameters": dict,
-        "starts": int,
-        "transitions": int,
-        "complete": bool,
-        "box": dict,
-        "orbits": list,
-        "equilibria": list,
-        "outcomes": dict,
-        "resting": str,
-        "unclassified": str,
-        "start_states": list,
-        "labels": list,
-    },
+_DIGITS_KEPT = 1e-9  # relative change of a dwell time that solving again may make
+
+
+@dataclass(frozen=True, kw_only=True)
+class PhaseEntries:
+    """A phase of an orbit."""
+
+    configuration: str
+    boundary: str
+    dwell_time: Digits
+
+
+@dataclass(frozen=True, kw_only=True)
+class MultiplierEntries:
+    """A multiplier of the section map."""
+
+    re: AnyDigits
+    im: AnyDigits
+    trivial: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class EigenvalueEntries:
+    """An eigenvalue of an equilibrium."""
+
+    re: Digits
+    im: Digits
+
+
+@dataclass(frozen=True, kw_only=True)
+class FoundOrbitEntries:
+    """An orbit; `mirror_of` is the number, from 1, of the entry whose mirror image it is."""
+
+    period: Digits
+    forcing_periods: tuple[int, ...]
+    stability: str
+    starts: int
+    share: Digits
+    itinerary: tuple[PhaseEntries, ...]
+    start: Mapping[str, Digits]
+    multipliers: tuple[MultiplierEntries, ...]
+    trace: AnyDigits
+    residual: Digits
+    admissible: Any
+    mirror_of: int | None
+    symmetric: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class FoundEquilibriumEntries:
+    """An equilibrium; orbits come before it in the numbers of `mirror_of`."""
+
+    configuration: str
+    stability: str
+    starts: int
+    share: Digits
+    state: Mapping[str, Digits]
+    eigenvalues: tuple[EigenvalueEntries, ...]
+    mirror_of: int | None
+    symmetric: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class FoundSummary:
+    """Orbits, basins and shares."""
+
+    system: str
+    parameters: Mapping[str, Value]
+    starts: int
+    transitions: int
+    complete: bool
+    box: Mapping[str, tuple[Digits, Digits]]
+    orbits: tuple[FoundOrbitEntries, ...]
+    equilibria: tuple[FoundEquilibriumEntries, ...]
+    outcomes: Mapping[str, Digits]
+    resting: Digits
+    unclassified: Digits
+
+
+@dataclass(frozen=True, kw_only=True)
+class FoundEntries(FoundSummary):
+    """The summary, with every start and its label."""
+
+    start_states: Table
+    labels: Integers
+
+
+FOUND = FileFormat(
+    name="nonsmooth found orbits",
+    what="file of found orbits",
+    entries=FoundEntries,
     version=2,
     most=200_000_000,
 )
-_DIGITS_KEPT = 1e-9  # relative change of a dwell time that solving again may make
 
 
 def found_json(found: Found) -> dict[str, Any]:
     """Orbits, basins and shares; numbers are decimal strings that give back the same doubles."""
-    return {
-        "system": found.system,
-        "parameters": {name: value.text for name, value in found.parameters.items()},
-        "starts": len(found.starts),
-        "transitions": found.transitions,
-        "complete": found.complete,
-        "box": {
-            name: [repr(low), repr(high)]
-            for name, (low, high) in zip(found.names, found.box.tolist(), strict=True)
-        },
-        "orbits": [_orbit_json(found, place) for place in range(len(found.orbits))],
-        "equilibria": [_equilibrium_json(found, place) for place in range(len(found.equilibria))],
-        "outcomes": {
-            outcome.name.lower(): repr(found.share(outcome)) for outcome in found.outcomes
-        },
-        "resting": repr(found.resting),
-        "unclassified": repr(found.unclassified),
-    }
+    return encode(_summary(found))
 
 
 def save_found(found: Found, path: str | os.PathLike[str]) -> None:
@@ -78,14 +136,7 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    FOUND.write(
-        path,
-        {
-            **found_json(found),
-            "start_states": [[repr(x) for x in row] for row in found.starts.tolist()],
-            "labels": found.labels.tolist(),
-        },
-    )
+    FOUND.write(path, _entries(found))
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:
@@ -101,92 +152,112 @@ def load_found(path: str | os.PathLike[str]) -> Found:
         return _found(FOUND.read(file), file.parent)
 
 
-def _orbit_json(found: Found, place: int) -> dict[str, Any]:
+def _summary(found: Found) -> FoundSummary:
+    return FoundSummary(
+        system=found.system,
+        parameters=found.parameters,
+        transitions=found.transitions,
+        complete=found.complete,
+        box=dict(zip(found.names, found.box.tolist(), strict=True)),
+        orbits=tuple(_orbit_entries(found, place) for place in range(len(found.orbits))),
+        equilibria=tuple(
+            _equilibrium_entries(found, place) for place in range(len(found.equilibria))
+        ),
+        **_shares(found),
+    )
+
+
+def _shares(found: Found) -> dict[str, Any]:
+    """What follows from the labels of the starts."""
+    return {
+        "starts": len(found.starts),
+        "outcomes": {o.name.lower(): found.share(o) for o in found.outcomes},
+        "resting": found.resting,
+        "unclassified": found.unclassified,
+    }
+
+
+def _entries(found: Found) -> FoundEntries:
+    return FoundEntries(**vars(_summary(found)), start_states=found.starts, labels=found.labels)
+
+
+def _orbit_entries(found: Found, place: int) -> FoundOrbitEntries:
     entry = found.orbits[place]
     orbit = entry.orbit
-    return {
-        "period": repr(entry.period),
-        "forcing_periods": list(entry.forcing_periods),
-        "stability": entry.verdict,
-        "starts": entry.starts,
-        "share": repr(entry.share),
-        "itinerary": [
-            {"configuration": configuration, "boundary": boundary, "dwell_time": repr(duration)}
-            for (configuration, boundary), duration in zip(
-                entry.itinerary, orbit.dwell_times.tolist(), strict=True
-            )
-        ],
-        "start": dict(zip(found.names, map(repr, orbit.states[0].tolist()), strict=True)),
-        "multipliers": [_multiplier_json(m) for m in orbit.stability.multipliers],
-        "trace": repr(float(orbit.stability.trace)),
-        "residual": repr(float(orbit.residual)),
-        "admissible": orbit.admissibility.verdict,
-        **_mirror_json(entry.mirror, place, 0),
-    }
+    phases = zip(entry.itinerary, orbit.dwell_times.tolist(), strict=True)
+    return FoundOrbitEntries(
+        period=entry.period,
+        forcing_periods=entry.forcing_periods,
+        stability=entry.verdict,
+        starts=entry.starts,
+        share=entry.share,
+        itinerary=tuple(
+            PhaseEntries(configuration=configuration, boundary=boundary, dwell_time=duration)
+            for (configuration, boundary), duration in phases
+        ),
+        start=dict(zip(found.names, orbit.states[0].tolist(), strict=True)),
+        multipliers=tuple(
+            MultiplierEntries(re=float(m.real), im=float(m.imaginary), trivial=m.trivial)
+            for m in orbit.stability.multipliers
+        ),
+        trace=float(orbit.stability.trace),
+        residual=float(orbit.residual),
+        admissible=orbit.admissibility.verdict,
+        mirror_of=_mirror_of(entry.mirror, place, 0),
+        symmetric=entry.mirror == place,
+    )
 
 
-def _equilibrium_json(found: Found, place: int) -> dict[str, Any]:
+def _equilibrium_entries(found: Found, place: int) -> FoundEquilibriumEntries:
     entry = found.equilibria[place]
     equilibrium = entry.equilibrium
-    return {
-        "configuration": equilibrium.configuration,
-        "stability": equilibrium.verdict,
-        "starts": entry.starts,
-        "share": repr(entry.share),
-        "state": dict(zip(found.names, map(repr, equilibrium.state.tolist()), strict=True)),
-        "eigenvalues": [
-            {"re": repr(value.real), "im": repr(value.imag)}
+    return FoundEquilibriumEntries(
+        configuration=equilibrium.configuration,
+        stability=equilibrium.verdict,
+        starts=entry.starts,
+        share=entry.share,
+        state=dict(zip(found.names, equilibrium.state.tolist(), strict=True)),
+        eigenvalues=tuple(
+            EigenvalueEntries(re=value.real, im=value.imag)
             for value in equilibrium.eigenvalues.tolist()
-        ],
-        **_mirror_json(entry.mirror, place, len(found.orbits)),
-    }
+        ),
+        mirror_of=_mirror_of(entry.mirror, place, len(found.orbits)),
+        symmetric=entry.mirror == place,
+    )
 
 
-def _mirror_json(mirror: int | None, place: int, before: int) -> dict[str, Any]:
-    """Number, from 1, of the entry whose mirror image this one is; whether it is its own."""
-    other = mirror is not None and mirror != place
-    return {
-        "mirror_of": mirror + before + 1 if other and mirror is not None else None,
-        "symmetric": mirror == place,
-    }
+def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
+    """Number, from 1, of the entry whose mirror image this one is."""
+    return None if mirror in (None, place) else mirror + before + 1
 
 
-def _multiplier_json(multiplier: Multiplier) -> dict[str, Any]:
-    return {
-        "re": repr(float(multiplier.real)),
-        "im": repr(float(multiplier.imaginary)),
-        "trivial": multiplier.trivial,
-    }
-
-
-def _found(content: dict[str, Any], folder: Path) -> Found:
-    kernels = load_system(content["system"], folder)
-    parameters = system_parameters(kernels, content["parameters"])
+def _found(entries: FoundEntries, folder: Path) -> Found:
+    kernels = load_system(entries.system, folder)
+    parameters = system_parameters(kernels, entries.parameters)
     orbits: list[FoundOrbit] = []
-    for entry in content["orbits"]:
-        phases = [(p["configuration"], p["boundary"]) for p in entry["itinerary"]]
-        dwell = [float(p["dwell_time"]) for p in entry["itinerary"]]
-        start = [float(x) for x in entry["start"].values()]
-        orbit = compose(kernels, parameters, phases, dwell, start)
+    for entry in entries.orbits:
+        phases = [(phase.configuration, phase.boundary) for phase in entry.itinerary]
+        dwell = [phase.dwell_time for phase in entry.itinerary]
+        orbit = compose(kernels, parameters, phases, dwell, list(entry.start.values()))
         same = np.allclose(orbit.dwell_times, dwell, rtol=_DIGITS_KEPT, atol=0)
         if not orbit.converged or not same:
             raise InputError(
-                f"the orbit of period {entry['period']} is none of the {kernels.name} that is"
+                f"the orbit of period {entry.period!r} is none of the {kernels.name} that is"
                 " installed"
             )
-        mirror = _mirror(entry, len(orbits), 0)
-        orbits.append(FoundOrbit(orbit, entry["starts"], float(entry["share"]), mirror))
-    steady = _equilibria(content, piecewise(kernels, parameters), len(orbits))
+        orbits.append(FoundOrbit(orbit, entry.starts, entry.share, _mirror(entry, len(orbits), 0)))
+    steady = _equilibria(entries.equilibria, piecewise(kernels, parameters), len(orbits))
     names = tuple(kernels.table["states"])
-    starts = np.array([[float(x) for x in row] for row in content["start_states"]])
-    labels = np.array(content["labels"], dtype=int)
+    starts, labels = entries.start_states, entries.labels
     if (
         starts.shape != (len(labels), len(names))
         or (labels >= len(orbits) + len(steady)).any()
         or (labels < min(Outcome)).any()
     ):
         raise InputError("its starts and labels do not belong together")
-    return Found(
+    if tuple(entries.box) != names:
+        raise InputError("'box' is not of the system's states")
+    found = Found(
         kernels.name,
         parameters,
         names,
@@ -194,35 +265,39 @@ def _found(content: dict[str, Any], folder: Path) -> Found:
         tuple(steady),
         starts,
         labels,
-        np.array([[float(x) for x in content["box"][name]] for name in names]),
-        content["transitions"],
-        content["complete"],
+        np.array(list(entries.box.values())),
+        entries.transitions,
+        entries.complete,
     )
+    check_follows(entries, _shares(found))
+    return found
 
 
-def _mirror(entry: dict[str, Any], place: int, before: int) -> int | None:
+def _mirror(
+    entry: FoundOrbitEntries | FoundEquilibriumEntries, place: int, before: int
+) -> int | None:
     """Place of the entry before this one whose mirror image it is, or its own."""
-    if entry["symmetric"]:
+    if entry.symmetric:
         return place
-    if entry["mirror_of"] is None:
+    if entry.mirror_of is None:
         return None
-    mirror = int(entry["mirror_of"]) - before - 1
+    mirror = entry.mirror_of - before - 1
     if not 0 <= mirror < place:
         raise InputError("a mirror image is of no entry before it")
     return mirror
 
 
 def _equilibria(
-    content: dict[str, Any], system: PiecewiseLinear, before: int
+    entries: Sequence[FoundEquilibriumEntries], system: PiecewiseLinear, before: int
 ) -> list[FoundEquilibrium]:
     """Equilibria of a file, each found again."""
     known = {equilibrium.configuration: equilibrium for equilibrium in equilibria(system)}
     found: list[FoundEquilibrium] = []
-    for entry in content["equilibria"]:
-        state = [float(x) for x in entry["state"].values()]
-        equilibrium = known.get(entry["configuration"])
+    for entry in entries:
+        state = list(entry.state.values())
+        equilibrium = known.get(entry.configuration)
         if equilibrium is None or not np.allclose(equilibrium.state, state, rtol=_DIGITS_KEPT):
-            raise InputError(f"there is no such equilibrium in {entry['configuration']}")
+            raise InputError(f"there is no such equilibrium in {entry.configuration}")
         mirror = _mirror(entry, len(found), before)
-        found.append(FoundEquilibrium(equilibrium, entry["starts"], float(entry["share"]), mirror))
+        found.append(FoundEquilibrium(equilibrium, entry.starts, entry.share, mirror))
     return found

@@ -3,34 +3,42 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import Form, naming
+from nonsmooth.runtime.core.json_codec import Row, one_of
+from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.continuation.event import KINDS
 from nonsmooth.runtime.explore.continuation.locus import Locus
-from nonsmooth.runtime.present.files.branches import numbers_of, orbit_entries, texts_of
+from nonsmooth.runtime.present.files.branches import orbit_entries
 from nonsmooth.runtime.present.files.orbits import orbit_of
 
 __all__ = ["load_locus", "save_locus"]
 
-_FORM = Form(
-    "nonsmooth locus",
-    "saved curve of events",
-    {
-        "name": str,
-        "kind": str,
-        "boundary": str,
-        "parameters": list,
-        "unknown_names": list,
-        "values": list,
-        "unknowns": list,
-        "ends": list,
-        "start": int,
-        "orbit": list,
-    },
-)
+
+@dataclass(frozen=True, kw_only=True)
+class LocusEntries:
+    """What the file of a curve of events holds.
+
+    Values of both parameters and unknowns stand row after row; `orbit` is the content of one
+    orbit's file.
+    """
+
+    name: str
+    kind: Annotated[str, one_of(tuple(KINDS))]
+    boundary: str
+    parameters: tuple[str, str]
+    unknown_names: tuple[str, ...]
+    values: Row
+    unknowns: Row
+    ends: tuple[str, str]
+    start: int
+    orbit: tuple[Any]
+
+
+_LOCUS = FileFormat(name="nonsmooth locus", what="saved curve of events", entries=LocusEntries)
 
 
 def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
@@ -41,21 +49,8 @@ def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
     InputError
         If the file cannot be written.
     """
-    _FORM.write(
-        path,
-        {
-            "name": locus.name,
-            "kind": locus.kind,
-            "boundary": locus.boundary,
-            "parameters": list(locus.parameters),
-            "unknown_names": list(locus.unknown_names),
-            "values": texts_of(locus.values),
-            "unknowns": texts_of(locus.unknowns),
-            "ends": list(locus.ends),
-            "start": locus.start,
-            "orbit": [orbit_entries(locus.orbit)],
-        },
-    )
+    own = {name: getattr(locus, name) for name in LocusEntries.__dataclass_fields__}
+    _LOCUS.write(path, LocusEntries(**{**own, "orbit": (orbit_entries(locus.orbit),)}))
 
 
 def load_locus(path: str | os.PathLike[str]) -> Locus:
@@ -68,26 +63,14 @@ def load_locus(path: str | os.PathLike[str]) -> Locus:
         the system that is there. The message names the file.
     """
     with naming(path) as file:
-        return _locus(_FORM.read(file), file.parent)
+        return _locus(_LOCUS.read(file), file.parent)
 
 
-def _locus(content: dict[str, Any], folder: Path) -> Locus:
-    (entries,) = content["orbit"]
-    orbit = orbit_of(entries, folder)
-    if content["kind"] not in KINDS:
-        raise InputError(f"{content['kind']!r} is no kind of event")
-    values, names = numbers_of(content["values"]), tuple(content["unknown_names"])
-    first, second = content["parameters"]
-    before, behind = content["ends"]
-    return Locus(
-        orbit.name,
-        content["kind"],
-        content["boundary"],
-        (first, second),
-        values.real.reshape(-1, 2),
-        names,
-        numbers_of(content["unknowns"]).real.reshape(-1, len(names)),
-        (before, behind),
-        content["start"],
-        orbit,
-    )
+def _locus(entries: LocusEntries, folder: Path) -> Locus:
+    orbit = orbit_of(entries.orbit[0], folder)
+    values = entries.values.reshape(-1, 2)
+    unknowns = entries.unknowns.reshape(-1, len(entries.unknown_names))
+    if len(unknowns) != len(values) or not 0 <= entries.start < len(values):
+        raise InputError("its points do not belong together")
+    own = {"name": orbit.name, "values": values, "unknowns": unknowns, "orbit": orbit}
+    return Locus(**{**vars(entries), **own})

@@ -14,46 +14,53 @@ import json
 import math
 import os
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import check_target, read_file, write_file
-from nonsmooth.runtime.core.result_files import Form, naming
+from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, one_of
+from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.present.files.orbits import given_value
 from nonsmooth.runtime.simulation.starting import check_forcing
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
 
-MOTION = Form(
-    "nonsmooth trajectory",
-    "saved motion",
-    {
-        "system": str,
-        "derivation": str,
-        "parameters": dict,
-        "states": list,
-        "status": str,
-        "end": str,
-        "options": list,
-        "open_at": list,
-        "grazings": list,
-    },
-    version=2,
-    # also of what an archive unpacks to
-)
 ENDINGS = (".npz", ".csv")
 _TOLERANCE = 1e-8  # of motions by another derivation
+
+
+@dataclass(frozen=True, kw_only=True)
+class MotionHeader:
+    """What a motion's file holds beside its table.
+
+    A grazing is its time, configuration, boundary and depth.
+    """
+
+    system: str
+    derivation: str
+    parameters: Mapping[str, Value]
+    states: tuple[str, ...]
+    status: Annotated[str, one_of(tuple(status.name.lower() for status in Status))]
+    end: AnyDigits
+    options: tuple[str, ...]
+    open_at: tuple[str, ...]
+    grazings: tuple[tuple[Digits, str, str, Digits], ...]
+
+
+MOTION = FileFormat(
+    name="nonsmooth trajectory", what="saved motion", entries=MotionHeader, version=2
+)
 
 
 @dataclass(frozen=True)
@@ -92,24 +99,24 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
         run.states,
         run.before,
     )
-    entries = {
-        "system": trajectory.name,
-        "derivation": _derivation(trajectory.name),
-        "parameters": {name: value.text for name, value in trajectory.parameters.items()},
-        "states": list(trajectory.names),
-        "status": run.status.name.lower(),
-        "end": repr(float(run.end)),
-        "options": list(trajectory.options),
-        "open_at": list(trajectory.open_at),
-        "grazings": [_grazing_texts(structure, grazing) for grazing in run.grazings],
-    }
-    header = MOTION.content(entries, *_numbers(table))
-    content = (_npz if ending == ".npz" else _csv)(header, table)
-    if len(content) > MOTION.most:
+    entries = MotionHeader(
+        system=trajectory.name,
+        derivation=_derivation(trajectory.name),
+        parameters=trajectory.parameters,
+        states=tuple(trajectory.names),
+        status=run.status.name.lower(),
+        end=float(run.end),
+        options=trajectory.options,
+        open_at=trajectory.open_at,
+        grazings=tuple(_grazing_entries(structure, grazing) for grazing in run.grazings),
+    )
+    content = MOTION.content(entries, *_numbers(table))
+    written = (_npz if ending == ".npz" else _csv)(content, table)
+    if len(written) > MOTION.most:
         raise InputError(
             f"cannot write {target}: {trajectory.transitions} transitions are too many"
         )
-    write_file(target, content)
+    write_file(target, written)
 
 
 def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
@@ -130,8 +137,8 @@ def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     """
     read = _from_npz if _ending(Path(path)) == ".npz" else _from_csv
     with naming(path) as source:
-        header, table = read(read_file(source, MOTION.most, MOTION.what))
-        MOTION.check_sum(header, *_numbers(table))
+        content, header, table = read(read_file(source, MOTION.most, MOTION.what))
+        MOTION.check_sum(content, *_numbers(table))
         return _trajectory(header, table, source.parent)
 
 
@@ -146,10 +153,10 @@ def _derivation(system: str) -> str:
     return str(load_system(system).module.DERIVATION)
 
 
-def _grazing_texts(structure: Structure, grazing: Grazing) -> list[str]:
+def _grazing_entries(structure: Structure, grazing: Grazing) -> tuple[float, str, str, float]:
     boundary = structure.boundaries[grazing.configuration][grazing.boundary].name
     configuration = structure.configurations[grazing.configuration]
-    return [repr(float(grazing.time)), configuration, boundary, repr(float(grazing.depth))]
+    return float(grazing.time), configuration, boundary, float(grazing.depth)
 
 
 def _numbers(table: _Table) -> Iterator[bytes]:
@@ -160,11 +167,11 @@ def _numbers(table: _Table) -> Iterator[bytes]:
         yield "\n".join(names.tolist()).encode()
 
 
-def _csv(header: Mapping[str, Any], table: _Table) -> bytes:
+def _csv(content: Mapping[str, Any], table: _Table) -> bytes:
     text = io.StringIO()
-    for name, entry in header.items():
+    for name, entry in content.items():
         text.write(f"# {name}: {json.dumps(entry)}\n")
-    text.write(",".join(_columns(header["states"])) + "\n")
+    text.write(",".join(_columns(content["states"])) + "\n")
     columns = [
         map(repr, table.times.tolist()),
         table.configurations.tolist(),
@@ -176,12 +183,12 @@ def _csv(header: Mapping[str, Any], table: _Table) -> bytes:
     return text.getvalue().encode()
 
 
-def _columns(states: list[str]) -> list[str]:
+def _columns(states: Sequence[str]) -> list[str]:
     before = [f"{name}_before" for name in states]
     return ["time", "configuration", "boundaries", *states, *before]
 
 
-def _from_csv(found: bytes) -> tuple[dict[str, Any], _Table]:
+def _from_csv(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
     try:
         lines = found.decode("utf-8").splitlines()
     except UnicodeDecodeError:
@@ -194,8 +201,8 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], _Table]:
             entries[name] = json.loads(text)
         except (ValueError, RecursionError):
             raise InputError(f"cut, or not JSON: line {line[:40]!r}") from None
-    header = _checked(entries)
-    names = _columns(header["states"])
+    header = MOTION.check_entries(entries)
+    names = _columns(header.states)
     rows = list(csv.reader(lines[count:]))
     if len(rows) < 2 or rows[0] != names or any(len(row) != len(names) for row in rows):
         raise InputError(f"cut, or its columns are not {','.join(names)}")
@@ -204,16 +211,20 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], _Table]:
         numbers = np.array([list(map(float, columns[i])) for i in (0, *range(3, len(names)))])
     except ValueError as problem:
         raise InputError(str(problem)) from None
-    size = len(header["states"])
+    size = len(header.states)
     states, before = numbers[1 : size + 1].T.copy(), numbers[size + 1 :].T.copy()
-    return header, _Table(numbers[0], np.array(columns[1]), np.array(columns[2]), states, before)
+    return (
+        entries,
+        header,
+        _Table(numbers[0], np.array(columns[1]), np.array(columns[2]), states, before),
+    )
 
 
-def _npz(header: Mapping[str, Any], table: _Table) -> bytes:
+def _npz(content: Mapping[str, Any], table: _Table) -> bytes:
     """Arrays in an archive without dates: the same motion gives the same bytes."""
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
-        for name, array in (("header", np.array(json.dumps(header))), *vars(table).items()):
+        for name, array in (("header", np.array(json.dumps(content))), *vars(table).items()):
             part = io.BytesIO()
             np.lib.format.write_array(part, array, allow_pickle=False)
             entry = zipfile.ZipInfo(f"{name}.npy")
@@ -222,7 +233,7 @@ def _npz(header: Mapping[str, Any], table: _Table) -> bytes:
     return archive.getvalue()
 
 
-def _from_npz(found: bytes) -> tuple[dict[str, Any], _Table]:
+def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
     names = ("header", *_Table.__dataclass_fields__)
     arrays = {}
     try:
@@ -243,44 +254,26 @@ def _from_npz(found: bytes) -> tuple[dict[str, Any], _Table]:
         entries = json.loads(str(arrays.pop("header")))
     except (ValueError, RecursionError):
         raise InputError("cut, or its header is not JSON") from None
-    header = _checked(entries)
+    header = MOTION.check_entries(entries)
     table = _Table(**arrays)
-    count, size = len(np.atleast_1d(table.times)), len(header["states"])
+    count, size = len(np.atleast_1d(table.times)), len(header.states)
     shapes = {"times": (count,), "configurations": (count,), "boundaries": (count,)}
     for name, array in arrays.items():
         kind = "U" if name in ("configurations", "boundaries") else "f"
         shape = shapes.get(name, (count, size))
         if array.shape != shape or array.dtype.kind != kind or count == 0:
             raise InputError(f"{name!r} is not an array {shape} of its type")
-    return header, table
+    return entries, header, table
 
 
-def _checked(entries: Any) -> dict[str, Any]:
-    """Header of a file, complete and of the right types."""
-    MOTION.check_entries(entries)
-    header: dict[str, Any] = entries
-    texts = [*entries["parameters"].values(), *entries["states"]]
-    texts += [*entries["options"], *entries["open_at"]]
-    grazings = entries["grazings"]
-    if not all(isinstance(entry, list) and len(entry) == 4 for entry in grazings):
-        raise InputError("'grazings' holds something else than four texts each")
-    if not all(isinstance(text, str) for text in (*texts, *(t for g in grazings for t in g))):
-        raise InputError("the header holds something else than texts")
-    return header
-
-
-def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Trajectory:
+def _trajectory(header: MotionHeader, table: _Table, folder: Path) -> Trajectory:
     """The motion that a file describes, checked against the tables of its system."""
-    kernels = load_system(header["system"], folder)
-    given = {name: given_value(name, text) for name, text in header["parameters"].items()}
-    system = piecewise(kernels, given)
+    kernels = load_system(header.system, folder)
+    system = piecewise(kernels, header.parameters)
     structure = system.structure
-    if tuple(header["states"]) != structure.states:
-        raise InputError(f"its states are {header['states']}, not {list(structure.states)}")
+    if header.states != structure.states:
+        raise InputError(f"its states are {list(header.states)}, not {list(structure.states)}")
     check_forcing(structure, table.states)
-    known = {status.name.lower(): status for status in Status}
-    if header["status"] not in known:
-        raise unknown_name("status", header["status"], known)
     configurations = _indices(structure, table.configurations)
     run = Run(
         table.times,
@@ -288,33 +281,25 @@ def _trajectory(header: Mapping[str, Any], table: _Table, folder: Path) -> Traje
         table.before,
         table.states,
         _sets(structure, configurations, table.boundaries),
-        tuple(_grazing(structure, texts) for texts in header["grazings"]),
-        known[header["status"]],
-        _number("end", header["end"]),
-        tuple(map(structure.configuration, header["options"])),
-        sum(1 << structure.boundary(int(configurations[-1]), b) for b in header["open_at"]),
+        tuple(_grazing(structure, entry) for entry in header.grazings),
+        Status[header.status.upper()],
+        header.end,
+        tuple(map(structure.configuration, header.options)),
+        sum(1 << structure.boundary(int(configurations[-1]), b) for b in header.open_at),
     )
-    names = header["open_at"]
-    if len({*names}) < len(names):
+    if len({*header.open_at}) < len(header.open_at):
         raise InputError("'open_at' holds a boundary twice")
     if (run.options or run.open_at) and run.status != Status.AMBIGUOUS:
-        raise InputError(f"it holds options, though it ended as {header['status']!r}")
+        raise InputError(f"it holds options, though it ended as {header.status!r}")
     if not (run.times[0] == 0 and (np.diff(run.times) >= 0).all() and run.end >= run.times[-1]):
         raise InputError("its times do not increase from 0 to its end")
     derivation = kernels.module.DERIVATION
-    if header["derivation"] != derivation and not _moves(system, run):
+    if header.derivation != derivation and not _moves(system, run):
         raise InputError(
             f"not a motion of {structure.name} as it is installed"
-            f" (its derivation {header['derivation']}, here {derivation})"
+            f" (its derivation {header.derivation}, here {derivation})"
         )
     return Trajectory(system, run)
-
-
-def _number(name: str, text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise InputError(f"{name} is {text!r}, not a number") from None
 
 
 def _indices(structure: Structure, names: np.ndarray) -> np.ndarray:
@@ -337,12 +322,10 @@ def _sets(structure: Structure, configurations: np.ndarray, names: np.ndarray) -
     return np.array(found, dtype=np.int32)
 
 
-def _grazing(structure: Structure, texts: list[str]) -> Grazing:
-    configuration = structure.configuration(texts[1])
-    boundary = structure.boundary(configuration, texts[2])
-    return Grazing(
-        _number("grazing", texts[0]), configuration, boundary, _number("grazing", texts[3])
-    )
+def _grazing(structure: Structure, entry: tuple[float, str, str, float]) -> Grazing:
+    time, name, boundary, depth = entry
+    configuration = structure.configuration(name)
+    return Grazing(time, configuration, structure.boundary(configuration, boundary), depth)
 
 
 def _moves(system: PiecewiseLinear, run: Run) -> bool:

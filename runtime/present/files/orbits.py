@@ -10,18 +10,17 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from decimal import Decimal, InvalidOperation
-from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.files import read_file
-from nonsmooth.runtime.core.result_files import Form, naming, parsed
-from nonsmooth.runtime.core.values import LONGEST_TEXT, Value, as_value, decimal_string, parse
+from nonsmooth.runtime.core.result_files import FileFormat, naming, parsed
+from nonsmooth.runtime.core.values import Value, decimal_string
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
@@ -30,13 +29,13 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+    from nonsmooth.runtime.present.files.composed_orbits import ComposedEntries
 
 __all__ = [
     "ORBIT",
+    "OrbitEntries",
     "bits_of",
     "check_counts",
-    "check_texts",
-    "given_value",
     "load_orbit_file",
     "number_text",
     "orbit_content",
@@ -45,23 +44,26 @@ __all__ = [
     "save_orbit",
 ]
 
-ORBIT = Form(
-    "nonsmooth orbit",
-    "saved orbit",
-    {
-        "orbit": str,
-        "derivation": str,
-        "given": dict,
-        "opened": dict,
-        "unknowns": dict,
-        "arithmetic": str,
-        "bits": int,
-        "residual": str,
-        "digits": int,
-        "iterations": int,
-        "status": int,
-    },
-    most=50_000_000,
+
+@dataclass(frozen=True, kw_only=True)
+class OrbitEntries:
+    """What an orbit's file holds; numbers have as many digits as `bits` need."""
+
+    orbit: str
+    derivation: str
+    given: Mapping[str, Value]
+    opened: Mapping[str, Value]
+    unknowns: Mapping[str, str]
+    arithmetic: Literal["double", "mpmath"]
+    bits: int
+    residual: str
+    digits: int
+    iterations: int
+    status: int
+
+
+ORBIT = FileFormat(
+    name="nonsmooth orbit", what="saved orbit", entries=OrbitEntries, most=50_000_000
 )
 _DOUBLE_BITS = 53
 _MOST_BITS = 8 * MOST_DIGITS
@@ -92,23 +94,23 @@ def orbit_content(orbit: Orbit) -> dict[str, Any]:
     return ORBIT.content(_entries(orbit))
 
 
-def _entries(orbit: Orbit) -> dict[str, Any]:
+def _entries(orbit: Orbit) -> OrbitEntries:
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
     bits = max(map(bits_of, (*orbit.unknowns.values(), orbit.residual)))
-    return {
-        "orbit": orbit.name,
-        "derivation": _derivation(orbit.kernels),
-        "given": {name: value.text for name, value in orbit.given.items()},
-        "opened": {name: value.text for name, value in orbit.opened.items()},
-        "unknowns": {name: number_text(number, bits) for name, number in orbit.unknowns.items()},
-        "arithmetic": "mpmath" if orbit.precise else "double",
-        "bits": bits,
-        "residual": number_text(orbit.residual, bits),
-        "digits": orbit.digits,
-        "iterations": orbit.iterations,
-        "status": orbit.status,
-    }
+    return OrbitEntries(
+        orbit=orbit.name,
+        derivation=_derivation(orbit.kernels),
+        given=orbit.given,
+        opened=orbit.opened,
+        unknowns={name: number_text(number, bits) for name, number in orbit.unknowns.items()},
+        arithmetic="mpmath" if orbit.precise else "double",
+        bits=bits,
+        residual=number_text(orbit.residual, bits),
+        digits=orbit.digits,
+        iterations=orbit.iterations,
+        status=orbit.status,
+    )
 
 
 def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
@@ -141,9 +143,9 @@ def orbit_of(content: Any, folder: Path) -> Orbit | ComposedOrbit:
     """
     from nonsmooth.runtime.present.files.composed_orbits import COMPOSED, composed_orbit
 
-    composed = isinstance(content, dict) and content.get("format") == COMPOSED.name
-    (COMPOSED if composed else ORBIT).check(content)
-    return composed_orbit(content, folder) if composed else _orbit(content, folder)
+    if isinstance(content, dict) and content.get("format") == COMPOSED.name:
+        return composed_orbit(COMPOSED.check(content), folder)
+    return _orbit(ORBIT.check(content), folder)
 
 
 def bits_of(number: Any) -> int:
@@ -160,33 +162,27 @@ def number_text(number: Any, bits: int) -> str:
     return decimal_string(number, math.ceil(bits * math.log10(2)))
 
 
-def check_texts(content: Mapping[str, Any], *names: str) -> None:
-    """Refuse entries that map to something else than texts."""
-    for name in names:
-        if not all(isinstance(text, str) for text in content[name].values()):
-            raise InputError(f"{name!r} holds something else than decimal strings")
-
-
-def _orbit(content: Mapping[str, Any], folder: Path) -> Orbit:
+def _orbit(entries: OrbitEntries, folder: Path) -> Orbit:
     """The orbit that a file's entries describe, checked against the kernels."""
-    check_texts(content, "given", "opened", "unknowns")
-    kernels = load_orbit(content["orbit"], folder)
-    _check_names(kernels, content)
-    check_counts(content)
-    bits = None if content["arithmetic"] == "double" else content["bits"]
+    kernels = load_orbit(entries.orbit, folder)
+    _check_names(kernels, entries)
+    check_counts(entries)
+    bits = None if entries.arithmetic == "double" else entries.bits
     orbit = Orbit(
         kernels.name,
-        {name: given_value(name, text) for name, text in content["given"].items()},
-        {name: read_number(name, text, bits) for name, text in content["unknowns"].items()},
-        {name: given_value(name, text) for name, text in content["opened"].items()},
-        read_number("residual", content["residual"], bits),
-        *(content[name] for name in ("digits", "iterations", "status")),
+        entries.given,
+        {name: read_number(name, text, bits) for name, text in entries.unknowns.items()},
+        entries.opened,
+        read_number("residual", entries.residual, bits),
+        entries.digits,
+        entries.iterations,
+        entries.status,
     )
     _check_domains(orbit)
     if not _solves(orbit):
         raise InputError(
             f"not a solution of {kernels.name} to {orbit.digits} digits with the kernels that are"
-            f" installed (its derivation {content['derivation']}, here {_derivation(kernels)})"
+            f" installed (its derivation {entries.derivation}, here {_derivation(kernels)})"
         )
     return orbit
 
@@ -195,41 +191,32 @@ def _derivation(kernels: OrbitKernels) -> str:
     return str(kernels.system.module.DERIVATION)
 
 
-def _check_names(kernels: OrbitKernels, content: Mapping[str, Any]) -> None:
+def _check_names(kernels: OrbitKernels, entries: OrbitEntries) -> None:
     known = sorted([*kernels.parameter_names, *kernels.unknowns])
-    found = sorted([*content["given"], *content["unknowns"]])
+    found = sorted([*entries.given, *entries.unknowns])
     opened = [p.name for p in kernels.open_parameters]
-    if found != known or len(content["unknowns"]) != len(kernels.unknowns):
+    if found != known or len(entries.unknowns) != len(kernels.unknowns):
         raise InputError(
             f"{kernels.name} has {', '.join(known)}, the file has {', '.join(found) or 'nothing'}"
         )
-    for name in content["opened"]:
+    for name in entries.opened:
         if name not in opened:
             raise unknown_name("open parameter", name, opened)
 
 
-def check_counts(content: Mapping[str, Any]) -> None:
-    """Refuse an arithmetic, or counts of bits, digits and iterations, that no orbit has."""
-    double = content["arithmetic"] == "double"
+def check_counts(entries: OrbitEntries | ComposedEntries) -> None:
+    """Refuse counts of bits, digits and iterations, that no orbit has."""
+    double = entries.arithmetic == "double"
     allowed = {
         "bits": (_DOUBLE_BITS, _DOUBLE_BITS if double else _MOST_BITS),
         "digits": (0, DOUBLE if double else MOST_DIGITS),
         "iterations": (0, math.inf),
         "status": (CONVERGED, CONVERGED),
     }
-    if content["arithmetic"] not in ("double", "mpmath"):
-        raise InputError(f"arithmetic is {content['arithmetic']!r}, neither 'double' nor 'mpmath'")
     for name, (least, most) in allowed.items():
-        if not least <= content[name] <= most:
-            raise InputError(f"{name} is {content[name]}, which no saved orbit has")
-
-
-def given_value(name: str, text: str) -> Value:
-    """A given value as it was written."""
-    try:
-        return parse(text) if len(text) <= LONGEST_TEXT else as_value(Fraction(text))
-    except (ValueError, ZeroDivisionError) as problem:
-        raise InputError(f"{name}: {problem}") from None
+        count = getattr(entries, name)
+        if not least <= count <= most:
+            raise InputError(f"{name} is {count}, which no saved orbit has")
 
 
 def read_number(name: str, text: str, bits: int | None) -> Any:

@@ -20,7 +20,7 @@ DIGITS = 6  # of the radii that are stated: they are as wide as the box
 VERDICTS = ("proved", "unstable", "not admissible", "undecided")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Tile:
     """What is proved for all parameters of one tile.
 
@@ -57,7 +57,7 @@ class Tile:
         return "undecided"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class BoxCertificate:
     """What ball arithmetic proves of an orbit for all parameters of a box.
 

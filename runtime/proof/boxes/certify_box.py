@@ -11,6 +11,7 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -93,7 +94,6 @@ def certify_box(
     ends = checked_box(orbit, box)
     if not isinstance(resume, BoxCertificate | None):
         raise InputError(f"{resume!r} is no state to resume: load_box_certificate reads one")
-    undecided = dict.fromkeys(CLAIMS, "undecided")
     whole = Place(((0, 0),) * len(ends))
 
     def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:
@@ -104,8 +104,8 @@ def certify_box(
         orbit, chosen = with_open_ones(orbit, ends)
         region = region_of(orbit, ends)
     except NotCovered as reason:
-        return record(None, [Tile(whole, undecided, {"existence": str(reason)}, {}, (), True)])
-    empty = record(region, [Tile(whole, undecided, {"existence": _NOT_TRIED}, {}, (), False)])
+        return record(None, [_unproved(whole, str(reason), looked_at=True)])
+    empty = record(region, [_unproved(whole, _NOT_TRIED, looked_at=False)])
     if resume is not None:
         _check_same(empty, resume)
     work = _Work(region, (resume or empty).tiles)
@@ -233,6 +233,18 @@ class _Work:
         heapq.heappush(self.waiting, (-tile.place.share, next(self._order), tile))
 
 
+def _unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
+    """A tile of which nothing is proved."""
+    return Tile(
+        place=place,
+        claims=dict.fromkeys(CLAIMS, "undecided"),
+        reasons={"existence": reason},
+        enclosures={},
+        guess=(),
+        looked_at=looked_at,
+    )
+
+
 def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
     return entry[:2]
 
@@ -251,7 +263,14 @@ def _judged(tile: Tile, proof: Proof, region: Region) -> Tile:
         enclosures = {
             n: Stated.around(b, BITS, DIGITS) for n, b in proof.enclosures.items() if b.is_finite()
         }
-    return Tile(tile.place, claims, reasons, enclosures, guess, True)
+    return Tile(
+        place=tile.place,
+        claims=claims,
+        reasons=reasons,
+        enclosures=enclosures,
+        guess=guess,
+        looked_at=True,
+    )
 
 
 def _balls(guess: Sequence[float]) -> list[arb]:
@@ -267,29 +286,23 @@ def _record(
     region: Region | None,
     tiles: Sequence[Tile],
 ) -> BoxCertificate:
+    declaration, closing = ({}, {}) if region is None else region.statement(orbit)
     return BoxCertificate(
-        orbit.name,
-        system_of(orbit),
-        {n: value for n, value in given_of(orbit).items() if n not in box},
-        chosen,
-        () if region is None else region.cycle.itinerary,
-        dict(box),
-        "stable" if region is None else region.closing.stability,
-        tuple(tiles),
-        *(({}, {}) if region is None else region.statement(orbit)),
+        orbit=orbit.name,
+        system=system_of(orbit),
+        parameters={n: value for n, value in given_of(orbit).items() if n not in box},
+        chosen=chosen,
+        itinerary=() if region is None else region.cycle.itinerary,
+        box=dict(box),
+        stability="stable" if region is None else region.closing.stability,
+        tiles=tuple(tiles),
+        declaration=declaration,
+        closing=closing,
     )
 
 
 def _check_same(wanted: BoxCertificate, found: BoxCertificate) -> None:
-    """What is resumed is of the same orbit and box, and its system is still the same."""
-
-    def compare(names: Sequence[str]) -> None:
-        for name in names:
-            if getattr(wanted, name) != getattr(found, name):
-                raise InputError(f"the state to resume has another {name}")
-
-    compare(("orbit", "itinerary", "box", "chosen"))
-    for name in wanted.parameters:
-        if wanted.parameters[name] != found.parameters.get(name):
-            raise InputError(f"the state to resume has another {name}")
-    compare(("declaration", "closing"))
+    """Refuse to go on with a map of another orbit, box or system."""
+    names = ("orbit", "itinerary", "box", "chosen", *wanted.parameters, "declaration", "closing")
+    asked, known = ({**vars(box), **box.parameters} for box in (wanted, found))
+    check_same_question("state", {name: asked[name] for name in names}, known)

@@ -51,7 +51,7 @@ class Open:
     reason: str
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Census:
     """All orbits of an itinerary in a box.
 

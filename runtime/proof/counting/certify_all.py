@@ -171,17 +171,17 @@ def _judged(
         else:
             counted.append(Counted(_texts(names, root.unique), certificate, reason))
     return Census(
-        asked.label,
-        asked.system,
-        asked.parameters,
-        asked.itinerary,
-        tuple(str(side) for side in asked.sides),
-        question.conditions,
-        tuple(counted),
-        beyond,
-        tuple(left),
-        looked,
-        bits,
+        orbit=asked.label,
+        system=asked.system,
+        parameters=asked.parameters,
+        itinerary=asked.itinerary,
+        box=tuple(str(side) for side in asked.sides),
+        conditions=question.conditions,
+        orbits=tuple(counted),
+        beyond=beyond,
+        undecided=tuple(left),
+        looked=looked,
+        bits=bits,
     )
 
 

@@ -146,10 +146,26 @@ def _is_of(certificate: EventCertificate, asked: EventCertificate) -> bool:
 def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
     orbit = branch.orbit
     return EventCertificate(
-        branch.name, system_of(orbit), _beside(orbit, event), (), (),
-        event.kind, event.text, event.parameter, event.phase, event.configuration,
-        event.boundary, instant_of(event), "undecided", "", {}, (), bits, {}, {},
-    )  # fmt: skip
+        orbit=branch.name,
+        system=system_of(orbit),
+        parameters=_beside(orbit, event),
+        chosen=(),
+        itinerary=(),
+        kind=event.kind,
+        text=event.text,
+        parameter=event.parameter,
+        phase=event.phase,
+        configuration=event.configuration,
+        boundary=event.boundary,
+        instant=instant_of(event),
+        claim="undecided",
+        reason="",
+        enclosures={},
+        box=(),
+        bits=bits,
+        declaration={},
+        closing={},
+    )
 
 
 def _about(

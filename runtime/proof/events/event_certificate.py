@@ -15,7 +15,7 @@ from nonsmooth.runtime.proof.certificate import Stated, Unknown
 __all__ = ["EventCertificate", "events_claim"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class EventCertificate:
     """An event of a branch, enclosed by ball arithmetic.
 

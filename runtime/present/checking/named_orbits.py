@@ -1,4 +1,4 @@
-"""Whether a saved certificate is of the system and the orbit that it names."""
+"""The system and the orbit that a file of a proof names."""
 
 from __future__ import annotations
 
@@ -8,25 +8,20 @@ from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
-from nonsmooth.runtime.model.piecewise import system_parameters
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.named import whole_names
 from nonsmooth.runtime.orbits.routes import with_routes
-from nonsmooth.runtime.present.files.orbits import given_value
-from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.contact_statement import kernels_with
-from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.proof.orbit_cycle import period_name
-from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
+from nonsmooth.runtime.proof.parametric_declaration import PERIOD
 from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of
 
-__all__ = ["Named", "compare_certificate", "given_values", "named_in"]
+__all__ = ["NamedOrbit", "named_in"]
 
 
-class Named(NamedTuple):
+class NamedOrbit(NamedTuple):
     """What a file names.
 
     Attributes
@@ -65,7 +60,7 @@ class Named(NamedTuple):
             raise Failure("the parameters that were chosen are none that the orbit leaves open")
 
 
-def named_in(content: Mapping[str, Any], folder: Path) -> Named | None:
+def named_in(content: Mapping[str, Any], folder: Path) -> NamedOrbit | None:
     """The system and the orbit that a file names; None if the system is not there.
 
     Raises
@@ -89,7 +84,7 @@ def named_in(content: Mapping[str, Any], folder: Path) -> Named | None:
     states, own = kernels.table["states"], {table.name for table in kernels.parameters}
     if label == cycle_label(system, len(itinerary)):
         dwell = dwell_names(len(itinerary), {*states, *own})
-        return Named(kernels, None, cycle, start_names(states, {*dwell, *own}), dwell)
+        return NamedOrbit(kernels, None, cycle, start_names(states, {*dwell, *own}), dwell)
     try:
         orbit = load_orbit(label, folder)
     except InputError as problem:
@@ -100,46 +95,6 @@ def named_in(content: Mapping[str, Any], folder: Path) -> Named | None:
         raise Failure(f"{label} is not that orbit of {system}")
     if orbit.derived:
         dwell = orbit.dwell_times
-        return Named(kernels, orbit, cycle, start_names(states, {*dwell, *own}), dwell)
+        return NamedOrbit(kernels, orbit, cycle, start_names(states, {*dwell, *own}), dwell)
     names = whole_names(orbit, len(itinerary))
-    return Named(kernels, orbit, cycle, names[len(itinerary) :], names[: len(itinerary)])
-
-
-def given_values(parameters: Mapping[str, str]) -> dict[str, Value]:
-    """Values as they were written."""
-    return {name: given_value(name, text) for name, text in parameters.items()}
-
-
-def compare_certificate(content: Mapping[str, Any], folder: Path) -> bool:
-    """Compare names, values and declaration with the system and the orbit that are named.
-
-    Returns
-    -------
-    bool
-        Whether that could be done: the system is there.
-
-    Raises
-    ------
-    Failure, InputError
-        If they differ.
-    """
-    if not content["declaration"]:
-        return False
-    named = named_in(content, folder)
-    if named is None:
-        return False
-    values = system_parameters(named.kernels, given_values(content["parameters"]))
-    named.check_chosen(content["chosen"])
-    work = content["bits"] + GUARD
-    with flint_precision(work):
-        declared = system_declaration(
-            named.kernels,
-            named.cycle,
-            exact_tables(named.kernels, tuple(values.values()), work),
-            named.start,
-            named.dwell,
-            timed=content["closing"]["kind"] == "period",
-        )
-    if declared != content["declaration"]:
-        raise Failure(f"the declaration is not that of {content['system']} at its parameters")
-    return True
+    return NamedOrbit(kernels, orbit, cycle, names[len(itinerary) :], names[: len(itinerary)])
