@@ -239,6 +239,12 @@ class OrbitKernels:
         return tuple(ParameterTable(**entry) for entry in self.table["other_parameters"])
 
     @cached_property
+    def tables(self) -> dict[str, ParameterTable]:
+        """All parameters that may be given, by name, those of the equations first."""
+        every = (*self.parameters, *self.open_parameters, *self.other_parameters)
+        return {table.name: table for table in every}
+
+    @cached_property
     def required(self) -> dict[str, str]:
         """Values that parameters must have for such an orbit to exist, as text."""
         return dict(self.table["required"])

@@ -14,9 +14,10 @@ from nonsmooth.runtime.explore.finding.outcomes import (
 )
 from nonsmooth.runtime.explore.finding.steady import forcing_turns
 from nonsmooth.runtime.explore.finding.stretching import stretching
+from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import parameter_points, piecewise_at
+from nonsmooth.runtime.model.piecewise import piecewise_at
 from nonsmooth.runtime.simulation.simulate import Trajectories
 
 __all__ = ["EQUILIBRIUM", "PERIODIC", "UNINTERRUPTED", "Settled", "settled", "settled_texts"]

@@ -11,8 +11,7 @@ from typing import Any
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.model.parameters import resolve
-from nonsmooth.runtime.model.piecewise import system_parameters
+from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.present.checking.certificates import Named, given_values, named_in
 from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration
 
@@ -60,6 +59,6 @@ def _check_values(named: Named, values: dict[str, Value]) -> None:
         system_parameters(named.kernels, own)
         return
     try:
-        resolve(named.derived, values)
+        complete(named.derived, values)
     except NoConvergence as problem:
         raise Failure(str(problem)) from None

@@ -13,12 +13,9 @@ from nonsmooth.runtime.core.result_files import Form, naming
 from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import equilibria
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.piecewise import (
-    PiecewiseLinear,
-    piecewise,
-    system_parameters,
-)
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.compose import compose
 from nonsmooth.runtime.shooting.multipliers import Multiplier
 

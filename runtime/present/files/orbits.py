@@ -198,7 +198,8 @@ def _derivation(kernels: OrbitKernels) -> str:
 def _check_names(kernels: OrbitKernels, content: Mapping[str, Any]) -> None:
     known = sorted([*kernels.parameter_names, *kernels.unknowns])
     found = sorted([*content["given"], *content["unknowns"]])
-    opened = [p.name for p in kernels.open_parameters]
+    fixed = {*kernels.parameter_names, *kernels.required, *kernels.solved_for}
+    opened = [name for name in kernels.tables if name not in fixed]
     if found != known or len(content["unknowns"]) != len(kernels.unknowns):
         raise InputError(
             f"{kernels.name} has {', '.join(known)}, the file has {', '.join(found) or 'nothing'}"
@@ -254,7 +255,7 @@ def read_number(name: str, text: str, bits: int | None) -> Any:
 def _check_domains(orbit: Orbit) -> None:
     kernels = orbit.kernels
     values = {**orbit.values, **orbit.opened}
-    for table in (*kernels.parameters, *kernels.open_parameters, *kernels.other_parameters):
+    for table in kernels.tables.values():
         if table.name in values and not in_domain(table, float(values[table.name])):
             raise InputError(f"{table.name} is outside its domain")
     for name, duration in orbit.dwell_times.items():
