@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 
 __all__ = [
@@ -25,8 +25,7 @@ __all__ = [
 
 def in_domain(table: ParameterTable, number: float) -> bool:
     """Whether a parameter may have this value."""
-    lower = float("-inf") if table.lower is None else float(parse(table.lower))
-    upper = float("inf") if table.upper is None else float(parse(table.upper))
+    lower, upper = table.ends
     if lower < number < upper:
         return True
     return (table.closed and number == lower) or (table.upper_closed and number == upper)
@@ -35,11 +34,10 @@ def in_domain(table: ParameterTable, number: float) -> bool:
 def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
     """Which of many numbers a parameter may be; those that are not finite never."""
     inside: np.ndarray = np.isfinite(numbers)
+    lower, upper = table.ends
     if table.lower is not None:
-        lower = float(parse(table.lower))
         inside &= (numbers > lower) | (table.closed & (numbers == lower))
     if table.upper is not None:
-        upper = float(parse(table.upper))
         inside &= (numbers < upper) | (table.upper_closed & (numbers == upper))
     return inside
 

@@ -22,6 +22,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.result_files import Form, naming, parsed
 from nonsmooth.runtime.core.values import LONGEST_TEXT, Value, as_value, decimal_string, parse
+from nonsmooth.runtime.model.completion import check_relations, follow
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
@@ -254,9 +255,11 @@ def read_number(name: str, text: str, bits: int | None) -> Any:
 
 def _check_domains(orbit: Orbit) -> None:
     kernels = orbit.kernels
-    values = {**orbit.values, **orbit.opened}
+    check_relations(kernels, {**orbit.given, **orbit.opened})
+    values = {name: float(x) for name, x in {**orbit.values, **orbit.opened}.items()}
+    values |= follow(kernels, values)
     for table in kernels.tables.values():
-        if table.name in values and not in_domain(table, float(values[table.name])):
+        if table.name in values and not in_domain(table, values[table.name]):
             raise InputError(f"{table.name} is outside its domain")
     for name, duration in orbit.dwell_times.items():
         if not duration >= 0:
