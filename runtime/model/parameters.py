@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -83,6 +84,7 @@ def _constraints(
             yield constraint["text"], used, total
 
 
+@cache
 def _powers(product: str) -> list[tuple[str, int]]:
     """Names and powers of a product such as ``a*b**2``; none of ``1``."""
     parts = (part.partition("^") for part in product.replace("**", "^").split("*"))

@@ -263,8 +263,9 @@ def _quality(kernels: OrbitKernels, values: dict[str, float]) -> tuple[float, fl
     """Residual of the full equations, and a bound on the error of the unknowns by J^-1."""
     names, count = (*kernels.unknowns, *kernels.parameter_names), len(kernels.unknowns)
     x = np.array([values[name] for name in names])
-    residual, _ = equations_at(kernels, x)
-    return float(np.abs(residual).max()), error_bound(kernels, x, list(range(count)))
+    equations = equations_at(kernels, x)
+    error = error_bound(kernels, x, list(range(count)), equations)
+    return float(np.abs(equations[0]).max()), error
 
 
 def _digits(error: float) -> int:
