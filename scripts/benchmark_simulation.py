@@ -9,15 +9,11 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from measuring import Row, interleaved
 
+from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.piecewise import (
-    PiecewiseLinear,
-    numbers_at,
-    parameter_points,
-    piecewise,
-)
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, numbers_at, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.compose import compose_many
 from nonsmooth.runtime.shooting.cycle_newton import solve_cycle

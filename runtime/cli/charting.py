@@ -48,7 +48,8 @@ def chart(
         list[str] | None,
         typer.Argument(
             metavar="NAME=A:B:N|VALUE",
-            help="Ranges become the dimensions; values are fixed; absent ones take defaults.",
+            help="Ranges become the dimensions; values are fixed; absent ones take defaults"
+            " (docs/parameters.md).",
             show_default=False,
         ),
     ] = None,

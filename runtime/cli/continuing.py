@@ -65,7 +65,7 @@ def follow(
         typer.Argument(
             metavar="NAME=VALUE|A:B",
             help="The parameter to follow as a range: V=0.8:1.3; others in NAME=VALUE form."
-            " With --follow a second range.",
+            " With --follow a second range (docs/parameters.md).",
             show_default=False,
         ),
     ] = None,

@@ -13,8 +13,8 @@ from rich.text import Text
 
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import decimal_string
+from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.parameters import default_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 if TYPE_CHECKING:

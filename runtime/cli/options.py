@@ -86,7 +86,8 @@ Assignments = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="NAME=VALUE",
-        help="Parameters: eta=0.98, chi=1/3, V=pi/3. Absent ones take their defaults.",
+        help="Parameters: eta=0.98, chi=1/3, V=pi/3. Absent ones take their defaults"
+        " (docs/parameters.md).",
         show_default=False,
     ),
 ]

@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from decimal import MAX_EMAX, MIN_EMIN, Decimal, localcontext
 from fractions import Fraction
+from functools import lru_cache
 from numbers import Rational, Real
 from threading import RLock
 from typing import TYPE_CHECKING, Any
@@ -100,6 +101,7 @@ class Value:
         return mpmath.mpf((int(mantissa), int(exponent)), prec=wanted)
 
 
+@lru_cache(maxsize=1024)
 def parse(text: str) -> Value:
     """Read a decimal or an expression of ``+ - * / **``, pi, sqrt, sin, cos, exp, log.
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.model.parameters import resolve
 from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.orbit import STATUS
 from nonsmooth.runtime.orbits.solve import solve_derived as solve
@@ -156,7 +156,7 @@ def _line(
         raise InputError(f"the range of {parameter}, {lower} to {upper}, is empty")
     if points < 2:
         raise InputError(f"points = {points}: a grid has two at least")
-    point = resolve(kernels, {**(parameters or {}), parameter: upper})
+    point = complete(kernels, {**(parameters or {}), parameter: upper})
     others = {name: float(v) for name, v in point.values.items() if name != parameter}
     step = (upper - lower) / points
     return kernels, others, np.linspace(lower + step / 2, upper - step / 2, points)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -12,6 +13,7 @@ import numpy as np
 from scipy.linalg import expm
 
 from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.core.vectorised import vectorised
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
@@ -30,6 +32,12 @@ class ParameterTable:
     upper: str | None
     closed: bool
     upper_closed: bool
+
+    @cached_property
+    def ends(self) -> tuple[float, float]:
+        """Both ends of the domain."""
+        lower = -math.inf if self.lower is None else float(parse(self.lower))
+        return lower, math.inf if self.upper is None else float(parse(self.upper))
 
 
 @dataclass(frozen=True)
@@ -237,6 +245,12 @@ class OrbitKernels:
     def other_parameters(self) -> tuple[ParameterTable, ...]:
         """Parameters of the system that this orbit does not depend on, or does not leave free."""
         return tuple(ParameterTable(**entry) for entry in self.table["other_parameters"])
+
+    @cached_property
+    def tables(self) -> dict[str, ParameterTable]:
+        """All parameters that may be given, by name, those of the equations first."""
+        every = (*self.parameters, *self.open_parameters, *self.other_parameters)
+        return {table.name: table for table in every}
 
     @cached_property
     def required(self) -> dict[str, str]:

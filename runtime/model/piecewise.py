@@ -14,23 +14,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.modes import NumericModes, numeric_modes
-from nonsmooth.runtime.model.parameters import check_constraints, constrained, in_domains, value_of
 from nonsmooth.runtime.model.structure import Modes, Structure, mode_shapes, structure_of
 
 __all__ = [
     "PiecewiseLinear",
     "PointGroup",
     "numbers_at",
-    "parameter_points",
     "piecewise",
     "piecewise_at",
     "piecewise_in",
-    "system_parameters",
 ]
 
 
@@ -68,22 +66,6 @@ class PiecewiseLinear:
     def numbers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Fields, rows and resets."""
         return self.fields, self.rows, self.resets
-
-
-def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
-    """All parameters of a system, checked, in its order.
-
-    Raises
-    ------
-    InputError
-        For an unknown or missing name, a value outside its domain, or values that break a
-        constraint.
-    """
-    tables = {p.name: p for p in kernels.parameters}
-    _check_names(kernels, given)
-    values = {name: value_of(table, given[name]) for name, table in tables.items()}
-    check_constraints(kernels, values)
-    return values
 
 
 def piecewise(
@@ -128,43 +110,6 @@ def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
         tuple(modes.exponents for modes in found),
         tuple(modes.flows for modes in found),
     )
-
-
-def parameter_points(
-    kernels: SystemKernels, parameters: Mapping[str, Any]
-) -> tuple[np.ndarray, tuple[int, ...]]:
-    """Points (n, p) of parameters that broadcast against each other, and their common shape.
-
-    A point outside a domain, or one that breaks a constraint, is NaN.
-
-    Raises
-    ------
-    InputError
-        For an unknown or missing name, or arrays that do not fit.
-    """
-    tables = {p.name: p for p in kernels.parameters}
-    _check_names(kernels, parameters)
-    arrays = []
-    for name, table in tables.items():
-        given = parameters[name]
-        if isinstance(given, str | Value):
-            given = float(value_of(table, given))
-        try:
-            array = np.asarray(given, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(f"parameter {name} is no array of real numbers") from None
-        arrays.append(np.where(in_domains(table, array), array, np.nan))
-    if not arrays:  # a declaration in numbers alone
-        return np.empty((1, 0)), ()
-    try:
-        joined = np.broadcast_arrays(*arrays)
-    except ValueError:
-        shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(tables, arrays, strict=True))
-        raise InputError(f"the parameters do not broadcast: {shapes}") from None
-    points = np.stack([array.ravel() for array in joined], axis=-1)
-    columns = dict(zip(tables, points.T, strict=True))
-    points[~constrained(kernels, columns)] = np.nan
-    return points, joined[0].shape
 
 
 class PointGroup(NamedTuple):
@@ -257,16 +202,6 @@ def piecewise_in(
         _objects(part) for part in kernels.source("modes")(point, spectrum, lib=lib)
     )
     return _record(structure, values, fields, rows, resets, exponents, flows)
-
-
-def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
-    names = [p.name for p in kernels.parameters]
-    for name in given:
-        if name not in names:
-            raise unknown_name("parameter", str(name), names)
-    missing = [name for name in names if name not in given]
-    if missing:
-        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
 
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -17,6 +17,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.trigonometric_sums import LONGEST_PHASE, TrigonometricSum, maximum
+from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
 
@@ -115,7 +116,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     violations: list[Violation] = []
     for phase, duration in enumerate(dwell):
         if not duration > 0 and not at_once[phase]:
-            configuration, boundary, name = phases[phase]
+            configuration, boundary, _ = phases[phase]
             violations.append(
                 Violation(phase, configuration, boundary, float(starts[phase]), -duration)
             )
@@ -158,11 +159,8 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     if violations:
         return Admissibility(False, tuple(violations), (), coincidences)
     requires = [Requirement(name, bound) for name, bound in least.items()]
-    for name, terms in kernels.combined.items():
-        for opened, bound in least.items():
-            for other in terms.keys() - {opened} if opened in terms else ():
-                rest = float(orbit.values[name]) - terms[opened] * bound
-                requires.append(Requirement(other, rest / terms[other]))
+    known = {name: float(number) for name, number in orbit.values.items()} | least
+    requires += [Requirement(name, bound) for name, bound in follow(kernels, known).items()]
     return Admissibility("conditional" if least else True, (), tuple(requires), coincidences)
 
 

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.piecewise import numbers_at, parameter_points, piecewise_at
+from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.shooting.cycle_newton import message_of, sizes, solve_cycle

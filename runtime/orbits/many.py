@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.completion import complete_arrays
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, load_orbit
-from nonsmooth.runtime.model.parameters import check_arrays, constrained, in_domains
+from nonsmooth.runtime.model.parameters import constrained, in_domains
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.orbit import STATUS
 from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, OUTSIDE, Solved, solve_reduced
@@ -33,15 +34,15 @@ class Orbits:
     name : str
         ``system/orbit``.
     parameters : dict of str to array
-        As given, not broadcast.
+        Those of the equations, not broadcast.
     unknowns : dict of str to array
         NaN where no orbit was found. Nondimensional.
     trace, period, residual : array of float
     iterations, status : array of int
         `status` is a key of `nonsmooth.runtime.orbits.orbit.STATUS`: 0 converged.
     admissible : array of bool, or None
-        Whether the orbit is a motion of the real system for large enough open parameters;
-        None when switched off.
+        Whether the orbit is a motion of the real system, for large enough open parameters
+        where they are not given; None when switched off.
     bounds : dict of str to array, or None
         What each open parameter has to exceed; NaN where no orbit is admissible.
     """
@@ -61,6 +62,14 @@ class Orbits:
     def converged(self) -> np.ndarray:
         """Where an orbit was found."""
         return np.asarray(self.status == CONVERGED)
+
+    def restricted(self, opened: Mapping[str, np.ndarray]) -> Orbits:
+        """These orbits where open parameters have values: admissible above their bounds only."""
+        if self.admissible is None or self.bounds is None:
+            return self
+        with np.errstate(invalid="ignore"):  # bounds are NaN where nothing is admissible
+            allowed = [values > self.bounds[name] for name, values in opened.items()]
+        return replace(self, admissible=np.logical_and.reduce([self.admissible, *allowed]))
 
     def message(self, status: int) -> str:
         """What a status means and suggests."""
@@ -94,8 +103,8 @@ def solve_many(
     chunk : int
         Points that one thread takes at a time.
     **parameters : array_like
-        Parameters of the equations, broadcast against each other; absent ones take the
-        reference point's values.
+        Parameters of the equations, or the physical ones in their place, broadcast against
+        each other; absent ones take the reference point's values.
 
     Returns
     -------
@@ -123,13 +132,14 @@ def solve_many(
 
         options: Any = {"admissibility": admissibility, "threads": threads}
         return solve_declared_many(kernels, parameters, **options)
-    arrays = check_arrays(kernels, parameters)
+    arrays = complete_arrays(kernels, parameters)
     try:
-        np.broadcast_shapes(*(a.shape for a in arrays.values()))
+        shape = np.broadcast_shapes(*(a.shape for a in arrays.values()))
     except ValueError as error:
         raise InputError(f"the parameter arrays do not broadcast: {error}") from None
-    found = _solve_arrays(kernels, arrays, None, admissibility, threads, chunk)
-    return replace(found, name=orbit)
+    opened = {n: arrays.pop(n) for n in [*arrays] if n not in kernels.parameter_names}
+    found = _solve_arrays(kernels, arrays, shape, None, admissibility, threads, chunk)
+    return replace(found.restricted(opened), name=orbit)
 
 
 def solve_from(
@@ -146,18 +156,19 @@ def solve_from(
     start : array (..., m) or None
         Reduced unknowns; None starts as `solve_many` does.
     """
-    return _solve_arrays(kernels, dict(parameters), start, True, 1, CHUNK)
+    shape = np.broadcast_shapes(*(np.shape(a) for a in parameters.values()))
+    return _solve_arrays(kernels, dict(parameters), shape, start, True, 1, CHUNK)
 
 
 def _solve_arrays(
     kernels: OrbitKernels,
     arrays: dict[str, np.ndarray],
+    shape: tuple[int, ...],
     start: np.ndarray | None,
     admissibility: bool,
     threads: int | None,
     chunk: int,
 ) -> Orbits:
-    shape = np.broadcast_shapes(*(np.shape(a) for a in arrays.values()))
     count = int(np.prod(shape, dtype=np.int64))
     results = _Results.empty(kernels, count, admissibility)
     broadcast = [np.broadcast_to(arrays[name], shape) for name in kernels.parameter_names]

@@ -10,14 +10,11 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.piecewise import (
-    PiecewiseLinear,
-    piecewise,
-    system_parameters,
-)
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.compose import compose
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.shooting.cycle_newton import fitting_start

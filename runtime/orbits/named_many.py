@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import OrbitKernels
-from nonsmooth.runtime.model.piecewise import parameter_points, piecewise_at
+from nonsmooth.runtime.model.piecewise import piecewise_at
 from nonsmooth.runtime.orbits.compose_many import ComposedOrbits, compose_many
 from nonsmooth.runtime.orbits.composed_admissible import assess_cycle
 from nonsmooth.runtime.orbits.many import Orbits

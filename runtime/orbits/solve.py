@@ -11,8 +11,9 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.model.completion import Point, complete
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.model.parameters import Point, in_domain, resolve
+from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.shooting.newton import (
@@ -104,7 +105,7 @@ def solve_derived(
     kernels = load_orbit(orbit)
     swapped, fixed = tuple(unknown), dict(given or {})
     _check_exchange(kernels, swapped, fixed)
-    point = resolve(kernels, parameters or {}, without=swapped)
+    point = complete(kernels, parameters or {}, without=swapped)
     start = _start(kernels, guess, swapped)
     found, tried = (
         _exchanged(kernels, point, swapped, _given(fixed), start)
@@ -262,8 +263,9 @@ def _quality(kernels: OrbitKernels, values: dict[str, float]) -> tuple[float, fl
     """Residual of the full equations, and a bound on the error of the unknowns by J^-1."""
     names, count = (*kernels.unknowns, *kernels.parameter_names), len(kernels.unknowns)
     x = np.array([values[name] for name in names])
-    residual, _ = equations_at(kernels, x)
-    return float(np.abs(residual).max()), error_bound(kernels, x, list(range(count)))
+    equations = equations_at(kernels, x)
+    error = error_bound(kernels, x, list(range(count)), equations)
+    return float(np.abs(equations[0]).max()), error
 
 
 def _digits(error: float) -> int:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.values import decimal_string
+from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
     ParameterTable,
@@ -14,7 +15,6 @@ from nonsmooth.runtime.model.kernels import (
     orbits_in,
     system_names,
 )
-from nonsmooth.runtime.model.parameters import default_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 if TYPE_CHECKING:

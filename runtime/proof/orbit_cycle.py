@@ -3,30 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.completion import complete_system
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.piecewise import piecewise, system_parameters
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.proof.closure import (
     Closing,
     exact_translations,
     forcing_speeds,
     symplectic_form,
 )
-from nonsmooth.runtime.proof.exact_tables import Tables, rational_of
+from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.proof.motion.exact_rows import Row
 from nonsmooth.runtime.shooting.cycle_newton import fitting_start
 from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of
@@ -39,13 +40,10 @@ __all__ = [
     "NotCovered",
     "Subject",
     "check_converged",
-    "chosen_of",
-    "chosen_values",
     "closing_of",
     "guess_of",
     "period_name",
     "period_of",
-    "physical_numbers",
     "physical_values",
     "subject_near",
     "subject_of",
@@ -149,8 +147,11 @@ def _derived(orbit: Orbit) -> Subject:
     exchanged = [name for name in orbit.unknowns if name not in kernels.unknowns]
     if exchanged:
         raise NotCovered(f"{', '.join(exchanged)} was solved for and has no exact value")
-    chosen = chosen_of(orbit)
-    values = physical_values(kernels, {**orbit.given, **orbit.opened, **chosen})
+    try:
+        point = physical_parameters(orbit)
+    except InputError as problem:
+        raise NotCovered(str(problem)) from None
+    values = point.values
     structure = structure_of(kernels.system)
     cycle = cycle_of(structure, [(c, b) for c, b, _ in kernels.table["phases"]])
     dwell = list(orbit.dwell_times.values())
@@ -163,7 +164,7 @@ def _derived(orbit: Orbit) -> Subject:
         orbit.name,
         kernels.system,
         values,
-        tuple(chosen),
+        point.chosen,
         cycle,
         period_of(kernels, orbit.given),
         [exact_ball(x) for x in start.tolist()],
@@ -189,31 +190,6 @@ def period_of(kernels: OrbitKernels, given: Mapping[str, Value]) -> Value | None
     return None if name is None else given.get(name)
 
 
-def chosen_of(orbit: Orbit) -> dict[str, Value]:
-    """Values of the system's parameters that an orbit leaves open, where they were not given."""
-    bounds = {}
-    if orbit.kernels.open_parameters:
-        bounds = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
-    return chosen_values(orbit.kernels, {**orbit.given, **orbit.opened}, bounds)
-
-
-def chosen_values(
-    kernels: OrbitKernels, given: Mapping[str, Value], bounds: Mapping[str, float]
-) -> dict[str, Value]:
-    """Values of the system's parameters that are left open, above these bounds."""
-    values = _with_required(kernels, given)
-    chosen: dict[str, Value] = {}
-    for table in kernels.system.parameters:
-        name = table.name
-        if name in values or _completed(kernels, name, values):
-            continue
-        least = bounds.get(name, 0.0)
-        # a simple number well above the bound, which double precision gives
-        chosen[name] = as_value("1" if least < 0.9 else f"{math.ceil(11 * least)}/10")
-        values[name] = chosen[name]
-    return chosen
-
-
 def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:
     """All parameters of the system from those of an orbit and the ones that it leaves open.
 
@@ -222,58 +198,10 @@ def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[s
     NotCovered
         If they are not values that the system takes.
     """
-    values = _with_required(kernels, given)
-    for table in kernels.system.parameters:
-        if table.name not in values:
-            _completed(kernels, table.name, values)
-    wanted = [p.name for p in kernels.system.parameters]
     try:
-        return system_parameters(kernels.system, {name: values[name] for name in wanted})
+        return complete_system(kernels, given).values
     except InputError as problem:
         raise NotCovered(str(problem)) from None
-
-
-def _with_required(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:
-    return {**{name: as_value(text) for name, text in kernels.required.items()}, **given}
-
-
-def physical_numbers(kernels: OrbitKernels, given: Mapping[str, Any]) -> list[Any]:
-    """As `physical_values`, in order and of exact numbers: rational functions too."""
-    required = {name: as_value(text).exact for name, text in kernels.required.items()}
-    if None in required.values():
-        raise NotCovered(f"{kernels.name} takes irrational values of {', '.join(required)}")
-    exact = {name: rational_of(value) for name, value in required.items() if value is not None}
-    numbers: dict[str, Any] = {**exact, **given}
-    for table in kernels.system.parameters:
-        if table.name not in numbers:
-            terms = _combination(kernels, table.name, numbers)
-            parts = (numbers[name] * rational_of(factor) for name, factor in terms.items())
-            numbers[table.name] = sum(parts, rational_of(Fraction(0)))
-    return [numbers[table.name] for table in kernels.system.parameters]
-
-
-def _combination(kernels: OrbitKernels, name: str, known: Container[str]) -> dict[str, Fraction]:
-    """Multiples of known parameters that sum up to another one, as in ur = e + us, if any."""
-    for combined, terms in kernels.combined.items():
-        rest = [term for term in terms if term != name]
-        if name in terms and combined in known and all(r in known for r in rest):
-            own = Fraction(terms[name])
-            return {combined: 1 / own, **{r: -terms[r] / own for r in rest}}
-    return {}
-
-
-def _completed(kernels: OrbitKernels, name: str, values: dict[str, Value]) -> bool:
-    """Find a parameter from a combination such as e = ur - us, if the others are known."""
-    terms = _combination(kernels, name, values)
-    exact = [(factor, values[other].exact) for other, factor in terms.items()]
-    known = [factor * value for factor, value in exact if value is not None]
-    if len(known) == len(exact):
-        total: object = sum(known)
-    else:
-        total = " + ".join(f"({factor})*({values[other]})" for other, factor in terms.items())
-    if terms:
-        values[name] = as_value(total)
-    return bool(terms)
 
 
 def translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:

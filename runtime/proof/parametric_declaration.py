@@ -10,10 +10,13 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.rational_functions import symbols
+from nonsmooth.runtime.core.values import parse
+from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
-from nonsmooth.runtime.proof.exact_tables import Tables, tables_over
-from nonsmooth.runtime.proof.orbit_cycle import physical_numbers
+from nonsmooth.runtime.proof.exact_tables import Tables, rational_of, tables_over
+from nonsmooth.runtime.proof.orbit_cycle import NotCovered
 from nonsmooth.runtime.proof.statement import declaration_json
 from nonsmooth.runtime.shooting.shooting_map import Cycle
 
@@ -64,5 +67,15 @@ def orbit_declaration(
 def _tables(kernels: SystemKernels, orbit: OrbitKernels | None, names: tuple[str, ...]) -> Tables:
     found = dict(zip(names, symbols(names), strict=True))
     if orbit is not None:
-        return tables_over(kernels, physical_numbers(orbit, found))
+        found = _required(orbit) | found
+        found |= follow(orbit, found, rational_of)
+        if missing := [table.name for table in kernels.parameters if table.name not in found]:
+            raise InputError(f"{orbit.name}: {', '.join(missing)} left open")
     return tables_over(kernels, [found[table.name] for table in kernels.parameters])
+
+
+def _required(orbit: OrbitKernels) -> dict[str, Any]:
+    exact = {name: parse(text).exact for name, text in orbit.required.items()}
+    if None in exact.values():
+        raise NotCovered(f"{orbit.name} takes irrational values of {', '.join(exact)}")
+    return {name: rational_of(value) for name, value in exact.items() if value is not None}

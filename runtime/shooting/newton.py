@@ -180,7 +180,7 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     error = np.inf
     if status == CONVERGED:
         residual, jacobian = equations_at(kernels, x)
-        error = error_bound(kernels, x, places)
+        error = error_bound(kernels, x, places, (residual, jacobian))
         if not error < DETERMINED:
             size = np.maximum(np.abs(x[places]), 1)
             raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
@@ -211,13 +211,26 @@ def equations_at(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.n
     return residual, np.concatenate([by_unknowns, by_parameters], axis=1)
 
 
-def error_bound(kernels: OrbitKernels, x: np.ndarray, places: Sequence[int]) -> float:
+def error_bound(
+    kernels: OrbitKernels,
+    x: np.ndarray,
+    places: Sequence[int],
+    equations: tuple[np.ndarray, np.ndarray],
+) -> float:
     """Bound on the error of the numbers at some places of x, in units of max(1, |x|).
 
     By J^-1, from the residual and the rounding of all that enters the equations: parameters
     and unknowns, and the states along the orbit, of which they are differences.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    x : array (n + p,)
+    places : sequence of int
+    equations : arrays (n,) and (n, n + p)
+        `equations_at` x.
     """
-    residual, jacobian = equations_at(kernels, x)
+    residual, jacobian = equations
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
     spectrum, _ = kernels.spectrum(parameters)
     states = kernels.evaluate("states", parameters, spectrum, unknowns)

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
@@ -20,7 +21,6 @@ from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     PointGroup,
     numbers_at,
-    parameter_points,
     piecewise,
     piecewise_at,
 )

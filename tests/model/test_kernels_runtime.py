@@ -14,6 +14,7 @@ from scipy.linalg import expm
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model import kernels
+from nonsmooth.runtime.model.completion import complete, complete_arrays, default_parameters
 from nonsmooth.runtime.model.kernels import (
     backend,
     load_orbit,
@@ -21,7 +22,6 @@ from nonsmooth.runtime.model.kernels import (
     orbit_names,
     system_names,
 )
-from nonsmooth.runtime.model.parameters import check_arrays, default_parameters, resolve
 from nonsmooth.runtime.orbits.solve import solve
 
 SYSTEM, ORBIT = "dry-friction", "dry-friction/global-stick"
@@ -338,7 +338,7 @@ E1 = Fraction("3.0195")
     ids=lambda value: str(value)[:40],
 )
 def test_of_three_forces_two_give_the_third(given, e1, us1):
-    point = resolve(load_orbit(ORBIT), given)
+    point = complete(load_orbit(ORBIT), given)
     if e1 is not None:
         assert point.values["e1"].exact == e1
         assert ("us1" in point.opened) == (us1 is not None)
@@ -356,11 +356,11 @@ def test_of_three_forces_two_give_the_third(given, e1, us1):
 def test_irrational_forces_are_compared_with_many_digits():
     door = load_orbit(ORBIT)
     given = {"us1": "pi/4", "ur1": "pi/3"}
-    derived = resolve(door, given).values["e1"]
+    derived = complete(door, given).values["e1"]
     assert abs(derived.ball(300) - as_value("pi/12").ball(300)) < 1e-80
-    resolve(door, given | {"e1": "pi/12"})
+    complete(door, given | {"e1": "pi/12"})
     with pytest.raises(InputError, match="contradicts"):
-        resolve(door, given | {"e1": "pi/12 + 1e-60"})
+        complete(door, given | {"e1": "pi/12 + 1e-60"})
 
 
 @pytest.mark.parametrize(
@@ -399,7 +399,7 @@ def test_irrational_forces_are_compared_with_many_digits():
 )
 def test_wrong_parameters_are_named_on_one_line(given, without, named):
     with pytest.raises(InputError, match=named) as caught:
-        resolve(load_orbit(ORBIT), given, without)
+        complete(load_orbit(ORBIT), given, without)
     assert "\n" not in str(caught.value)
 
 
@@ -408,40 +408,45 @@ def test_wrong_parameters_are_named_on_one_line(given, without, named):
 @pytest.mark.parametrize("value", ["0", -1, float("nan"), "1e400", True])
 def test_a_stop_takes_positive_numbers(name, parameter, value):
     with pytest.raises(InputError, match=f"{parameter}") as caught:
-        resolve(load_orbit(name), {parameter: value})
+        complete(load_orbit(name), {parameter: value})
     assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("value", ["0", 0, -3, "1/0", "-1e-300"])
 def test_the_stiffness_of_the_stop_is_positive(value):
     with pytest.raises(InputError, match="k3"):
-        resolve(load_orbit("elastic-stop/one-contact"), {"k3": value})
+        complete(load_orbit("elastic-stop/one-contact"), {"k3": value})
 
 
 @pytest.mark.parametrize("value", ["-1e-300", "1 + 1e-15", "1.2", -1, "inf"])
 def test_restitution_outside_its_domain_is_wrong_input(value):
     with pytest.raises(InputError, match="r"):
-        resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+        complete(load_orbit("rigid-stop/one-impact"), {"r": value})
 
 
 @pytest.mark.parametrize("value", ["0", 0, 0.5, "1 - 1e-15", "1/3"])
 def test_restitution_that_loses_energy_has_no_orbit(value):
     with pytest.raises(NoConvergence, match="exists only for r = 1: with r = ") as caught:
-        resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+        complete(load_orbit("rigid-stop/one-impact"), {"r": value})
     assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("value", [1, "1", 1.0, "3/3", Fraction(1)])
 def test_the_required_value_may_be_said(value):
-    point = resolve(load_orbit("rigid-stop/one-impact"), {"r": value})
+    point = complete(load_orbit("rigid-stop/one-impact"), {"r": value})
     assert list(point.values) == ["m1", "m2", "k1", "k2", "T"]
 
 
-def test_forces_without_influence_are_checked_and_left():
+def test_forces_without_influence_are_checked_and_kept():
     door = load_orbit("dry-friction/symmetric")
-    plain = resolve(door, {})
+    plain = complete(door, {})
     for given in ({"us1": 1}, {"ur1": 2}, {"e1": 3}, {"us1": 1, "ur1": 2, "e1": 1}):
-        assert resolve(door, given) == plain
+        point = complete(door, given)
+        assert point.values == plain.values
+        kept = {name: float(value) for name, value in point.opened.items()}
+        assert kept == {
+            name: value for name, value in given.items() if len(given) < 3 or name != "e1"
+        }
     for given, part in (
         ({"us1": 0}, "us1 = 0 is outside its domain"),
         ({"ur1": -1}, "ur1 = -1 is outside its domain"),
@@ -451,7 +456,7 @@ def test_forces_without_influence_are_checked_and_left():
         ({"us3": 1}, "unknown parameter 'us3'"),
     ):
         with pytest.raises(InputError, match=part):
-            resolve(door, given)
+            complete(door, given)
 
 
 @pytest.mark.parametrize(
@@ -465,11 +470,11 @@ def test_forces_without_influence_are_checked_and_left():
 )
 def test_what_a_border_collision_solves_for_is_not_given(given, named):
     with pytest.raises(InputError, match=named):
-        resolve(load_orbit("dry-friction/solution-ii"), given)
+        complete(load_orbit("dry-friction/solution-ii"), given)
 
 
 def test_what_is_solved_for_takes_no_value():
-    point = resolve(load_orbit(ORBIT), {"us1": 1}, ["e1"])
+    point = complete(load_orbit(ORBIT), {"us1": 1}, ["e1"])
     assert list(point.values) == ["chi", "eta", "V", "e2"]
     assert point.opened["us1"].exact == 1
 
@@ -488,11 +493,11 @@ def test_a_force_given_beside_an_exchange_decides():
 @pytest.mark.parametrize("name", orbit_names())
 def test_every_orbit_has_defaults_and_a_guess(name):
     door = load_orbit(name)
-    point = resolve(door, {})
+    point = complete(door, {})
     assert tuple(point.values) == door.parameter_names
     assert {n: v.text for n, v in point.values.items()} == default_parameters(door)
     assert set(door.table["reference"]["guess"]) == set(door.unknowns)
-    assert tuple(check_arrays(door, {})) == door.parameter_names
+    assert tuple(complete_arrays(door, {})) == door.parameter_names
     tables = (*door.parameters, *door.open_parameters, *door.other_parameters)
     assert len({p.name for p in tables}) == len(tables)
     assert {p.name for p in door.system.parameters} <= {p.name for p in tables}
@@ -501,9 +506,9 @@ def test_every_orbit_has_defaults_and_a_guess(name):
 def test_parameters_keep_the_kernels_order_and_the_defaults():
     door = load_orbit(ORBIT)
     given = {"e2": 0.5, "V": 1.1, "chi": "1/3"}
-    assert tuple(resolve(door, given).values) == door.parameter_names
-    assert {n: v.text for n, v in resolve(door, {}).values.items()} == default_parameters(door)
-    arrays = check_arrays(door, {"eta": [1, 2]})
+    assert tuple(complete(door, given).values) == door.parameter_names
+    assert {n: v.text for n, v in complete(door, {}).values.items()} == default_parameters(door)
+    arrays = complete_arrays(door, {"eta": [1, 2]})
     assert tuple(arrays) == door.parameter_names
     assert all(a.dtype == float for a in arrays.values())
     assert float(arrays["e1"]) == 3.0195

@@ -10,8 +10,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import parse
+from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
-from nonsmooth.runtime.model.parameters import default_parameters
 from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.orbit import STATUS
 from nonsmooth.runtime.orbits.solve import solve
@@ -404,7 +404,7 @@ def test_the_compiled_solver_is_used(name):
     ("given", "named"),
     [
         ({"etta": 1.0}, "unknown parameter 'etta'; did you mean 'eta'"),
-        ({"us1": 1.0}, "unknown parameter 'us1'"),
+        ({"us3": 1.0}, "unknown parameter 'us3'"),
         ({"z10": 1.0}, "unknown parameter 'z10'"),
         ({"eta": [1.0, 2.0], "V": [1.0, 2.0, 3.0]}, "do not broadcast"),
         ({"eta": "one"}, "parameter eta"),

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.piecewise import numbers_at, parameter_points
+from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.compose import compose, compose_many
 from nonsmooth.runtime.orbits.refine import refine

@@ -137,7 +137,10 @@ def test_an_exchange_in_a_border_collision_comes_back(path: Path) -> None:
         ("elastic-stop/one-contact", "given/k3", "-1", "k3 is outside its domain"),
         ("dry-friction/solution-ii", "unknowns/e1", "-1", "e1 is outside its domain"),
         ("dry-friction/solution-ii", "unknowns/ta", "0", "dry-friction/solution-ii has V, chi,"),
-        ("dry-friction/symmetric", "opened/us1", "1", "unknown open parameter 'us1'"),
+        ("dry-friction/symmetric", "opened/chi", "1/2", "unknown open parameter 'chi'"),
+        ("dry-friction/symmetric", "opened/us1", "0", "us1 is outside its domain"),
+        ("dry-friction/symmetric", "opened/ur2", "1/3", "us2 is outside its domain"),
+        ("dry-friction/solution-ii", "opened/e1", "1", "unknown open parameter 'e1'"),
     ],
 )
 def test_wrong_content_of_other_orbits_is_refused(

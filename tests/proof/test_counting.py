@@ -22,9 +22,8 @@ from nonsmooth.runtime.cli.display_census import show_census
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
-from nonsmooth.runtime.model.parameters import resolve
-from nonsmooth.runtime.model.piecewise import system_parameters
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.proof.counting.branch_and_prune import search
 from nonsmooth.runtime.proof.counting.contraction import (
@@ -148,7 +147,7 @@ def test_all_orbits_of_the_paper_in_a_box_and_newton_finds_no_other() -> None:
     found = times(census)
     # hundreds of starts of Newton's method in doubles
     kernels = load_orbit(STICK)
-    point = resolve(kernels, {})
+    point = complete(kernels, {})
     starts = np.array(list(product(np.linspace(0.1, 12.6, 40), np.linspace(0.1, 20, 60))))
     solved = solve_reduced(kernels, np.array([float(x) for x in point.values.values()]), starts)
     reached = solved.unknowns[solved.status == CONVERGED][:, 2:]
@@ -319,7 +318,7 @@ def test_equations_over_boxes_enclose_those_at_points() -> None:
         assert setting.orders == (1, 0)  # a mass leaves the belt at the belt's velocity
         problems = [
             DwellProblem(tables, cycle, setting, Given(), [(0, 9)] * 2, 100.0),
-            ReducedProblem(kernels, list(resolve(kernels, {}).values.values()), [(0, 9)] * 2),
+            ReducedProblem(kernels, list(complete(kernels, {}).values.values()), [(0, 9)] * 2),
         ]
         for problem, _ in product(problems, range(40)):
             low = random.uniform(0, 8, 2) * random.integers(0, 2, 2)

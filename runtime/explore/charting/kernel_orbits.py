@@ -8,9 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.explore.charting.anchors import Columns
 from nonsmooth.runtime.explore.charting.problem import NEITHER, NO_ORBIT, UNTOLD
+from nonsmooth.runtime.model.completion import Batch, complete_batch
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.orbits.admissible import first_violations
 from nonsmooth.runtime.orbits.many import solve_from
@@ -26,15 +26,12 @@ class DerivedPoints:
     Attributes
     ----------
     kernels : OrbitKernels
-    opened : tuple of str
-        Parameters that only admissibility depends on and that are given.
-    completed : tuple of (name, terms)
-        Parameters that follow from those that are given: sums of multiples.
+    batch : Batch
+        How its parameters are completed.
     """
 
     kernels: OrbitKernels
-    opened: tuple[str, ...]
-    completed: tuple[tuple[str, tuple[tuple[str, int], ...]], ...]
+    batch: Batch
 
     @property
     def unknowns(self) -> tuple[str, ...]:
@@ -53,13 +50,14 @@ class DerivedPoints:
         found = [
             f"phase {b.phase + 1} {phases[b.phase][0]}: {b.name}" for b in self.kernels.boundaries
         ]
-        return [*found, *(f"{name} is too small" for name in self.opened)]
+        return [*found, *(f"{name} is too small" for name in self.batch.opened)]
 
     def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
         """Find orbits at points (n,), from starts (n, m) or from the solver's own."""
-        kernels, full = self.kernels, self._full(values)
+        kernels, full = self.kernels, self.batch.complete(values)
         points = {name: full[name] for name in kernels.parameter_names}
-        found = solve_from(kernels, points, start if kernels.reduced else None)
+        opened = {name: full[name] for name in self.batch.opened}
+        found = solve_from(kernels, points, start if kernels.reduced else None).restricted(opened)
         there, bounds = found.status == CONVERGED, found.bounds or {}
         columns = {
             "status": found.status,
@@ -71,9 +69,6 @@ class DerivedPoints:
             **{f"least_{name}": bounds[name] for name in self.bounded},
         }
         columns["margin"][there] = _margins(kernels, *self._at(full, columns, there))
-        with np.errstate(invalid="ignore"):
-            for name in self.opened:
-                columns["admissible"] &= full[name] > columns[f"least_{name}"]
         return columns
 
     def starts_of(self, columns: Columns) -> np.ndarray:
@@ -84,13 +79,13 @@ class DerivedPoints:
 
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
         """Which limit fails first, at points (n,)."""
-        full, there = self._full(values), columns["status"] == CONVERGED
+        full, there = self.batch.complete(values), columns["status"] == CONVERGED
         limit = np.where(there, UNTOLD, NO_ORBIT)
         limit[columns["admissible"]] = NEITHER
         lost = there & ~columns["admissible"]
         points, unknowns, _ = self._at(full, columns, lost)
         crossed = first_violations(self.kernels, points, unknowns)
-        for number, name in enumerate(self.opened, len(self.kernels.boundaries)):
+        for number, name in enumerate(self.batch.opened, len(self.kernels.boundaries)):
             small = ~(full[name] > columns[f"least_{name}"])[lost]
             crossed = np.where((crossed == NEITHER) & small, number, crossed)
         limit[lost] = crossed
@@ -104,15 +99,9 @@ class DerivedPoints:
         unknowns = np.stack([columns[name][where] for name in self.kernels.unknowns], axis=-1)
         return points, unknowns, columns["trace"][where]
 
-    def _full(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        found = dict(values)
-        for name, terms in self.completed:
-            found[name] = np.asarray(sum(factor * found[term] for term, factor in terms))
-        return found
-
 
 def derived_orbits(
-    kernels: OrbitKernels, given: Sequence[str], defaults: Mapping[str, object]
+    kernels: OrbitKernels, given: Sequence[str]
 ) -> tuple[DerivedPoints, list[ParameterTable]]:
     """Which parameters are given, follow, or stay open.
 
@@ -121,8 +110,6 @@ def derived_orbits(
     kernels : OrbitKernels
     given : sequence of str
         Names of what is fixed or swept.
-    defaults : mapping of str to number
-        Of the reference point.
 
     Returns
     -------
@@ -135,43 +122,8 @@ def derived_orbits(
     InputError
         For a name that fixes nothing, or several that fix one parameter twice.
     """
-    own = {table.name: table for table in (*kernels.parameters, *kernels.open_parameters)}
-    others = {table.name: table for table in kernels.other_parameters}
-    opened = [table.name for table in kernels.open_parameters]
-    completed: dict[str, tuple[tuple[str, int], ...]] = {}
-    used: set[str] = set()
-    for name, terms in kernels.combined.items():
-        named = [term for term in terms if term in given]
-        absent = [term for term in terms if term not in given]
-        if name not in kernels.parameter_names or not named:
-            continue
-        if not absent and name in given:
-            raise InputError(f"{name} follows from {' and '.join(terms)}: leave one of them out")
-        used.update(named)
-        if not absent:
-            completed[name] = tuple(terms.items())
-        elif len(absent) == 1 and absent[0] in opened and (name in given or name in defaults):
-            unit = terms[absent[0]]  # +1 or -1
-            rest = tuple((term, -unit * f) for term, f in terms.items() if term != absent[0])
-            completed[absent[0]] = ((name, unit), *rest)
-    for name in given:
-        if name not in own and name not in others:
-            raise unknown_name("parameter", name, [*own, *_terms(kernels)])
-        if name in others and name not in used:
-            raise InputError(f"{name} decides nothing about {kernels.name}: leave it out")
-    told = [name for name in opened if name in given or name in completed]
-    known = [n for n in kernels.parameter_names if n not in completed]
-    known += [n for n in given if n not in kernels.parameter_names]
-    tables = [{**own, **others}[name] for name in known]
-    return DerivedPoints(kernels, tuple(told), tuple(completed.items())), tables
-
-
-def _terms(kernels: OrbitKernels) -> list[str]:
-    """Parameters of which those of the equations are sums, and that are not open."""
-    opened = {table.name for table in kernels.open_parameters}
-    combined = kernels.combined.items()
-    every = [t for name, terms in combined if name in kernels.parameter_names for t in terms]
-    return [term for term in every if term not in opened]
+    batch = complete_batch(kernels, given)
+    return DerivedPoints(kernels, batch), [kernels.tables[name] for name in batch.known]
 
 
 def _margins(

@@ -22,6 +22,7 @@ from nonsmooth.runtime.explore.charting.problem import (
     table_hash,
 )
 from nonsmooth.runtime.explore.charting.table_orbits import ComposedPoints, composed_orbits
+from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, load_orbit
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.orbits.orbit import STATUS
@@ -142,7 +143,7 @@ def orbit_problem(orbit: str, given: Mapping[str, object], swept: Sequence[str])
     kernels = load_orbit(orbit)
     names = (*given, *swept)
     _, tables = _orbits(kernels, names)
-    fixed = fixed_values(tables, given, swept, _defaults(kernels), kernels.name)
+    fixed = fixed_values(tables, given, swept, default_parameters(kernels), kernels.name)
     return OrbitProblem(kernels.address, fixed, names)
 
 
@@ -151,13 +152,8 @@ def _orbits(
     kernels: OrbitKernels, given: tuple[str, ...]
 ) -> tuple[DerivedPoints | ComposedPoints, list[ParameterTable]]:
     if kernels.derived:
-        return derived_orbits(kernels, given, _defaults(kernels))
+        return derived_orbits(kernels, given)
     return composed_orbits(kernels)
-
-
-def _defaults(kernels: OrbitKernels) -> dict[str, str]:
-    reference = kernels.table["reference"]
-    return dict(reference["parameters"]) if reference else {}
 
 
 def _number(name: str, meaning: str, **attributes: str) -> Variable:

@@ -12,10 +12,10 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.explore.continuation.amplitudes import amplitude_of
+from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
-from nonsmooth.runtime.explore.continuation.physical_parameters import composed_family
 from nonsmooth.runtime.explore.continuation.table_family import ComposedCurve
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -105,7 +105,7 @@ class Branch:
     ) -> tuple[ComposedOrbit, ...]:
         """Admissible orbits of other itineraries just beyond a border collision.
 
-        Parameters of the system that the orbit does not determine have to be given.
+        Parameters of the system that the orbit leaves open may be given; else they are chosen.
 
         Raises
         ------
@@ -121,7 +121,7 @@ class Branch:
 
         At a flip the one of twice the period, at a symmetry-breaking one without the symmetry,
         at a branch point one on the branch that crosses. Parameters of the system that the
-        orbit does not determine have to be given.
+        orbit leaves open may be given; else they are chosen.
 
         Raises
         ------

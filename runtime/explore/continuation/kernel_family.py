@@ -147,14 +147,14 @@ class DerivedCurve:
         """See `Curve`."""
         x = self._base.copy()
         x[self._places] = z
-        residual, _ = equations_at(self._kernels, x)
-        error = error_bound(self._kernels, x, self._places[:-1])
+        equations = equations_at(self._kernels, x)
+        error = error_bound(self._kernels, x, self._places[:-1], equations)
         digits = math.floor(-math.log10(max(error, 1e-300))) if math.isfinite(error) else 0
         return replace(
             self.orbit,
             given={**self.orbit.given, self.parameter: as_value(float(z[-1]))},
             unknowns=dict(zip(self.names, z[:-1].tolist(), strict=True)),
-            residual=float(abs(residual).max()),
+            residual=float(abs(equations[0]).max()),
             digits=max(0, min(DOUBLE, digits)),
         )
 

@@ -15,8 +15,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, composed_family
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.physical_parameters import SystemAt, composed_family
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import Structure
@@ -55,14 +55,14 @@ def next_itineraries(
     event : Event
         One of its border collisions.
     parameters : mapping of str to str, number or Value, optional
-        Those of the system that the orbit does not determine.
+        Those of the system that the orbit leaves open; else they are chosen.
 
     Returns
     -------
     tuple of ComposedOrbit
         One for each itinerary, those on the side that the branch leaves first: each can be
-        continued in its turn. Parameters that the orbit left open are as large as they have
-        to be at the collision, and one more.
+        continued in its turn. Parameters that the orbit left open are those of its point
+        beside the collision.
 
     Raises
     ------

@@ -14,8 +14,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, composed_family
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.physical_parameters import SystemAt, composed_family
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
 from nonsmooth.runtime.explore.continuation.table_family import PERIOD, ComposedCurve
 from nonsmooth.runtime.orbits.compose import compose
@@ -48,7 +48,7 @@ def other_branch(
     event : Event
         A flip, a symmetry-breaking or a branch point of it.
     parameters : mapping of str to str, number or Value, optional
-        Those of the system that the orbit does not determine.
+        Those of the system that the orbit leaves open; else they are chosen.
 
     Returns
     -------

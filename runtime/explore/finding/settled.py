@@ -17,11 +17,11 @@ from nonsmooth.runtime.explore.finding.outcomes import (
     pursued_outcomes,
 )
 from nonsmooth.runtime.explore.finding.stroboscope import stroboscopic_returns
+from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
-    parameter_points,
     piecewise_at,
 )
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift

@@ -17,8 +17,7 @@ from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.json_codec import given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
-from nonsmooth.runtime.model.parameters import resolve
-from nonsmooth.runtime.model.piecewise import system_parameters
+from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.exact_tables import exact_tables
@@ -140,7 +139,7 @@ def _check_values(named: NamedOrbit, values: dict[str, Value]) -> None:
         system_parameters(named.kernels, own)
         return
     try:
-        resolve(named.derived, values)
+        complete(named.derived, values)
     except NoConvergence as problem:
         raise Failure(str(problem)) from None
 

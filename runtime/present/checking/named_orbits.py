@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.completion import left_open
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.structure import structure_of
@@ -52,10 +53,7 @@ class NamedOrbit(NamedTuple):
 
     def check_chosen(self, chosen: list[str]) -> None:
         """Refuse names of parameters that the orbit does not leave open."""
-        left: list[str] = []
-        if self.derived is not None:
-            fixed = {*self.derived.parameter_names, *self.derived.required}
-            left = [p.name for p in self.kernels.parameters if p.name not in fixed]
+        left = () if self.derived is None else left_open(self.derived)
         if chosen != [name for name in left if name in chosen]:
             raise Failure("the parameters that were chosen are none that the orbit leaves open")
 

@@ -18,8 +18,9 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import BlankText, BlankValue
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
-from nonsmooth.runtime.model.piecewise import piecewise, system_parameters
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import DOUBLE
 from nonsmooth.runtime.orbits.routes import with_routes_at

@@ -17,12 +17,9 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import equilibria
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.piecewise import (
-    PiecewiseLinear,
-    piecewise,
-    system_parameters,
-)
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.compose import compose
 
 __all__ = ["FOUND", "found_json", "load_found", "save_found"]

@@ -21,6 +21,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.result_files import FileFormat, naming, parsed
 from nonsmooth.runtime.core.values import Value, decimal_string
+from nonsmooth.runtime.model.completion import check_relations, follow
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
@@ -194,7 +195,8 @@ def _derivation(kernels: OrbitKernels) -> str:
 def _check_names(kernels: OrbitKernels, entries: OrbitEntries) -> None:
     known = sorted([*kernels.parameter_names, *kernels.unknowns])
     found = sorted([*entries.given, *entries.unknowns])
-    opened = [p.name for p in kernels.open_parameters]
+    fixed = {*kernels.parameter_names, *kernels.required, *kernels.solved_for}
+    opened = [name for name in kernels.tables if name not in fixed]
     if found != known or len(entries.unknowns) != len(kernels.unknowns):
         raise InputError(
             f"{kernels.name} has {', '.join(known)}, the file has {', '.join(found) or 'nothing'}"
@@ -240,9 +242,11 @@ def read_number(name: str, text: str, bits: int | None) -> Any:
 
 def _check_domains(orbit: Orbit) -> None:
     kernels = orbit.kernels
-    values = {**orbit.values, **orbit.opened}
-    for table in (*kernels.parameters, *kernels.open_parameters, *kernels.other_parameters):
-        if table.name in values and not in_domain(table, float(values[table.name])):
+    check_relations(kernels, {**orbit.given, **orbit.opened})
+    values = {name: float(x) for name, x in {**orbit.values, **orbit.opened}.items()}
+    values |= follow(kernels, values)
+    for table in kernels.tables.values():
+        if table.name in values and not in_domain(table, values[table.name]):
             raise InputError(f"{table.name} is outside its domain")
     for name, duration in orbit.dwell_times.items():
         if not duration >= 0:

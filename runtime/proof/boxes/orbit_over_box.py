@@ -12,9 +12,10 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.rational_functions import Quotient
 from nonsmooth.runtime.core.taylor_models import middle_of
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
-from nonsmooth.runtime.model.piecewise import system_parameters
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
 from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over
@@ -26,8 +27,6 @@ from nonsmooth.runtime.proof.orbit_cycle import (
     NotCovered,
     Subject,
     check_converged,
-    chosen_of,
-    chosen_values,
     closing_of,
     guess_of,
     period_name,
@@ -192,19 +191,15 @@ def with_open_ones(
     corners = [dict(zip(box, point, strict=True)) for point in product(*box.values())]
     chosen: dict[str, Value] = {}
     if isinstance(orbit, Orbit):
-        bounds: dict[str, float] = {}
-        points: list[Orbit | ComposedOrbit] = [orbit]
-        if chosen_of(orbit):
+        chosen = chosen_parameters(orbit)
+        if chosen:
             given = given_of(orbit)
-            points += [
+            found = [
                 solve(orbit.name, {**given, **corner}, orbit.unknowns, throw=False)
                 for corner in corners
             ]
-        for point in points:
-            if point.converged and orbit.kernels.open_parameters:
-                for need in point.admissibility.requires:
-                    bounds[need.parameter] = max(need.greater_than, bounds.get(need.parameter, 0.0))
-        chosen = chosen_values(orbit.kernels, given_of(orbit), bounds)
+            near = [point for point in found if isinstance(point, Orbit) and point.converged]
+            chosen = chosen_parameters(orbit, near=near)
         orbit = replace(orbit, opened={**orbit.opened, **chosen})
     numbers, _ = _numbers(orbit, subject_near(orbit), tuple(box))
     try:
@@ -256,7 +251,7 @@ def _numbers(
     """Parameters of the system and the period at a point, and the orbit's own point."""
     given = given_of(orbit)
     derived = orbit if isinstance(orbit, Orbit) else None
-    fixed = given if derived is None else {**given, **chosen_of(derived)}
+    fixed = given if derived is None else {**given, **chosen_parameters(derived)}
     own = PERIOD_NAME if derived is None else period_name(derived.kernels)
 
     def numbers(point: Mapping[str, Value]) -> dict[str, Value]:

@@ -15,8 +15,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.completion import Point
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
-from nonsmooth.runtime.model.parameters import Point
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit

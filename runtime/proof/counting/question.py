@@ -9,10 +9,9 @@ from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
-from nonsmooth.runtime.model.parameters import resolve
-from nonsmooth.runtime.model.piecewise import system_parameters
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.named import unknowns_of
 from nonsmooth.runtime.orbits.routes import with_routes
@@ -25,7 +24,6 @@ from nonsmooth.runtime.proof.counting.problems import (
 from nonsmooth.runtime.proof.counting.reduced_equations import ReducedProblem, reducible
 from nonsmooth.runtime.proof.orbit_cycle import (
     NotCovered,
-    chosen_values,
     period_of,
     physical_values,
 )
@@ -118,7 +116,7 @@ def _derived(
         )
     if period is not None:
         raise InputError(f"{kernels.name} takes its period, if any, among its parameters")
-    point = resolve(kernels, parameters)
+    point = complete(kernels, parameters)
     given = {**point.values, **point.opened}
     if reducible(kernels):
         sides = sides_of(kernels.dwell_times, kernels.reduced, box)
@@ -133,7 +131,7 @@ def _derived(
             f"{kernels.name}: {', '.join(left)} left open, and needed to count its orbits"
         )
     try:  # those that are chosen play no part in this orbit
-        values = physical_values(kernels, {**given, **chosen_values(kernels, given, {})})
+        values = physical_values(kernels, given)
     except NotCovered as reason:
         raise InputError(f"{kernels.name}: {reason}") from None
     own, names = period_of(kernels, point.values), kernels.dwell_times

@@ -20,13 +20,14 @@ from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
 from nonsmooth.runtime.proof.enclosure import unknown_names
 from nonsmooth.runtime.proof.events.augmented_system import Augmented, augmented, instant_of
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-from nonsmooth.runtime.proof.orbit_cycle import NotCovered, chosen_of, guess_of, system_of
+from nonsmooth.runtime.proof.orbit_cycle import NotCovered, guess_of, system_of
 from nonsmooth.runtime.proof.statement import decimals, rational
 
 if TYPE_CHECKING:
@@ -174,7 +175,7 @@ def _about(
     """With all that the equations are made from."""
     chosen: dict[str, Value] = {}
     if isinstance(orbit, Orbit):
-        chosen = chosen_of(orbit)
+        chosen = chosen_parameters(orbit)
         orbit = replace(orbit, opened={**orbit.opened, **chosen})
     declaration, closing = region.statement(orbit)
     return replace(

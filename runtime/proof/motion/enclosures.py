@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.piecewise import system_parameters
 from nonsmooth.runtime.model.structure import Structure, structure_of
 from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
 from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, evaluate, product

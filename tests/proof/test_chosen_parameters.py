@@ -1,0 +1,63 @@
+"""What an orbit leaves open is completed alike by all commands."""
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.explore.continuation.composed_family import composed_family
+from nonsmooth.runtime.model.completion import chosen_value
+from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
+from nonsmooth.runtime.proof.orbit_cycle import subject_of
+
+STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
+SYSTEM = ("chi", "eta", "V", "us1", "ur1", "us2", "ur2")
+
+
+def test_solve_chart_continue_and_certify_agree() -> None:
+    random = np.random.default_rng(34)
+    for k in range(6):
+        values = {
+            n: float(x) for n, x in zip(("eta", "V"), random.uniform(0.9, 1.1, 2), strict=True)
+        }
+        given = ({}, {"us1": 2}, {"ur2": "1.5"})[k % 3]
+        orbit = ns.solve(STICK, {**values, **given})
+        subject = subject_of(orbit)
+        branch = ns.continue_orbit(orbit, "V", (values["V"] - 0.01, values["V"] + 0.01), step=0.5)
+        place = int(np.argmin(abs(branch.parameter_values - values["V"])))
+        composed, _ = composed_family(branch, place)
+        many = ns.solve_many(STICK, **values)
+        bounds = {n: float(b) for n, b in (many.bounds or {}).items()}
+        assert subject.chosen
+        for name in subject.chosen:
+            assert composed.parameters[name] == subject.values[name]
+            if name in bounds:
+                assert subject.values[name] == chosen_value(bounds[name])
+        told = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
+        for name in set(told) & set(bounds):
+            assert told[name] == pytest.approx(bounds[name], abs=1e-9)
+        for name in SYSTEM:
+            if name != "V":  # the branch's own point
+                assert composed.parameters[name].exact == subject.values[name].exact
+        whole = ns.certify(orbit)
+        assert whole.chosen == subject.chosen
+        assert whole.claims["admissibility"] == "proved"
+
+
+def test_what_plays_no_part_is_kept_where_it_is_given() -> None:
+    orbit = ns.solve(SYMMETRIC, {"us1": "0.0127", "ur1": "0.0255"})
+    point = physical_parameters(orbit)
+    assert point.chosen == ("us2",)
+    assert (point.values["us1"].text, point.values["ur1"].text) == ("0.0127", "0.0255")
+    assert subject_of(orbit).values == point.values
+
+
+def test_a_batch_takes_physical_parameters_as_a_point_does() -> None:
+    us1, ur1, us2 = np.array([0.5, 1.0, 2.0, -1.0]), np.array([3.6, 4.0, 5.2, 2.0]), [[0.6], [0.8]]
+    many = ns.solve_many(STICK, us1=us1, ur1=ur1, us2=us2)
+    assert many.status.shape == (2, 4)
+    for i, j in np.ndindex(2, 3):
+        one = ns.solve(STICK, {"us1": us1[j], "ur1": ur1[j], "us2": us2[i][0]}, throw=False)
+        assert one.converged == bool(many.converged[i, j])
+        assert one.trace == pytest.approx(float(many.trace[i, j]), abs=1e-9)
+        assert bool(many.admissible[i, j]) == (one.admissibility.verdict is True)
+    assert not many.converged[:, 3].any()  # us1 is outside its domain
