@@ -15,8 +15,8 @@ from sympy.printing.str import StrPrinter
 
 from nonsmooth.derive.codegen.body import body_of
 from nonsmooth.derive.codegen.naming import python_function
+from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.program import Argument, Kernel, Output
 
 __all__ = ["print_python", "python_kernel", "shape_text"]
 

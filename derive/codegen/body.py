@@ -9,8 +9,8 @@ from functools import lru_cache
 import sympy as sp
 
 from nonsmooth.derive.codegen.naming import RESERVED
+from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.program import Kernel
 
 __all__ = ["Body", "Line", "body_of", "hoisted", "needed", "split"]
 

@@ -11,8 +11,8 @@ from sympy.printing.precedence import PRECEDENCE
 from nonsmooth.derive.codegen.any_arithmetic import shape_text
 from nonsmooth.derive.codegen.body import Line, body_of
 from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.program import Argument, Kernel, Output
 
 __all__ = ["c_kernel", "c_prototype", "line_sources", "print_c"]
 
