@@ -70,7 +70,21 @@ class Configuration:
         check_unique([b.name for b in self.boundaries], f"boundary of configuration {self.name!r}")
 
     def boundary(self, name: str) -> Boundary:
-        """The boundary of that name; DeclarationError if this configuration has none."""
+        """Give the boundary of a name.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        Boundary
+
+        Raises
+        ------
+        DeclarationError
+            If this configuration has no boundary of that name.
+        """
         for boundary in self.boundaries:
             if boundary.name == name:
                 return boundary

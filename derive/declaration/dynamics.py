@@ -60,13 +60,34 @@ class SecondOrder:
         object.__setattr__(self, "held", sp.Dict(held))
 
     def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
-        """Indices of the held coordinates and their velocities."""
+        """Find which coordinates are held.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system: positions, then velocities.
+
+        Returns
+        -------
+        dict of int to expression
+            Index of each held coordinate, and its velocity.
+        """
         return {list(states).index(symbol): velocity for symbol, velocity in self.held.items()}
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
-        """Matrix A and offset b of the first-order form ``y' = A y + b``.
+        """Give the matrix A and the offset b of the first-order form ``y' = A y + b``.
 
         Held coordinates keep the velocity that the state carries: x' = v, v' = 0.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system: positions, then velocities.
+
+        Returns
+        -------
+        tuple of matrix (N, N) and column (N,)
+            A and b.
         """
         size = self.mass.rows
         held = self.held_at(states)
@@ -88,12 +109,32 @@ class SecondOrder:
         return sp.ImmutableMatrix(matrix), sp.ImmutableMatrix(offset)
 
     def shifted(self, origin: sp.Matrix) -> SecondOrder:
-        """The same motion in coordinates ``z = x - origin``."""
+        """Write the same motion in coordinates ``z = x - origin``.
+
+        Parameters
+        ----------
+        origin : column (n,)
+            In the old coordinates.
+
+        Returns
+        -------
+        SecondOrder
+        """
         load = (self.load - self.stiffness * origin).applyfunc(sp.cancel)
         return SecondOrder(self.mass, self.stiffness, tuple(load), self.damping, self.held)
 
     def substituted(self, values: Mapping[sp.Symbol, sp.Expr]) -> SecondOrder:
-        """The same motion with symbols replaced."""
+        """Write the same motion with symbols replaced.
+
+        Parameters
+        ----------
+        values : mapping of symbol to expression
+            What is put in place of each symbol.
+
+        Returns
+        -------
+        SecondOrder
+        """
         return SecondOrder(
             self.mass.subs(values),
             self.stiffness.subs(values),
@@ -103,14 +144,32 @@ class SecondOrder:
         )
 
     def free_symbols(self) -> set[sp.Symbol]:
-        """Symbols of the matrices, the load and the held velocities."""
+        """Give the symbols of the matrices, the load and the held velocities.
+
+        Returns
+        -------
+        set of symbols
+        """
         matrices = (self.mass, self.stiffness, self.damping, self.load)
         return set().union(*(m.free_symbols for m in (*matrices, *self.held.values())))
 
 
 @dataclass(frozen=True)
 class FirstOrder:
-    """Affine motion ``y' = matrix y + offset``, matrix N x N, offset N values."""
+    """Affine motion ``y' = matrix y + offset``.
+
+    Parameters
+    ----------
+    matrix : N x N matrix
+        Numbers or expressions of the parameters.
+    offset : N values, optional
+        Zero when omitted.
+
+    Raises
+    ------
+    DeclarationError
+        For another shape.
+    """
 
     matrix: sp.Matrix
     offset: Any = ()
@@ -126,11 +185,27 @@ class FirstOrder:
         object.__setattr__(self, "offset", sp.ImmutableMatrix(offset))
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
-        """Matrix A and offset b of ``y' = A y + b``."""
+        """Give the matrix A and the offset b of ``y' = A y + b``.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system: positions, then velocities.
+
+        Returns
+        -------
+        tuple of matrix (N, N) and column (N,)
+            A and b.
+        """
         return self.matrix, self.offset
 
     def free_symbols(self) -> set[sp.Symbol]:
-        """Symbols of the matrix and the offset."""
+        """Give the symbols of the matrix and the offset.
+
+        Returns
+        -------
+        set of symbols
+        """
         return set(self.matrix.free_symbols | self.offset.free_symbols)
 
 

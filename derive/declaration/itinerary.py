@@ -23,7 +23,17 @@ __all__ = ["Itinerary", "Phase", "Presentation", "Reference", "dwell_symbol"]
 
 @dataclass(frozen=True)
 class Phase:
-    """One phase: a configuration, the boundary by which it is left, its dwell time's name."""
+    """One phase of an itinerary.
+
+    Parameters
+    ----------
+    configuration : str
+        Configuration of the phase.
+    boundary : str
+        The boundary by which it is left.
+    dwell_time : str
+        Name of the phase's duration.
+    """
 
     configuration: str
     boundary: str
@@ -62,7 +72,23 @@ class Presentation:
             )
 
     def present(self, system: System) -> System:
-        """The system written in these coordinates and parameters."""
+        """Write a system in these coordinates and parameters.
+
+        Parameters
+        ----------
+        system : System
+            In physical coordinates and parameters.
+
+        Returns
+        -------
+        System
+
+        Raises
+        ------
+        DeclarationError
+            If the system has another number of states, or a velocity of a second-order motion is
+            shifted.
+        """
         if len(self.states) != len(system.states):
             raise DeclarationError(
                 f"presentation has {len(self.states)} states, system has {len(system.states)}"
@@ -135,7 +161,15 @@ class Presentation:
 
 @dataclass(frozen=True)
 class Reference:
-    """A known point of an orbit: decimal parameters and a guess of a few digits."""
+    """A known point of an orbit.
+
+    Parameters
+    ----------
+    parameters : mapping of str to str
+        Values as decimal texts, nondimensional or in the units of the system.
+    guess : mapping of str to str
+        A few digits of each unknown.
+    """
 
     parameters: Mapping[str, str]
     guess: Mapping[str, str]
@@ -229,7 +263,7 @@ class Itinerary:
         since: float = 0.0,
         period: float | None = None,
     ) -> Itinerary:
-        """The cycle that a simulated motion repeats at its end, with a guess of its orbit.
+        """Read the cycle that a simulated motion repeats at its end, with a guess of its orbit.
 
         Parameters
         ----------
@@ -241,6 +275,11 @@ class Itinerary:
             Name of the orbit.
         since, period : float
             As for `nonsmooth.itinerary_of`.
+
+        Returns
+        -------
+        Itinerary
+            Named `name`; its reference holds the dwell times and the start of the cycle.
 
         Raises
         ------
@@ -316,13 +355,33 @@ class Itinerary:
             )
 
     def rotated(self, by: int) -> Itinerary:
-        """The same cycle started `by` phases later; its start has names of its own."""
+        """Start the same cycle some phases later; its start has names of its own.
+
+        Parameters
+        ----------
+        by : int
+            How many phases later.
+
+        Returns
+        -------
+        Itinerary
+        """
         by %= len(self.phases)
         start = {} if by else self.start
         return replace(self, phases=self.phases[by:] + self.phases[:by], start=start)
 
     def specialised(self, values: Mapping[sp.Symbol, sp.Expr]) -> Itinerary:
-        """The same itinerary with parameters replaced by values."""
+        """Write the same itinerary with parameters replaced by values.
+
+        Parameters
+        ----------
+        values : mapping of symbol to expression
+            What is put in place of each symbol.
+
+        Returns
+        -------
+        Itinerary
+        """
         if not values:
             return self
         states = self.system.states
@@ -339,12 +398,34 @@ class Itinerary:
         return replace(system, parameters=(*system.parameters, self.period))
 
     def transition_after(self, system: System, index: int) -> Transition:
-        """The transition of `system` that ends phase `index`."""
+        """Find the transition that ends a phase.
+
+        Parameters
+        ----------
+        system : System
+            Whose transition it is.
+        index : int
+            Number of the phase, counted from 0.
+
+        Returns
+        -------
+        Transition
+        """
         phase, following = self.phases[index], self.phases[(index + 1) % len(self.phases)]
         return system.transition(phase.configuration, phase.boundary, following.configuration)
 
     def duration(self, index: int) -> sp.Expr:
-        """Dwell time of a phase: its symbol, zero, or what the others leave of the period."""
+        """Give the dwell time of a phase: its symbol, zero, or what the others leave of the period.
+
+        Parameters
+        ----------
+        index : int
+            Number of the phase, counted from 0.
+
+        Returns
+        -------
+        expression
+        """
         symbols = [dwell_symbol(p.dwell_time) for p in self.phases]
         if self.phases[index].dwell_time in self.vanishing:
             return sp.Integer(0)

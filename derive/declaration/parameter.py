@@ -83,7 +83,13 @@ class Parameter:
         return sp.Symbol(self.name, real=True)
 
     def unconstrained(self) -> sp.Expr:
-        """Value of the parameter as a map of a positive (or nonnegative) free symbol."""
+        """Write the parameter as a map of a positive (or nonnegative) free symbol.
+
+        Returns
+        -------
+        expression
+            It reaches every value of the domain.
+        """
         free = sp.Symbol(f"free_{self.name}", nonnegative=True, zero=None if self.closed else False)
         lower, upper = self.lower, self.upper
         if self.upper_closed:

@@ -120,16 +120,52 @@ class System:
         check_soundness(self)
 
     def fingerprint(self, orbits: Sequence[Any] = ()) -> str:
-        """Hash that equal declarations share: of the system and of orbits (Itinerary) of it."""
+        """Hash the system and orbits of it; equal declarations give equal hashes.
+
+        Parameters
+        ----------
+        orbits : sequence of Itinerary
+            Orbits of the system.
+
+        Returns
+        -------
+        str
+            16 hexadecimal digits.
+        """
         return fingerprint(self, tuple(orbits))
 
     def source(self, orbits: Sequence[Any] = ()) -> str:
-        """Derive the system and orbits (Itinerary) of it: tables and kernels as Python text."""
+        """Derive the system and orbits of it as the text of a Python module.
+
+        Parameters
+        ----------
+        orbits : sequence of Itinerary
+            Orbits of the system.
+
+        Returns
+        -------
+        str
+            Tables and kernels, over any arithmetic.
+        """
         source: str = registered("emit_python")(self, orbits, f"the declaration of {self.name}")
         return source
 
     def configuration(self, name: str) -> Configuration:
-        """The configuration of that name; DeclarationError if there is none."""
+        """Give the configuration of a name.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        Configuration
+
+        Raises
+        ------
+        DeclarationError
+            If there is none of that name.
+        """
         for configuration in self.configurations:
             if configuration.name == name:
                 return configuration
@@ -139,7 +175,26 @@ class System:
         )
 
     def transition(self, source: str, boundary: str, target: str) -> Transition:
-        """The transition from `source` through `boundary` to `target`, listed or of the law."""
+        """Find the transition between two configurations, listed or of the law.
+
+        Parameters
+        ----------
+        source : str
+            Configuration before.
+        boundary : str
+            The one boundary that is reached.
+        target : str
+            Configuration behind.
+
+        Returns
+        -------
+        Transition
+
+        Raises
+        ------
+        DeclarationError
+            If no transition leads there.
+        """
         for transition in self.transitions:
             if (transition.source, transition.target) == (source, target) and (
                 transition.boundaries == {boundary}
@@ -152,7 +207,17 @@ class System:
         raise DeclarationError(f"no transition leads from {source!r} by {boundary!r} to {target!r}")
 
     def gradient(self, function: sp.Expr) -> tuple[sp.Matrix, sp.Expr]:
-        """Row n and constant c of an affine function ``n y + c`` of the state."""
+        """Give the row n and the constant c of an affine function ``n y + c`` of the state.
+
+        Parameters
+        ----------
+        function : expression
+            Affine in the states.
+
+        Returns
+        -------
+        tuple of row (N,) and expression
+        """
         row, constant = _gradient(function, self.states)
         return sp.Matrix(row), constant
 

@@ -16,8 +16,14 @@ __all__ = ["Condition", "Transition"]
 class Condition:
     """The first nonzero among g, g', g'', ... is positive, along one configuration's flow.
 
-    `function` is g, affine in the state; `along` names the configuration whose flow gives
-    the derivatives that decide where g vanishes. `holds=False` is the negation.
+    Parameters
+    ----------
+    function : expression
+        The function g, affine in the state.
+    along : str
+        Configuration whose flow gives the derivatives that decide where g vanishes.
+    holds : bool
+        False demands the contrary.
     """
 
     function: sp.Expr
@@ -61,7 +67,20 @@ class Transition:
         object.__setattr__(self, "reset", sp.Dict({s: exact(e) for s, e in self.reset.items()}))
 
     def reset_of(self, state: sp.Matrix, states: Sequence[sp.Symbol]) -> sp.Matrix:
-        """State after the transition, for a column of expressions before it."""
+        """Apply the reset to a state.
+
+        Parameters
+        ----------
+        state : column (N,)
+            Expressions of the state before the transition.
+        states : sequence of symbols (N,)
+            States of the system, in order.
+
+        Returns
+        -------
+        column (N,)
+            State behind it.
+        """
         before = dict(zip(states, state, strict=True))
         rules = dict(self.reset.items())
         return sp.Matrix([rules.get(s, s).subs(before, simultaneous=True) for s in states])

@@ -33,13 +33,33 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     * the **reduction**: whatever is linear or explicit, eliminated.
 
     Jacobians, Poincare map, trace and boundary functions are derived from these when an
-    emitter asks for them.
+    emitter asks for them. Flows are those of modal analysis; the equations of the built-in orbits
+    are those of Pascal (2011); a perturbation passes a transition by the saltation matrix of
+    Aizerman and Gantmacher (1958).
+
+    Parameters
+    ----------
+    itinerary : Itinerary
+        With its system; its parameters are nondimensional, or in consistent units.
+
+    Returns
+    -------
+    EquationSystem
+        Unknowns, parameters, equations, and what is derived from them on demand.
 
     Raises
     ------
     DerivationError
         If a configuration has no closed form, the start satisfies no state, or the
         itinerary gives more or fewer equations than unknowns.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import derive_equations
+    >>> from nonsmooth.derive.systems import rigid_stop
+    >>> (itinerary,) = rigid_stop.orbits
+    >>> derive_equations(itinerary).unknowns
+    (y, u)
     """
     required = _required(itinerary)
     itinerary = itinerary.specialised(required)

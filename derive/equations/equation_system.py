@@ -182,7 +182,13 @@ class EquationSystem:
 
     @cached_property
     def boundary_functions(self) -> tuple[BoundaryFunction, ...]:
-        """Every boundary of every phase's configuration, along that phase."""
+        """Every boundary of every phase's configuration, along that phase.
+
+        Raises
+        ------
+        DerivationError
+            If a boundary contains two open parameters, or a flow is no trigonometric sum.
+        """
         found = []
         for index, link in enumerate(self.chain.links):
             configuration = self.system.configuration(link.flow.configuration)

@@ -83,7 +83,7 @@ def elsewhere() -> Iterator[subprocess.Popen[bytes]]:
         "from nonsmooth.derive.document.describe import describe_orbit as d\n"
         "from nonsmooth.derive.document.writers.latex import to_latex\n"
         "from nonsmooth.derive.document.writers.markdown import to_markdown\n"
-        "from nonsmooth.derive.equations.equation_system import derive_equations as e\n"
+        "from nonsmooth.derive.equations.derivation import derive_equations as e\n"
         "from nonsmooth.derive.systems import SYSTEMS, declaration\n"
         "for o in (d(e(o)) for s in SYSTEMS for o in declaration(s).orbits):\n"
         "    sys.stdout.buffer.write((to_latex(o) + to_markdown(o)).encode())"

@@ -72,10 +72,26 @@ def certificate_content(certificate: Certificate) -> dict[str, Any]:
 def load_certificate(path: str | os.PathLike[str]) -> Certificate:
     """Read a certificate that `Certificate.save` wrote; nothing is proved again.
 
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    Certificate
+
     Raises
     ------
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> ns.certify(ns.solve("dry-friction/global-stick")).save("proof.json")
+    >>> ns.load_certificate("proof.json").proved
+    True
     """
     with naming(path) as file:
         content = CERTIFICATE.read(file)
