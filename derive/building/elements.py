@@ -44,6 +44,12 @@ class Harmonic:
     cosine, sine : n values, or mapping of coordinate to value
         Amplitudes of the forces on the coordinates; zero where not given.
     phase : number or expression
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Harmonic, oscillator
+    >>> oscillator("forced", ["x"], [[1]], [[4]], forcing=[Harmonic(1, cosine=[1])]).states
+    (x, v, c1, s1)
     """
 
     frequency: Any
@@ -126,6 +132,14 @@ class SoftStop:
     ------
     DeclarationError
         For a negative stiffness or damping, an unknown side, or an unknown release.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import SoftStop, oscillator
+    >>> spring = SoftStop("x", at=1, stiffness=10, name="spring")
+    >>> system = oscillator("clearance", ["x"], [[1]], [[1]], elements=[spring])
+    >>> [c.name for c in system.configurations]
+    ['free', 'contact']
     """
 
     coordinate: Direction
@@ -194,6 +208,14 @@ class Friction:
     ------
     DeclarationError
         For negative numbers, or kinetic above static.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Friction, oscillator
+    >>> belt = Friction("x", kinetic=1, static=2, velocity=1, name="belt")
+    >>> system = oscillator("mass-on-belt", ["x"], [[1]], [[1]], elements=[belt])
+    >>> [c.name for c in system.configurations]
+    ['slip', 'stick', 'overshoot']
     """
 
     coordinate: Direction
@@ -241,6 +263,14 @@ class Slider:
     ------
     DeclarationError
         For a stiffness or limit that is not positive.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Slider, oscillator
+    >>> jenkins = Slider("x", stiffness=2, limit=1, name="jenkins")
+    >>> system = oscillator("yielding", ["x"], [[1]], [[1]], elements=[jenkins])
+    >>> [c.name for c in system.configurations], system.states
+    (['stuck', 'forward', 'backward'], (x, v, s_jenkins))
     """
 
     coordinate: Direction
@@ -287,6 +317,14 @@ class Regions:
     below, above : Terms
         Added where `function` is negative, and where it is positive.
     name : str
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Regions, Terms, oscillator
+    >>> stiffer = Regions("x", below=Terms(), above=Terms(stiffness=[[3]]), name="spring")
+    >>> system = oscillator("bilinear", ["x"], [[1]], [[1]], elements=[stiffer])
+    >>> [c.name for c in system.configurations]
+    ['below', 'above']
     """
 
     function: Any

@@ -219,6 +219,17 @@ class Itinerary:
         For an unknown configuration, a boundary that its configuration does not have,
         a phase after which no transition leads to the next, or a name that is unknown or
         used twice.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Harmonic, Itinerary, RigidStop, oscillator
+    >>> stop = RigidStop("x", at=0, restitution="0.8", name="stop")
+    >>> system = oscillator(
+    ...     "struck", ["x"], [[1]], [[1]], forcing=[Harmonic(2, cosine=[1])], elements=[stop]
+    ... )
+    >>> orbit = Itinerary("one-impact", system, [("free", "stop-reaches-stop", "T")])
+    >>> orbit.transition_after(system, 0).target
+    'free'
     """
 
     name: str

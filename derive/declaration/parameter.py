@@ -48,6 +48,13 @@ class Parameter:
         Ends of the domain; infinite where unbounded.
     closed, upper_closed : bool
         Whether `lower` itself, and `upper` itself, belong to the domain.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Parameter
+    >>> r = Parameter("r", "restitution, nondimensional", lower=0, upper=1, closed=True)
+    >>> r.symbol, r.upper
+    (r, 1)
     """
 
     name: str

@@ -64,6 +64,16 @@ class System:
         For a repeated or unknown name, a matrix of the wrong size, a function that is not
         affine in the state, a symbol that is neither a state nor a parameter, a number that
         is not finite, or what cannot move: see `nonsmooth.derive.declaration.soundness`.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> free = Configuration("free", SecondOrder([[1]], [[1]]), (Boundary("meets-stop", x - 1),))
+    >>> bounce = Transition("free", {"meets-stop"}, "free", reset={v: -v})
+    >>> System("bouncing", "a mass and a stop; nondimensional", (x, v), (), (free,), (bounce,)).name
+    'bouncing'
     """
 
     name: str

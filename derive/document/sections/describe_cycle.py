@@ -5,9 +5,14 @@ from __future__ import annotations
 import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
-from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.notation.wording import count, enumeration, number
-from nonsmooth.derive.document.sections.describe_itinerary import transposed
+from nonsmooth.derive.document.sections.describe_itinerary import (
+    boundary_at,
+    phase_sentence,
+    phase_table,
+    transposed,
+)
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.equations.energy import is_conservative
 
@@ -24,30 +29,12 @@ def phase_section(cycle: Cycle) -> list[Block]:
 
 def _phases(cycle: Cycle) -> list[Block]:
     notation, phases = cycle.naming.notation, cycle.itinerary.phases
-    rows = []
-    for index, phase in enumerate(phases, start=1):
-        dwell = notation.symbol(dwell_symbol(phase.dwell_time))
-        boundary = cycle.system.configuration(phase.configuration).boundary(phase.boundary)
-        row = [
-            str(index),
-            f"*{phase.configuration}*",
-            f"${dwell}$",
-            rf"$\Phi_{{{cycle.numbers[phase.configuration]}}}({dwell})$",
-            f"*{phase.boundary}*",
-        ]
-        if cycle.distinct:
-            row.append(f"${notation.latex(notation.tidy(boundary.function))} = 0$")
-        else:
-            row.append(f"${cycle.number(index)}$")
-        rows.append(tuple(row))
-    last = "Where" if cycle.distinct else "Transition"
-    text = f"The orbit has {count(len(rows), 'phase')} to a period. "
-    text += (
-        "It stays in one configuration for its dwell time and ends on one boundary, from which"
-        " the transition leads back to the start."
-        if len(rows) == 1
-        else "Each phase stays in one configuration for its dwell time and ends on one boundary."
-    )
+    if cycle.distinct:
+        last, entries = "Where", [boundary_at(cycle.naming, phase) for phase in phases]
+    else:
+        last = "Transition"
+        entries = [f"${cycle.number(index)}$" for index in range(1, len(phases) + 1)]
+    text = phase_sentence(len(phases))
     if not cycle.distinct:
         many = len(cycle.passings)
         text += (
@@ -56,8 +43,10 @@ def _phases(cycle: Cycle) -> list[Block]:
             else " Behind all of them is the same transition;"
         )
         text += " $j(k)$ is the number of the one behind phase $k$."
-    header = ("Phase", "Configuration", "Dwell time", "Flow", "Left by", last)
-    blocks: list[Block] = [Paragraph(text), Table(header, tuple(rows))]
+    blocks: list[Block] = [
+        Paragraph(text),
+        phase_table(cycle.naming, cycle.numbers, phases, last, entries),
+    ]
     period = cycle.itinerary.period
     if period is not None:
         blocks.append(

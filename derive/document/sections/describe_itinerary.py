@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import sympy as sp
 
+from nonsmooth.derive.declaration.itinerary import Phase, dwell_symbol
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.notation.wording import Naming, count, enumeration, number
 from nonsmooth.derive.document.views.view import View
@@ -35,32 +38,53 @@ def transposed(naming: Naming, column: sp.Matrix) -> str:
     return rf"{notation.latex(column.T.applyfunc(notation.tidy))}^{{\mathsf{{T}}}}"
 
 
-def _phases(view: View) -> list[Block]:
-    naming, itinerary = view.naming, view.equations.itinerary
-    notation = naming.notation
+def phase_sentence(many: int) -> str:
+    """Say how many phases an orbit has, and what a phase is."""
+    return f"The orbit has {count(many, 'phase')} to a period. " + (
+        "It stays in one configuration for its dwell time and ends on one boundary, from which"
+        " the transition leads back to the start."
+        if many == 1
+        else "Each phase stays in one configuration for its dwell time and ends on one boundary."
+    )
+
+
+def boundary_at(naming: Naming, phase: Phase) -> str:
+    """Write where a phase is left."""
+    boundary = naming.system.configuration(phase.configuration).boundary(phase.boundary)
+    return f"${naming.notation.latex(naming.notation.tidy(boundary.function))} = 0$"
+
+
+def phase_table(
+    naming: Naming,
+    numbers: Mapping[str, int],
+    phases: Sequence[Phase],
+    last: str,
+    entries: Sequence[str],
+) -> Table:
+    """List the phases; the last column has a heading and entries of its own."""
     rows = []
-    for index, (phase, link) in enumerate(zip(itinerary.phases, view.links, strict=True), start=1):
-        boundary = naming.system.configuration(phase.configuration).boundary(phase.boundary)
-        dwell = notation.symbol(link.dwell)
+    for index, (phase, entry) in enumerate(zip(phases, entries, strict=True), start=1):
+        dwell = naming.notation.symbol(dwell_symbol(phase.dwell_time))
         rows.append(
             (
                 str(index),
                 f"*{phase.configuration}*",
                 f"${dwell}$",
-                rf"$\Phi_{{{view.numbers[phase.configuration]}}}({dwell})$",
+                rf"$\Phi_{{{numbers[phase.configuration]}}}({dwell})$",
                 f"*{phase.boundary}*",
-                f"${notation.latex(notation.tidy(boundary.function))} = 0$",
+                entry,
             )
         )
-    text = f"The orbit has {count(len(rows), 'phase')} to a period. "
-    text += (
-        "It stays in one configuration for its dwell time and ends on one boundary, from which"
-        " the transition leads back to the start."
-        if len(rows) == 1
-        else "Each phase stays in one configuration for its dwell time and ends on one boundary."
-    )
-    header = ("Phase", "Configuration", "Dwell time", "Flow", "Left by", "Where")
-    return [Paragraph(text), Table(header, tuple(rows))]
+    return Table(("Phase", "Configuration", "Dwell time", "Flow", "Left by", last), tuple(rows))
+
+
+def _phases(view: View) -> list[Block]:
+    naming, phases = view.naming, view.equations.itinerary.phases
+    places = [boundary_at(naming, phase) for phase in phases]
+    return [
+        Paragraph(phase_sentence(len(phases))),
+        phase_table(naming, view.numbers, phases, "Where", places),
+    ]
 
 
 def _dwell_times(view: View) -> list[Block]:
