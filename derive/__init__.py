@@ -1,36 +1,25 @@
 """Symbolic half: from a declared oscillator to its equations and kernels.
 
-Read the pipeline in `nonsmooth.derive.equations.derive_equations`. The map of the house:
+Read the pipeline in `nonsmooth.derive.equations.derivation.derive_equations`. The rooms, each of
+which uses those below it:
 
-===============  ==============================================================
-`parameter`      parameters with domains; what is positive on a whole domain
-`dynamics`       the linear motion inside a configuration
-`system`         Boundary, Configuration, Transition, Contact, System: what is declared
-`itinerary`      Itinerary: the phases of an orbit, and how it is presented
-`soundness`      what a declaration must not be: endings, dead transitions, wrong landings
-`fingerprint`    a hash that equal declarations share
-`unfolding`      the whole of an orbit that is declared by a part and a symmetry
-`systems`        the systems of the source paper, declared
-`entire`         entire functions that never divide by an eigenvalue
-`modal`          flow of a configuration in closed form, and the spectrum
-`declaration`    the whole system as rows, fields, resets and modes: what a simulation needs
-`program`        stages of assignments and their derivatives
-`chain`          section, phases, transitions; Jacobians and Poincare map on it
-`explicit`       dwell times in closed form
-`reduction`      elimination of what is linear or explicit; the map in one variable
-`equations`      EquationSystem, the frozen record handed to every emitter
-`appendix`       the source paper's own route to the global stick orbit
-`kernels`        what is emitted for a system and an orbit
-`document`       the derivation written down: LaTeX, Markdown, HTML, PDF
-`building`       the usual oscillators in a few lines: stops, friction, sliders, forcing
-`codegen`        the emitters: Python, C, ufuncs
-===============  ==============================================================
+=============  ================================================================================
+`codegen`      the emitters: kernels and tables as Python, C, ufuncs; the files of generated/
+`document`     the derivation written down: LaTeX, Markdown, HTML, PDF
+`equations`    from an itinerary to its equations, Jacobians, Poincare map, trace, reduction
+`flows`        motion inside a configuration in closed form: modal analysis, entire functions
+`building`     the usual oscillators in a few lines: stops, friction, sliders, forcing
+`systems`      the systems of the source paper, declared
+`declaration`  parameters, configurations, transitions, systems, itineraries: what is declared
+=============  ================================================================================
 
-The public names below are imported when they are first used.
+`errors` and `registry` stand below all. The public names are imported when they are first used.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING
+
+from nonsmooth.derive.registry import register, registered
 
 if TYPE_CHECKING:
     from nonsmooth.derive.building import (
@@ -44,19 +33,15 @@ if TYPE_CHECKING:
         chain_matrices,
         oscillator,
     )
-    from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
-    from nonsmooth.derive.equations import EquationSystem, derive_equations
+    from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
+    from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
+    from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation, Reference
+    from nonsmooth.derive.declaration.parameter import Parameter
+    from nonsmooth.derive.declaration.system import System
+    from nonsmooth.derive.declaration.transition import Condition, Transition
+    from nonsmooth.derive.equations.derivation import derive_equations
+    from nonsmooth.derive.equations.equation_system import EquationSystem
     from nonsmooth.derive.errors import DeclarationError, DerivationError
-    from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
-    from nonsmooth.derive.parameter import Parameter
-    from nonsmooth.derive.system import (
-        Boundary,
-        Condition,
-        Configuration,
-        Contact,
-        System,
-        Transition,
-    )
     from nonsmooth.derive.systems import dry_friction
 
 __all__ = [
@@ -90,41 +75,57 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Friction": "building",
-    "Harmonic": "building",
-    "Regions": "building",
-    "RigidStop": "building",
-    "Slider": "building",
-    "SoftStop": "building",
-    "Terms": "building",
-    "chain_matrices": "building",
-    "oscillator": "building",
-    "DeclarationError": "errors",
-    "DerivationError": "errors",
-    "EquationSystem": "equations",
-    "derive_equations": "equations",
-    "Itinerary": "itinerary",
-    "Phase": "itinerary",
-    "Presentation": "itinerary",
-    "Reference": "itinerary",
-    "Parameter": "parameter",
-    "Boundary": "system",
-    "Condition": "system",
-    "Configuration": "system",
-    "Contact": "system",
-    "FirstOrder": "dynamics",
-    "SecondOrder": "dynamics",
-    "System": "system",
-    "Transition": "system",
+    "building.elements": (
+        "Friction",
+        "Harmonic",
+        "Regions",
+        "RigidStop",
+        "Slider",
+        "SoftStop",
+        "Terms",
+    ),
+    "building.matrices": ("chain_matrices",),
+    "building.oscillator": ("oscillator",),
+    "declaration.configuration": (
+        "Boundary",
+        "Configuration",
+        "Contact",
+    ),
+    "declaration.dynamics": (
+        "FirstOrder",
+        "SecondOrder",
+    ),
+    "declaration.itinerary": (
+        "Itinerary",
+        "Phase",
+        "Presentation",
+        "Reference",
+    ),
+    "declaration.parameter": ("Parameter",),
+    "declaration.system": ("System",),
+    "declaration.transition": (
+        "Condition",
+        "Transition",
+    ),
+    "equations.derivation": ("derive_equations",),
+    "equations.equation_system": ("EquationSystem",),
+    "errors": (
+        "DeclarationError",
+        "DerivationError",
+    ),
+    # what systems and equations ask for, though it stands above them
+    "codegen.emit": ("emit_python",),
+    "document.equation_table": ("equation_html", "equation_latex", "equation_lines"),
 }
+register({name: f"nonsmooth.derive.{home}" for home, names in _HOMES.items() for name in names})
 
 
 def __getattr__(name: str) -> object:
     """Import a public name when it is first asked for (PEP 562)."""
     if name == "dry_friction":
         return import_module("nonsmooth.derive.systems.dry_friction")
-    if name in _HOMES:
-        return getattr(import_module(f"nonsmooth.derive.{_HOMES[name]}"), name)
+    if name in __all__:
+        return registered(name)
     raise AttributeError(f"module 'nonsmooth.derive' has no attribute {name!r}")
 
 

@@ -57,7 +57,7 @@ def expanded() -> tuple[list, list, list, list]:
     import sympy as sp
 
     from nonsmooth.derive import derive_equations, dry_friction
-    from nonsmooth.derive.program import evaluate
+    from nonsmooth.derive.equations.program import evaluate
 
     orbit = derive_equations(dry_friction.global_stick)
     residual = evaluate(orbit.chain.stages, orbit.residual, {})

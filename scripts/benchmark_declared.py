@@ -10,7 +10,7 @@ from measuring import Row, interleaved, timed
 
 from nonsmooth.derive import Friction, RigidStop, System, chain_matrices, oscillator
 from nonsmooth.derive.codegen.emit import emit_system
-from nonsmooth.derive.itinerary import Itinerary
+from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.simulate import follow

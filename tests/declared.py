@@ -15,8 +15,8 @@ import numpy as np
 import sympy as sp
 from scipy.linalg import expm, null_space
 
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.itinerary import Itinerary, Phase
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
 

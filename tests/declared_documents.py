@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.itinerary import Itinerary, Phase
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import (
-    Boundary,
-    Condition,
-    Configuration,
-    Contact,
-    System,
-    Transition,
-)
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
+from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Condition, Transition
 
 __all__ = ["chain", "forced_stop", "impacts", "one_mass", "rattle", "switched", "switching"]
 

@@ -14,15 +14,16 @@ import sympy as sp
 from formulas.values import Reading, name_of
 
 import nonsmooth as ns
+from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.document.blocks import Document, Line
-from nonsmooth.derive.document.centres import Centres
 from nonsmooth.derive.document.describe import describe_orbit
-from nonsmooth.derive.document.symbols import Notation
-from nonsmooth.derive.document.view import view_of
-from nonsmooth.derive.equations import EquationSystem, derive_equations
-from nonsmooth.derive.explicit import Angle
-from nonsmooth.derive.itinerary import Itinerary
-from nonsmooth.derive.program import Stage
+from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.views.centres import Centres
+from nonsmooth.derive.document.views.view import view_of
+from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.explicit import Angle
+from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
 

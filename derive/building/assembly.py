@@ -11,8 +11,8 @@ import sympy as sp
 from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.building.parts import FrictionPart, Part, StopPart, SwitchPart
 from nonsmooth.derive.building.remembering import remembered
-from nonsmooth.derive.dynamics import Dynamics, FirstOrder, SecondOrder
-from nonsmooth.derive.system import Boundary, Configuration, Contact
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
+from nonsmooth.derive.declaration.dynamics import Dynamics, FirstOrder, SecondOrder
 
 __all__ = ["Assembly", "Holder", "Regimes"]
 

@@ -9,8 +9,8 @@ import sympy as sp
 from nonsmooth.derive.building.elements import Element, Friction, RigidStop, Slider, SoftStop
 from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.building.parts import FrictionPart, Part
+from nonsmooth.derive.declaration.parameter import is_rational
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import is_rational
 
 __all__ = ["constraints_of"]
 

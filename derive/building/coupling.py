@@ -11,7 +11,7 @@ from nonsmooth.derive.building.assembly import Assembly, Regimes
 from nonsmooth.derive.building.parts import Exit, FrictionPart, Part, StopPart, SwitchPart
 from nonsmooth.derive.building.pins import pins
 from nonsmooth.derive.building.resting import unsettled
-from nonsmooth.derive.contact_law import ContactLaw, LawContact
+from nonsmooth.derive.declaration.contact_law import ContactLaw, LawContact
 
 __all__ = ["contact_law", "coupled"]
 

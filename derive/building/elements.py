@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import exact
 
 __all__ = [
     "Direction",
@@ -44,6 +44,12 @@ class Harmonic:
     cosine, sine : n values, or mapping of coordinate to value
         Amplitudes of the forces on the coordinates; zero where not given.
     phase : number or expression
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Harmonic, oscillator
+    >>> oscillator("forced", ["x"], [[1]], [[4]], forcing=[Harmonic(1, cosine=[1])]).states
+    (x, v, c1, s1)
     """
 
     frequency: Any
@@ -126,6 +132,14 @@ class SoftStop:
     ------
     DeclarationError
         For a negative stiffness or damping, an unknown side, or an unknown release.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import SoftStop, oscillator
+    >>> spring = SoftStop("x", at=1, stiffness=10, name="spring")
+    >>> system = oscillator("clearance", ["x"], [[1]], [[1]], elements=[spring])
+    >>> [c.name for c in system.configurations]
+    ['free', 'contact']
     """
 
     coordinate: Direction
@@ -164,8 +178,8 @@ class Friction:
     returns it slips, overshoots, or, at r = 0, sticks if it can. A positive constant load adds
     no configuration, nor does a `falling` that is not positive. At r = 0 a contact sticks if it
     can. Contacts that the mass matrix couples are decided together, by one law: see
-    `nonsmooth.derive.contact_law`. An impact acts on no friction; behind it the velocities that
-    have jumped, and a load that depends on them, tell the regime.
+    `nonsmooth.derive.declaration.contact_law`. An impact acts on no friction; behind it the
+    velocities that have jumped, and a load that depends on them, tell the regime.
 
     Boundaries ``NAME-reaches-belt`` (of `slip` and `overshoot`), ``NAME-breaks-forward`` and
     ``NAME-breaks-backward`` (of `stick`; forward into `slip`); ``NAME-exhausts`` (of `slip` and
@@ -194,6 +208,14 @@ class Friction:
     ------
     DeclarationError
         For negative numbers, or kinetic above static.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Friction, oscillator
+    >>> belt = Friction("x", kinetic=1, static=2, velocity=1, name="belt")
+    >>> system = oscillator("mass-on-belt", ["x"], [[1]], [[1]], elements=[belt])
+    >>> [c.name for c in system.configurations]
+    ['slip', 'stick', 'overshoot']
     """
 
     coordinate: Direction
@@ -241,6 +263,14 @@ class Slider:
     ------
     DeclarationError
         For a stiffness or limit that is not positive.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Slider, oscillator
+    >>> jenkins = Slider("x", stiffness=2, limit=1, name="jenkins")
+    >>> system = oscillator("yielding", ["x"], [[1]], [[1]], elements=[jenkins])
+    >>> [c.name for c in system.configurations], system.states
+    (['stuck', 'forward', 'backward'], (x, v, s_jenkins))
     """
 
     coordinate: Direction
@@ -287,6 +317,14 @@ class Regions:
     below, above : Terms
         Added where `function` is negative, and where it is positive.
     name : str
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import Regions, Terms, oscillator
+    >>> stiffer = Regions("x", below=Terms(), above=Terms(stiffness=[[3]]), name="spring")
+    >>> system = oscillator("bilinear", ["x"], [[1]], [[1]], elements=[stiffer])
+    >>> [c.name for c in system.configurations]
+    ['below', 'above']
     """
 
     function: Any

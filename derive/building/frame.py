@@ -11,8 +11,8 @@ import sympy as sp
 
 from nonsmooth.derive.building.elements import Direction, RigidStop
 from nonsmooth.derive.building.remembering import remembered
+from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter, exact, is_positive
 
 __all__ = ["Frame", "inferred_parameters", "velocity_name"]
 

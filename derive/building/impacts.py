@@ -18,7 +18,7 @@ import sympy as sp
 from nonsmooth.derive.building.assembly import Assembly, Regimes
 from nonsmooth.derive.building.parts import FrictionPart, StopPart
 from nonsmooth.derive.building.resting import changed
-from nonsmooth.derive.system import Condition
+from nonsmooth.derive.declaration.transition import Condition
 
 __all__ = ["impacts"]
 

@@ -14,7 +14,7 @@ from itertools import product
 from nonsmooth.derive.building.assembly import Assembly, Regimes
 from nonsmooth.derive.building.parts import FrictionPart
 from nonsmooth.derive.building.resting import changed
-from nonsmooth.derive.system import Condition
+from nonsmooth.derive.declaration.transition import Condition
 
 __all__ = ["landed", "loaded"]
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import exact
 
 __all__ = ["chain_matrices"]
 

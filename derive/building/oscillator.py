@@ -11,13 +11,15 @@ import sympy as sp
 from nonsmooth.derive.building.assembly import Assembly
 from nonsmooth.derive.building.constraints import constraints_of
 from nonsmooth.derive.building.coupling import contact_law
+from nonsmooth.derive.building.element_parts import part_of, slider_state
 from nonsmooth.derive.building.elements import Element, Harmonic, Slider
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
-from nonsmooth.derive.building.parts import FrictionPart, part_of, slider_state
+from nonsmooth.derive.building.parts import FrictionPart
 from nonsmooth.derive.building.transitions import transitions_from
+from nonsmooth.derive.declaration.names import check_unique
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import System
 
 __all__ = ["oscillator"]
 
@@ -124,8 +126,8 @@ def _assembled(
     coordinates, size = list(coordinates), len(coordinates)
     if size == 0:
         raise DeclarationError("an oscillator needs a coordinate")
-    _unique(coordinates, "coordinate")
-    _unique([element.name for element in elements], "element")
+    check_unique(coordinates, "coordinate")
+    check_unique([element.name for element in elements], "element")
     positions = tuple(sp.Symbol(n, real=True) for n in coordinates)
     velocities = tuple(sp.Symbol(velocity_name(n), real=True) for n in coordinates)
     phases = tuple(
@@ -191,9 +193,3 @@ def _check_independence(assembly: Assembly) -> None:
                         f"elements {first.name!r} and {second.name!r} rub in one direction at one"
                         " velocity: join them into one"
                     )
-
-
-def _unique(names: Sequence[str], what: str) -> None:
-    for name in names:
-        if names.count(name) > 1:
-            raise DeclarationError(f"{what} {name!r} is declared twice")

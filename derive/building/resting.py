@@ -13,7 +13,7 @@ from itertools import product
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes
 from nonsmooth.derive.building.parts import FrictionPart, StopPart
-from nonsmooth.derive.system import Condition
+from nonsmooth.derive.declaration.transition import Condition
 
 __all__ = ["Choice", "at_rest", "changed", "unsettled"]
 

@@ -14,7 +14,7 @@ from nonsmooth.derive.building.loads import landed, loaded
 from nonsmooth.derive.building.parts import FrictionPart, StopPart, SwitchPart, exit_of
 from nonsmooth.derive.building.pins import pins
 from nonsmooth.derive.building.resting import at_rest, changed, unsettled
-from nonsmooth.derive.system import Condition, Transition
+from nonsmooth.derive.declaration.transition import Condition, Transition
 
 __all__ = ["transitions_from"]
 

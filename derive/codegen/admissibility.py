@@ -9,7 +9,7 @@ import sympy as sp
 
 from nonsmooth.derive.codegen.c import print_c
 from nonsmooth.derive.codegen.naming import c_function
-from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.equations.equation_system import EquationSystem
 
 __all__ = ["admissible_prototype", "admissible_source"]
 

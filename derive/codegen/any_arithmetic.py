@@ -15,8 +15,8 @@ from sympy.printing.str import StrPrinter
 
 from nonsmooth.derive.codegen.body import body_of
 from nonsmooth.derive.codegen.naming import python_function
+from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.program import Argument, Kernel, Output
 
 __all__ = ["print_python", "python_kernel", "shape_text"]
 
@@ -100,12 +100,8 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
         lines.append(f"    Gives {shape_text(output)}.")
     lines.append(f"    Operations: {body.operations}. Intermediate terms: {len(body.lines)}.")
     lines.append('    """')
-    used = set().union(
-        *(line.expression.free_symbols for line in body.lines),
-        *(e.free_symbols for output in body.outputs for e in output),
-    )
     for argument in kernel.arguments:
-        lines += _unpack(argument, used)
+        lines += _unpack(argument, body.used)
     for line in body.lines:
         if line.title:
             lines.append(f"    # {line.title}")
@@ -123,7 +119,7 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
     return "\n".join(lines)
 
 
-def _unpack(argument: Argument, used: set[sp.Symbol]) -> list[str]:
+def _unpack(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
     if not argument.shape:
         symbol = str(argument.symbols[0])
         return [f"    {symbol} = {argument.name}"] if symbol != argument.name else []

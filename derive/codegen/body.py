@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import sympy as sp
 
 from nonsmooth.derive.codegen.naming import RESERVED
+from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.program import Kernel
 
 __all__ = ["Body", "Line", "body_of", "hoisted", "needed", "split"]
 
@@ -31,13 +31,20 @@ class Body:
     lines: tuple[Line, ...]
     outputs: tuple[tuple[sp.Expr, ...], ...]
 
+    @cached_property
+    def used(self) -> frozenset[sp.Symbol]:
+        """Symbols that lines or outputs contain."""
+        return frozenset().union(*(e.free_symbols for e in self._expressions))
+
     @property
     def operations(self) -> int:
         """Number of arithmetic operations and function calls."""
-        expressions = [line.expression for line in self.lines] + [
-            e for output in self.outputs for e in output
-        ]
-        return int(sum(sp.count_ops(e) for e in expressions))
+        return int(sum(sp.count_ops(e) for e in self._expressions))
+
+    @property
+    def _expressions(self) -> tuple[sp.Expr, ...]:
+        outputs = (e for output in self.outputs for e in output)
+        return (*(line.expression for line in self.lines), *outputs)
 
 
 @lru_cache(maxsize=256)  # Python and C are printed from one body

@@ -11,8 +11,8 @@ from sympy.printing.precedence import PRECEDENCE
 from nonsmooth.derive.codegen.any_arithmetic import shape_text
 from nonsmooth.derive.codegen.body import Line, body_of
 from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.program import Argument, Kernel, Output
 
 __all__ = ["c_kernel", "c_prototype", "line_sources", "print_c"]
 
@@ -76,15 +76,11 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
         c_prototype(kernel, system, orbit),
         "{",
     ]
-    used = set().union(
-        *(line.expression.free_symbols for line in body.lines),
-        *(e.free_symbols for output in body.outputs for e in output),
-    )
     for argument in kernel.arguments:
-        if not set(argument.symbols) & used:
+        if not set(argument.symbols) & body.used:
             lines.append(f"    (void){argument.name};")
         for position, symbol in enumerate(argument.symbols):
-            if symbol in used and (argument.shape or str(symbol) != argument.name):
+            if symbol in body.used and (argument.shape or str(symbol) != argument.name):
                 value = f"{argument.name}[{position}]" if argument.shape else argument.name
                 lines.append(f"    const double {symbol} = {value};")
     lines += line_sources(body.lines, "    ")

@@ -6,15 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.declaration import Declaration
-from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.codegen.kernels import flow_kernels, orbit_kernels, spectrum_kernel
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.translation import moves_freely
+from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.errors import DeclarationError, DerivationError
-from nonsmooth.derive.itinerary import Itinerary
-from nonsmooth.derive.kernels import flow_kernels, orbit_kernels, spectrum_kernel
-from nonsmooth.derive.modal import derive_flows
-from nonsmooth.derive.program import Kernel
-from nonsmooth.derive.system import System
-from nonsmooth.derive.translation import moves_freely
+from nonsmooth.derive.flows.modal import derive_flows
 
 __all__ = ["MOST_PHASES", "DerivedSystem", "Underived", "derive_system", "reduced_names"]
 
@@ -36,7 +37,7 @@ class DerivedSystem:
 
     Attributes
     ----------
-    declaration : Declaration
+    form : SimulationForm
     orbits : tuple of EquationSystem or Underived
         In the order in which they were declared.
     kernels : tuple of (Kernel, orbit or None)
@@ -44,7 +45,7 @@ class DerivedSystem:
         The kernels as Python.
     """
 
-    declaration: Declaration
+    form: SimulationForm
     orbits: tuple[EquationSystem | Underived, ...]
     kernels: tuple[tuple[Kernel, str | None], ...]
     functions: tuple[str, ...]
@@ -52,7 +53,7 @@ class DerivedSystem:
     @property
     def system(self) -> System:
         """The declared system."""
-        return self.declaration.system
+        return self.form.system
 
     @property
     def derived(self) -> tuple[EquationSystem, ...]:
@@ -93,12 +94,12 @@ def derive_system(
     _check_orbits(system, orbits)
     name = system.name
     progress(f"{name}: flows")
-    declaration = _declaration(system)
+    form = _form_of(system)
     kernels: list[tuple[Kernel, str | None]] = []
-    if declaration.flows is not None:
-        flows = flow_kernels(system, declaration.spectrum, declaration.flows)
-        kernels += [(k, None) for k in (spectrum_kernel(declaration.spectrum), *flows)]
-    kernels += [(k, None) for k in declaration.kernels()]
+    if form.flows is not None:
+        flows = flow_kernels(system, form.spectrum, form.flows)
+        kernels += [(k, None) for k in (spectrum_kernel(form.spectrum), *flows)]
+    kernels += [(k, None) for k in form.kernels()]
     functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
     found: list[EquationSystem | Underived] = []
     for orbit in orbits:
@@ -107,7 +108,7 @@ def derive_system(
             continue
         progress(f"{name}/{orbit.name}: equations")
         try:
-            equations, own, sources = _orbit(declaration, orbit)
+            equations, own, sources = _orbit(form, orbit)
         except DeclarationError:
             raise
         # SymPy says NotImplementedError where it cannot solve or print
@@ -119,7 +120,7 @@ def derive_system(
         found.append(equations)
         kernels += own
         functions += sources
-    return DerivedSystem(declaration, tuple(found), tuple(kernels), tuple(functions))
+    return DerivedSystem(form, tuple(found), tuple(kernels), tuple(functions))
 
 
 def _composable(orbit: Itinerary) -> bool:
@@ -128,20 +129,20 @@ def _composable(orbit: Itinerary) -> bool:
     return not special
 
 
-def _declaration(system: System) -> Declaration:
+def _form_of(system: System) -> SimulationForm:
     """The system with its flows where all of them are sums of modes, else without."""
     try:
         spectrum, flows = derive_flows(system)
     except DerivationError:
-        return Declaration(system)
-    found = Declaration(system, spectrum, flows)
-    return found if found.modes is not None else Declaration(system)
+        return SimulationForm(system)
+    found = SimulationForm(system, spectrum, flows)
+    return found if found.modes is not None else SimulationForm(system)
 
 
 def _orbit(
-    declaration: Declaration, orbit: Itinerary
+    form: SimulationForm, orbit: Itinerary
 ) -> tuple[EquationSystem, list[tuple[Kernel, str | None]], list[str]]:
-    if declaration.flows is None:
+    if form.flows is None:
         raise DerivationError("the flows of its system have no closed form of modes")
     if orbit.symmetry:
         raise DerivationError("it is known by a part and a symmetry")
@@ -150,8 +151,8 @@ def _orbit(
     if len(orbit.phases) > MOST_PHASES:
         raise DerivationError(f"it has more than {MOST_PHASES} phases")
     equations = derive_equations(orbit)
-    if equations.spectrum != declaration.spectrum:
-        name = f"{declaration.system.name}/{orbit.name}"
+    if equations.spectrum != form.spectrum:
+        name = f"{form.system.name}/{orbit.name}"
         raise DerivationError(f"{name}: its presentation changes the spectrum")
     _check_reference(equations)
     if not set(reduced_names(equations)) <= set(map(str, equations.unknowns)):

@@ -23,12 +23,12 @@ from nonsmooth.derive.codegen.gufunc import (
 from nonsmooth.derive.codegen.naming import constant, module_file
 from nonsmooth.derive.codegen.solver import solve_prototype, solve_source
 from nonsmooth.derive.codegen.tables import system_tables
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
-from nonsmooth.derive.document.markdown import to_markdown
-from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.itinerary import Itinerary
-from nonsmooth.derive.system import System
 
 __all__ = ["EmittedSystem", "emit_package", "emit_python", "emit_system"]
 

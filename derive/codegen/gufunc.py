@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from string import Template
 
 from nonsmooth.derive.codegen.naming import c_function, module_file
-from nonsmooth.derive.equations import EquationSystem
-from nonsmooth.derive.program import Kernel
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.program import Kernel
 
 __all__ = ["Array", "Wrapped", "extension_source", "wrapped_functions"]
 

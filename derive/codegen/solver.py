@@ -14,10 +14,10 @@ import sympy as sp
 
 from nonsmooth.derive.codegen.body import Line, body_of, hoisted, needed, split
 from nonsmooth.derive.codegen.c import line_sources, print_c
+from nonsmooth.derive.codegen.kernels import reduced_equations
 from nonsmooth.derive.codegen.naming import c_function
-from nonsmooth.derive.equations import EquationSystem
+from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.kernels import reduced_equations
 
 __all__ = ["MOST_REDUCED", "solve_prototype", "solve_source"]
 

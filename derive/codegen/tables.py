@@ -9,10 +9,10 @@ import sympy as sp
 
 from nonsmooth.derive.codegen.derived import DerivedSystem, Underived, reduced_names
 from nonsmooth.derive.codegen.naming import python_function
-from nonsmooth.derive.declaration import Declaration
-from nonsmooth.derive.equations import EquationSystem
-from nonsmooth.derive.itinerary import Itinerary, Presentation
-from nonsmooth.derive.parameter import Parameter
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
+from nonsmooth.derive.declaration.itinerary import Itinerary, Presentation
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.equations.equation_system import EquationSystem
 
 __all__ = ["composed_table", "orbit_table", "system_table", "system_tables"]
 
@@ -26,7 +26,7 @@ def system_tables(derived: DerivedSystem) -> str:
         )
         for k, orbit in derived.kernels
     }
-    table = system_table(derived.declaration)
+    table = system_table(derived.form)
     orbit_tables = {
         orbit.itinerary.name: composed_table(orbit)
         if isinstance(orbit, Underived)
@@ -39,9 +39,9 @@ def system_tables(derived: DerivedSystem) -> str:
     )
 
 
-def system_table(declaration: Declaration) -> dict[str, Any]:
+def system_table(form: SimulationForm) -> dict[str, Any]:
     """Configurations, transitions, parameters with domains, spectrum."""
-    system, spectrum = declaration.system, declaration.spectrum
+    system, spectrum = form.system, form.spectrum
     return {
         "name": system.name,
         "description": system.description,
@@ -54,7 +54,7 @@ def system_table(declaration: Declaration) -> dict[str, Any]:
         },
         "spectrum": [str(s) for s in spectrum.symbols],
         "spectrum_parameters": [str(s) for s in spectrum.parameters],
-        **declaration.table(),
+        **form.table(),
     }
 
 

@@ -1,6 +1,13 @@
 """The derivation as a document, made of the derivation's own objects.
 
-`describe` makes a Document of a system or an orbit; `latex`, `markdown` and `hypertext`
-write it. Below them: `blocks` (the model), the sections in `describe_*`, `flows`, and how
-things are named and set, in `symbols`, `printer`, `wording` and `layout`.
+================  ==============================================================
+`writers`         documents as LaTeX, Markdown, HTML
+`equation_table`  the equations of an orbit in a notebook
+`describe`        documents of systems, orbits and itineraries
+`sections`        their sections
+`views`           what is described, prepared for it
+`notation`        letters, symbols, the order of terms, words
+`blocks`          headings, paragraphs, formulas, tables
+`layout`          widths of formulas, and where their lines break
+================  ==============================================================
 """

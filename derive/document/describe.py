@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from nonsmooth.derive.chain import section_of, start_of
+from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document.blocks import (
     Block,
     Document,
@@ -19,39 +21,40 @@ from nonsmooth.derive.document.blocks import (
     Paragraph,
     Table,
 )
-from nonsmooth.derive.document.centres import Centres, name_centres
-from nonsmooth.derive.document.closed_forms import closed_flows, without_numeric
-from nonsmooth.derive.document.cycle import Cycle
-from nonsmooth.derive.document.describe_admissible import admissibility_section
-from nonsmooth.derive.document.describe_contacts import constraint_paragraphs, contact_section
-from nonsmooth.derive.document.describe_cycle import elimination_section, phase_section
-from nonsmooth.derive.document.describe_cycle import equation_section as cycle_equations
-from nonsmooth.derive.document.describe_energy import energy_section
-from nonsmooth.derive.document.describe_itinerary import itinerary_section
-from nonsmooth.derive.document.describe_law import law_section
-from nonsmooth.derive.document.describe_orbit import chain_section, equation_section
-from nonsmooth.derive.document.describe_passings import passing_section, stability_section
-from nonsmooth.derive.document.describe_poincare import derivative_section
-from nonsmooth.derive.document.describe_reduction import reduction_section
-from nonsmooth.derive.document.describe_solution import solution_section
-from nonsmooth.derive.document.describe_symmetry import symmetry_section
-from nonsmooth.derive.document.describe_system import (
+from nonsmooth.derive.document.notation.letters import letters_of
+from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.wording import Naming, enumeration
+from nonsmooth.derive.document.sections.describe_admissible import admissibility_section
+from nonsmooth.derive.document.sections.describe_contacts import (
+    constraint_paragraphs,
+    contact_section,
+)
+from nonsmooth.derive.document.sections.describe_cycle import elimination_section, phase_section
+from nonsmooth.derive.document.sections.describe_cycle import equation_section as cycle_equations
+from nonsmooth.derive.document.sections.describe_energy import energy_section
+from nonsmooth.derive.document.sections.describe_itinerary import itinerary_section
+from nonsmooth.derive.document.sections.describe_law import law_section
+from nonsmooth.derive.document.sections.describe_orbit import chain_section, equation_section
+from nonsmooth.derive.document.sections.describe_passings import passing_section, stability_section
+from nonsmooth.derive.document.sections.describe_poincare import derivative_section
+from nonsmooth.derive.document.sections.describe_reduction import reduction_section
+from nonsmooth.derive.document.sections.describe_solution import solution_section
+from nonsmooth.derive.document.sections.describe_symmetry import symmetry_section
+from nonsmooth.derive.document.sections.describe_system import (
     configuration_section,
     flow_section,
     modal_section,
     system_section,
 )
-from nonsmooth.derive.document.describe_trace import trace_section
-from nonsmooth.derive.document.describe_transitions import transition_section
-from nonsmooth.derive.document.letters import letters_of
-from nonsmooth.derive.document.symbols import Notation
-from nonsmooth.derive.document.view import View, view_of
-from nonsmooth.derive.document.wording import Naming, enumeration
-from nonsmooth.derive.equations import EquationSystem
-from nonsmooth.derive.itinerary import Itinerary, dwell_symbol
-from nonsmooth.derive.modal import Flow, Spectrum
-from nonsmooth.derive.system import System
-from nonsmooth.derive.unfolding import unfolded
+from nonsmooth.derive.document.sections.describe_trace import trace_section
+from nonsmooth.derive.document.sections.describe_transitions import transition_section
+from nonsmooth.derive.document.views.centres import Centres, name_centres
+from nonsmooth.derive.document.views.closed_forms import closed_flows, without_numeric
+from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.views.view import View, view_of
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.section import section_of, start_of
+from nonsmooth.derive.flows.modal import Flow, Spectrum
 
 __all__ = [
     "Block",

@@ -18,18 +18,13 @@ from itertools import product
 
 import sympy as sp
 
-from nonsmooth.derive.dynamics import SecondOrder
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation, Reference
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import (
-    Boundary,
-    Condition,
-    Configuration,
-    Contact,
-    System,
-    Transition,
-)
 
 __all__ = [
     "PhysicalData",

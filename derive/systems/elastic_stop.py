@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.itinerary import Itinerary, Phase, Reference
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Configuration, Contact, System, Transition
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.systems.rigid_stop import (
     CHAIN,
     MASS,

@@ -45,7 +45,7 @@ def document_maker(name: str) -> Callable[[], Any]:
 
     def make() -> Any:
         from nonsmooth.derive.document.describe import describe_orbit, describe_system
-        from nonsmooth.derive.equations import derive_equations
+        from nonsmooth.derive.equations.derivation import derive_equations
         from nonsmooth.derive.errors import DerivationError
 
         if label is None:
@@ -162,9 +162,9 @@ def written(document: Any, form: str) -> str:
     MissingExtra
         For HTML where latex2mathml is not installed.
     """
-    from nonsmooth.derive.document.hypertext import to_html
-    from nonsmooth.derive.document.latex import to_latex
-    from nonsmooth.derive.document.markdown import to_markdown
+    from nonsmooth.derive.document.writers.hypertext import to_html
+    from nonsmooth.derive.document.writers.latex import to_latex
+    from nonsmooth.derive.document.writers.markdown import to_markdown
 
     if form == "markdown":
         return to_markdown(document)
@@ -186,7 +186,7 @@ def write_document(text: str, form: str, out: Path) -> None:
     NoConvergence
         If LaTeX fails.
     """
-    from nonsmooth.derive.document.latex import LatexMissing, compile_pdf
+    from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf
 
     try:
         if form == "pdf":

@@ -1,7 +1,7 @@
 """The arithmetics that generated kernels run over: floats, mpmath, balls.
 
 Each gives the functions that the kernels take as ``lib``: ``sin``, ``cos``, ``sqrt``,
-``angle`` (in [0, 2 pi)), ``rational``, and the entire functions of nonsmooth.derive.entire.
+``angle`` (in [0, 2 pi)), ``rational``, and the entire functions of nonsmooth.derive.flows.entire.
 """
 
 from __future__ import annotations

@@ -123,22 +123,48 @@ class Motion:
         return states
 
     def phase(self, times: Any) -> Any:
-        """Phase at each of the times, counted from 0."""
+        """Give the phase at each of the times.
+
+        Parameters
+        ----------
+        times : float or array (m,)
+            Times in the units of the system, of any period.
+
+        Returns
+        -------
+        int or array (m,)
+            Number of the phase, counted from 0.
+        """
         return self._phase(self._within(times))[()]
 
     def configuration(self, times: Any) -> Any:
-        """Configuration at each of the times: a name, or an array of names."""
+        """Give the configuration at each of the times.
+
+        Parameters
+        ----------
+        times : float or array (m,)
+            Times in the units of the system, of any period.
+
+        Returns
+        -------
+        str or array (m,)
+        """
         names = np.array(self.configurations)[self.phase(times)]
         return str(names) if names.ndim == 0 else names
 
     def sample(self, points_per_period: int = 500, periods: int = 1) -> Samples:
-        """Points for a drawing, evenly spaced inside each phase.
+        """Give points for a drawing, evenly spaced inside each phase.
 
         Parameters
         ----------
         points_per_period : int
             About as many; every phase has at least its start and its end.
         periods : int
+
+        Returns
+        -------
+        Samples
+            Times, states and phases of the points.
 
         Raises
         ------

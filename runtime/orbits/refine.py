@@ -61,6 +61,13 @@ def refine(
         For digits outside 1 ... 100000 or an orbit that has not converged.
     NoConvergence
         If Newton's method leaves the orbit, as it does where the equations are singular.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> orbit = ns.refine(ns.solve("dry-friction/global-stick"), 40)
+    >>> orbit.residual < 1e-39
+    True
     """
     if not isinstance(orbit, Orbit):
         return orbit.refined(digits)

@@ -82,6 +82,13 @@ def solve(
         equations do not determine (its condition number is given).
     NoConvergence
         If no orbit was found; the message says what was tried.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> orbit = ns.solve("dry-friction/global-stick", {"V": "0.95"})
+    >>> orbit.converged, orbit.stability.verdict
+    (True, 'stable')
     """
     kernels = load_orbit(orbit)
     exchange: dict[str, Any] = {"unknown": tuple(unknown), "given": given}

@@ -148,7 +148,13 @@ class Certificate:
         return self.enclosures["trace"]
 
     def to_json(self) -> dict[str, Any]:
-        """The certificate as JSON: numbers as decimal strings or fractions."""
+        """Give the certificate as JSON: numbers as decimal strings or fractions.
+
+        Returns
+        -------
+        dict
+            The certificate, ready for `json.dumps`.
+        """
 
         def ball(enclosure: Stated) -> dict[str, str]:
             return {"mid": enclosure.mid, "rad": enclosure.rad}
@@ -172,6 +178,11 @@ class Certificate:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the certificate to a file; `nonsmooth.load_certificate` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
 
         Raises
         ------

@@ -56,6 +56,11 @@ def itinerary_of(
         About how long the cycle lasts: the cycle of nearly this duration that comes back best
         is taken, though it may not have been repeated.
 
+    Returns
+    -------
+    Recurrence
+        Itinerary, dwell times, state and period of the cycle; `compose` takes its entries.
+
     Raises
     ------
     InputError

@@ -88,7 +88,7 @@ class _Growth(NamedTuple):
 
 
 def lyapunov(trajectory: Trajectory, since: float = 0.0) -> Exponent:
-    """Largest Lyapunov exponent of a motion, with its standard error.
+    """Estimate the largest Lyapunov exponent of a motion, with its standard error.
 
     On a stable periodic orbit it is log|largest nontrivial multiplier| / period.
 
@@ -99,12 +99,25 @@ def lyapunov(trajectory: Trajectory, since: float = 0.0) -> Exponent:
         Where to begin to count, behind a transient; the perturbations are carried from the
         start of the motion on, so that they have turned to their directions by then.
 
+    Returns
+    -------
+    Exponent
+        In units of one over time.
+
     Raises
     ------
     InputError
         If `since` is not between the start and the end of the motion; if the motion from there
         on is too short to tell the exponent, or at rest; or if it has no derivative: two
         boundaries are reached at once, or one tangentially.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
+    >>> ns.lyapunov(motion, since=50).value < 0
+    True
     """
     return lyapunov_spectrum(trajectory, since)[0]
 

@@ -132,7 +132,7 @@ class Observables:
 
 
 def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
-    """Observables of a motion, from a time to its end.
+    """Observe a motion from a time to its end.
 
     Parameters
     ----------
@@ -140,11 +140,24 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
     since : float
         Where to begin: behind a transient.
 
+    Returns
+    -------
+    Observables
+        Extremes, means, impacts and the power of the contacts, in the units of the system.
+
     Raises
     ------
     InputError
         If `since` is not between the start and the end of the motion, or the motion is not
         finite.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+    >>> motion = ns.simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=10)
+    >>> ns.observe(motion).duration > 0
+    True
     """
     system, structure = trajectory.system, trajectory.structure
     phases = phases_of(trajectory, since)

@@ -67,7 +67,17 @@ class PoincareMap:
         return self.next_return(state).state
 
     def next_return(self, state: Any) -> Return:
-        """The next passage of a motion that starts behind the transition.
+        """Find the next passage of a motion that starts behind the transition.
+
+        Parameters
+        ----------
+        state : array (N,)
+            State behind the transition, in the units of the system.
+
+        Returns
+        -------
+        Return
+            State and time of that passage.
 
         Raises
         ------
@@ -114,10 +124,22 @@ class PoincareMap:
         return np.asarray(orth(self.system.resets[self.transition.reset][:, :-1] @ before))
 
     def jacobian(self, state: Any, step: float = _STEP) -> np.ndarray:
-        """Jacobian (d, d) of the map in the coordinates of `basis`, by central differences.
+        """Differentiate the map in the coordinates of `basis` by central differences.
 
         The map is affine in the state but for the times of the transitions, so the error is
         of the order step^2.
+
+        Parameters
+        ----------
+        state : array (N,)
+            State behind the transition, in the units of the system.
+        step : float
+            Half the distance of the two points of a difference.
+
+        Returns
+        -------
+        array (d, d)
+            With an error of the order step^2.
         """
         start = self._checked(state)
         size = step * max(1.0, float(np.abs(start).max()))
@@ -133,7 +155,7 @@ def poincare_map(
     parameters: Mapping[str, object],
     section: tuple[str, str, str],
 ) -> PoincareMap:
-    """The map from one passage of a transition to the next, by simulation.
+    """Give the map from one passage of a transition to the next, by simulation.
 
     Parameters
     ----------
@@ -143,10 +165,22 @@ def poincare_map(
     section : (configuration, boundary, configuration)
         The transition: leaving the first by the boundary for the second.
 
+    Returns
+    -------
+    PoincareMap
+
     Raises
     ------
     InputError
         For wrong names or values, or a transition that the system does not have.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    >>> impact = ns.poincare_map("rigid-stop", data, ("free", "first-reaches-stop", "free"))
+    >>> impact.basis.shape
+    (4, 3)
     """
     point = piecewise(system, parameters)
     structure = point.structure

@@ -77,6 +77,11 @@ def simulate(
     transitions : int, optional
         Number of transitions after which to end; at least one of the two has to be given.
 
+    Returns
+    -------
+    Trajectory
+        The start, and the state behind each transition.
+
     Raises
     ------
     InputError
@@ -155,11 +160,32 @@ class Trajectories:
     last_states: np.ndarray
 
     def at(self, places: Any) -> Trajectories:
-        """Those at some places of the first axis."""
+        """Select motions by their places on the first axis.
+
+        Parameters
+        ----------
+        places : int, slice or array
+            What indexes an array.
+
+        Returns
+        -------
+        Trajectories
+        """
         return self._with(lambda array: array[places])
 
     def reshaped(self, count: int) -> Trajectories:
-        """All of them in one row."""
+        """Give all motions in one row.
+
+        Parameters
+        ----------
+        count : int
+            How many there are.
+
+        Returns
+        -------
+        Trajectories
+            With one axis.
+        """
         inner = self.status.ndim
         return self._with(lambda array: array.reshape(count, *array.shape[inner:]))
 
@@ -200,11 +226,24 @@ def simulate_many(
     threads : int, optional
         As many as there are processors when omitted.
 
+    Returns
+    -------
+    Trajectories
+        Where and how each motion ended, and what was kept of it.
+
     Raises
     ------
     InputError
         For wrong names, shapes or counts. A start that belongs to no configuration gets a
         status of its own.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
+    >>> ends = ns.simulate_many("rigid-stop", data, [[0, 0, 1.5, 0], [0, 0, 2, 0]], transitions=4)
+    >>> ends.states.shape
+    (2, 4)
     """
     kernels = kernels_of(system)
     structure = structure_of(kernels)

@@ -174,16 +174,41 @@ class Trajectory:
         return states.reshape(*array.shape, len(self.names))
 
     def configuration(self, times: Any) -> Any:
-        """Configuration at each of the times: a name, or an array of names."""
+        """Give the configuration at each of the times.
+
+        Parameters
+        ----------
+        times : float or array (m,)
+            Times between the start and the end of the motion, in the units of the system.
+
+        Returns
+        -------
+        str or array (m,)
+        """
         array = self._checked(times)
         indices = self.run.configurations[self._phases(array.ravel())].reshape(array.shape)
         names = np.array(self.structure.configurations)[indices]
         return str(names) if names.ndim == 0 else names
 
     def sample(self, points: int = 2000) -> tuple[np.ndarray, np.ndarray]:
-        """Times (m,) and states (m, N) for a drawing: about so many, and every transition.
+        """Give points for a drawing, every transition among them.
 
         Each transition occurs twice: in front of it and behind it.
+
+        Parameters
+        ----------
+        points : int
+            About how many.
+
+        Returns
+        -------
+        tuple of array (m,) and array (m, N)
+            Times and states.
+
+        Raises
+        ------
+        InputError
+            For a count that is no positive integer, or far too large.
         """
         if isinstance(points, bool) or not isinstance(points, int | np.integer) or points < 1:
             raise InputError(f"points = {points!r} is not a positive integer")
@@ -201,7 +226,12 @@ class Trajectory:
         return np.concatenate(times), np.concatenate(states)
 
     def to_xarray(self) -> Any:
-        """The transitions as an xarray Dataset with the dimensions transition and state.
+        """Give the transitions as an xarray Dataset.
+
+        Returns
+        -------
+        xarray.Dataset
+            With the dimensions ``transition`` and ``state``.
 
         Raises
         ------
@@ -239,17 +269,51 @@ class Trajectory:
         masses: Iterable[int] | None = None,
         points: int = 2000,
     ) -> Any:
-        """Draw the motion; see `nonsmooth.runtime.present.pictures.scenes.plot_trajectory`."""
+        """Draw the motion.
+
+        Parameters
+        ----------
+        kind : str
+            What to draw: "time", "phase" or another of the plots that the command offers.
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+        masses : iterable of int, optional
+            Masses that are drawn, counted from 1; all when omitted.
+        points : int
+            About how many points a curve has.
+
+        Returns
+        -------
+        matplotlib Axes
+            What was drawn on.
+        """
         return registered("plot_trajectory")(self, kind, axes, masses=masses, points=points)
 
     def recurrence(self, since: float = 0.0, period: float | None = None) -> Recurrence:
-        """The cycle that the motion repeats at its end: `nonsmooth.itinerary_of`."""
+        """Find the cycle that the motion repeats at its end; see `nonsmooth.itinerary_of`.
+
+        Parameters
+        ----------
+        since : float
+            What the motion did before is not looked at.
+        period : float, optional
+            About how long the cycle lasts.
+
+        Returns
+        -------
+        Recurrence
+        """
         from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 
         return itinerary_of(self, since, period)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the motion to a file that `nonsmooth.load_trajectory` reads: .npz or .csv.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write, ending in .npz or .csv.
 
         Raises
         ------

@@ -4,9 +4,9 @@ import mpmath
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.derive.appendix import MISPRINTS, appendix_kernel
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.equations import derive_equations
+from nonsmooth.derive.equations.appendix import MISPRINTS, appendix_kernel
+from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.core.arithmetic import Mpmath

@@ -26,7 +26,7 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise

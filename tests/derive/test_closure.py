@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.declaration.itinerary import Itinerary, Reference
+from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.itinerary import Itinerary, Reference
-from nonsmooth.derive.program import evaluate
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.orbits.solve import solve
 

@@ -24,9 +24,9 @@ from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
 from nonsmooth.derive.codegen.body import Body, body_of, hoisted, needed, split
 from nonsmooth.derive.codegen.c import c_kernel, print_c
 from nonsmooth.derive.codegen.emit import COMMAND
+from nonsmooth.derive.equations.explicit import Angle
+from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.explicit import Angle
-from nonsmooth.derive.program import Argument, Kernel, Output, Stage, evaluate
 from nonsmooth.derive.systems import SYSTEMS
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.errors import InputError

@@ -13,8 +13,8 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.derive import DeclarationError, Friction, RigidStop, Slider, SoftStop, oscillator
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.codegen.tables import system_table
-from nonsmooth.derive.declaration import Declaration
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import as_value
@@ -64,7 +64,7 @@ def test_constraints_hold_where_their_expressions_are_not_negative() -> None:
             with pytest.raises(InputError, match="does not hold"):
                 check_constraints(kernels, {k: as_value(v) for k, v in values.items()})
     assert 10 < kept < 90
-    terms = [entry["terms"] for entry in system_table(Declaration(system))["constraints"]]
+    terms = [entry["terms"] for entry in system_table(SimulationForm(system))["constraints"]]
     assert terms[0] == {"a": 2, "1": -4}
 
 

@@ -8,11 +8,14 @@ import pytest
 import sympy as sp
 from scipy.linalg import expm
 
-from nonsmooth.derive.declaration import Declaration, modes_of
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.modal import TIME, derive_flows
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.flows.modal import TIME, derive_flows
+from nonsmooth.derive.flows.modes import modes_of
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
@@ -25,7 +28,7 @@ NAMES = list(SYSTEMS)
 @cache
 def declared(name):
     system = declaration(name).system
-    return Declaration(system, *derive_flows(system))
+    return SimulationForm(system, *derive_flows(system))
 
 
 def points(name, count=4):
@@ -275,12 +278,12 @@ def chain(size):
 @cache
 def entire():
     system = chain(3)
-    return Declaration(system, *derive_flows(system))
+    return SimulationForm(system, *derive_flows(system))
 
 
 def test_two_masses_have_modes():
     system = chain(2)
-    found = Declaration(system, *derive_flows(system))
+    found = SimulationForm(system, *derive_flows(system))
     assert found.table()["modes"] is not None
     modes = found.modes["free"]
     assert [(m.oscillates, m.length) for m in modes if m.oscillates] == [(True, 1)] * 2

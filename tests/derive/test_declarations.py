@@ -18,17 +18,13 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration
+from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation
+from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation
-from nonsmooth.derive.parameter import Parameter, is_positive
-from nonsmooth.derive.system import (
-    Boundary,
-    Condition,
-    Configuration,
-    System,
-    Transition,
-)
 from nonsmooth.derive.systems import dry_friction
 
 X, Y, V, W = STATES = sp.symbols("x y v w", real=True)

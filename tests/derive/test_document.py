@@ -13,20 +13,22 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.document.arrange import by_function
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
-from nonsmooth.derive.document.centres import name_centres
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
-from nonsmooth.derive.document.hypertext import to_html
-from nonsmooth.derive.document.latex import LatexMissing, compile_pdf, to_latex
 from nonsmooth.derive.document.layout import width
-from nonsmooth.derive.document.markdown import to_markdown
-from nonsmooth.derive.document.mathml import mended
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.equations import derive_equations
-from nonsmooth.derive.itinerary import Itinerary, Phase
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.document.notation.arrange import by_function
+from nonsmooth.derive.document.views.centres import name_centres
+from nonsmooth.derive.document.writers.hypertext import to_html
+from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf, to_latex
+from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.document.writers.mathml import mended
+from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
 from tests.latex_reader import ORBITS, written_of
@@ -79,9 +81,9 @@ def elsewhere() -> Iterator[subprocess.Popen[bytes]]:
     program = (
         "import sys\n"
         "from nonsmooth.derive.document.describe import describe_orbit as d\n"
-        "from nonsmooth.derive.document.latex import to_latex\n"
-        "from nonsmooth.derive.document.markdown import to_markdown\n"
-        "from nonsmooth.derive.equations import derive_equations as e\n"
+        "from nonsmooth.derive.document.writers.latex import to_latex\n"
+        "from nonsmooth.derive.document.writers.markdown import to_markdown\n"
+        "from nonsmooth.derive.equations.derivation import derive_equations as e\n"
         "from nonsmooth.derive.systems import SYSTEMS, declaration\n"
         "for o in (d(e(o)) for s in SYSTEMS for o in declaration(s).orbits):\n"
         "    sys.stdout.buffer.write((to_latex(o) + to_markdown(o)).encode())"

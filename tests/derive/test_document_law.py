@@ -25,17 +25,17 @@ from nonsmooth.derive.building import (
     chain_matrices,
     oscillator,
 )
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
-from nonsmooth.derive.document.centres import name_centres
-from nonsmooth.derive.document.closed_forms import closed_flows, without_numeric
-from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system, naming_of
-from nonsmooth.derive.document.letters import letters_of
-from nonsmooth.derive.document.symbols import Notation
-from nonsmooth.derive.document.wording import Naming
-from nonsmooth.derive.itinerary import Itinerary
-from nonsmooth.derive.system import System
-from nonsmooth.derive.unfolding import unfolded
+from nonsmooth.derive.document.notation.letters import letters_of
+from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.views.centres import name_centres
+from nonsmooth.derive.document.views.closed_forms import closed_flows, without_numeric
+from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from tests.documents import GALLERY, document_of, names
 from tests.documents import declarations as all_declarations

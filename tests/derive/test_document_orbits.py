@@ -9,12 +9,12 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive.chain import section_of, start_of
 from nonsmooth.derive.document.blocks import Formula, Table
-from nonsmooth.derive.document.markdown import to_markdown
-from nonsmooth.derive.equations import derive_equations
-from nonsmooth.derive.modal import TIME
-from nonsmooth.derive.symmetry import end_conditions
+from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth.derive.equations.section import section_of, start_of
+from nonsmooth.derive.equations.symmetry import end_conditions
+from nonsmooth.derive.flows.modal import TIME
 from tests.documents import derived
 from tests.latex_reader import (
     ORBITS,

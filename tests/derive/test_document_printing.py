@@ -12,9 +12,9 @@ from formulas.values import Reading, name_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.derive.document.arrange import by_function, signed
-from nonsmooth.derive.document.mathml import mathml
-from nonsmooth.derive.document.symbols import Notation
+from nonsmooth.derive.document.notation.arrange import by_function, signed
+from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.writers.mathml import mathml
 
 converter = pytest.importorskip("latex2mathml.converter")
 

@@ -7,9 +7,9 @@ import pytest
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Formula
-from nonsmooth.derive.document.markdown import to_markdown
-from nonsmooth.derive.energy import energy_of
-from nonsmooth.derive.modal import TIME
+from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.equations.energy import energy_of
+from nonsmooth.derive.flows.modal import TIME
 from tests.latex_reader import (
     CONSERVATIVE,
     ORBITS,

@@ -16,14 +16,17 @@ import pytest
 import sympy as sp
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.equations import EquationSystem, derive_equations, spectral_derivative
+from nonsmooth.derive.codegen.kernels import spectrum_kernel
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth.derive.equations.equation_system import EquationSystem, spectral_derivative
+from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.itinerary import Itinerary, Phase
-from nonsmooth.derive.kernels import spectrum_kernel
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.program import Argument, Kernel, Output, Stage, prune
-from nonsmooth.derive.system import Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import Mpmath
 

@@ -19,14 +19,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.entire import EntireDifference, EntirePair
+from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, differentiate
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.kernels import flow_kernels, spectrum_kernel
-from nonsmooth.derive.modal import TIME, Flow, Spectrum, derive_flows
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.program import Argument, Kernel, Output, Stage, differentiate
-from nonsmooth.derive.system import Configuration, System
+from nonsmooth.derive.flows.entire import EntireDifference, EntirePair
+from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 

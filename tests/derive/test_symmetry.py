@@ -9,13 +9,16 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.equations import EquationSystem, derive_equations
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation, Reference
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.symmetry import half_phases
 from nonsmooth.derive.errors import DeclarationError, DerivationError
-from nonsmooth.derive.itinerary import Itinerary, Phase, Presentation, Reference
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.symmetry import half_phases
-from nonsmooth.derive.system import Boundary, Configuration, System, Transition
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.orbits.refine import refine
 from nonsmooth.runtime.orbits.solve import solve

@@ -13,9 +13,9 @@ from formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
 from formulas.layout import plain
 from formulas.pages import inline
 from formulas.values import Reading, name_of
+from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
-from nonsmooth.derive.document.cycle import Cycle
-from nonsmooth.derive.itinerary import dwell_symbol
+from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 
 __all__ = ["CycleLaw", "Orbit"]

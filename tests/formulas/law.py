@@ -16,14 +16,14 @@ from formulas.latex import read_latex
 from formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
 from formulas.pages import inline
 from formulas.values import UNIT, Reading, Unit, name_of, split, without_spaces
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.centres import Centres
-from nonsmooth.derive.document.damped import damped_coordinate
-from nonsmooth.derive.document.letters import letters_of
-from nonsmooth.derive.document.wording import Naming
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.modal import Spectrum
-from nonsmooth.derive.system import System
+from nonsmooth.derive.document.notation.letters import letters_of
+from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.sections.describe_damped import damped_coordinate
+from nonsmooth.derive.document.views.centres import Centres
+from nonsmooth.derive.flows.modal import Spectrum
 
 __all__ = ["Broken", "Facts", "Motion", "SystemLaw", "drawn"]
 

@@ -11,10 +11,10 @@ from formulas.latex import read_latex
 from formulas.layout import Row
 from formulas.mathml import read_element
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
-from nonsmooth.derive.document.hypertext import to_html
-from nonsmooth.derive.document.latex import to_latex
 from nonsmooth.derive.document.layout import rows
-from nonsmooth.derive.document.markdown import to_markdown
+from nonsmooth.derive.document.writers.hypertext import to_html
+from nonsmooth.derive.document.writers.latex import to_latex
+from nonsmooth.derive.document.writers.markdown import to_markdown
 
 __all__ = ["inline", "on_pages", "texts_of"]
 

@@ -7,8 +7,8 @@ from scipy.linalg import expm
 
 from nonsmooth.derive import Boundary, Configuration, Parameter, SecondOrder, System
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.kernels import flow_kernels, spectrum_kernel
-from nonsmooth.derive.modal import derive_flows
+from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
+from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 
 K, M = Parameter("k", "a stiffness"), Parameter("m", "a mass")

@@ -15,12 +15,12 @@ from scipy.linalg import eigh, expm
 from scipy.optimize import brentq
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.dynamics import SecondOrder
-from nonsmooth.derive.energy import energy_of
-from nonsmooth.derive.equations import derive_equations
-from nonsmooth.derive.kernels import spectrum_kernel
-from nonsmooth.derive.program import Argument, Kernel, Output, prune
-from nonsmooth.derive.system import Configuration
+from nonsmooth.derive.codegen.kernels import spectrum_kernel
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth.derive.equations.energy import energy_of
+from nonsmooth.derive.equations.program import Argument, Kernel, Output, prune
 from nonsmooth.derive.systems import elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import NoConvergence

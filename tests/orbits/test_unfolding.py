@@ -19,9 +19,9 @@ from nonsmooth.derive import (
     dry_friction,
     oscillator,
 )
+from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document.describe import describe_itinerary
-from nonsmooth.derive.document.markdown import to_markdown
-from nonsmooth.derive.unfolding import unfolded
+from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.kernels import load_orbit

@@ -1,6 +1,5 @@
 """The distribution: one top-level name, complete, importable anywhere, quick to start."""
 
-import doctest
 import os
 import pkgutil
 import shutil
@@ -175,9 +174,3 @@ def test_public_names_exist(name: str) -> None:
 def test_unknown_public_name_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="module 'nonsmooth' has no attribute 'sovle'"):
         _ = nonsmooth.sovle
-
-
-@pytest.mark.parametrize("name", MODULES)
-def test_doctests(name: str) -> None:
-    failed, _ = doctest.testmod(import_module(name))
-    assert not failed

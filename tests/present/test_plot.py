@@ -13,7 +13,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth
-from nonsmooth.derive.equations import derive_equations
+from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.cli.options import Kind
 from nonsmooth.runtime.core.errors import InputError, MissingExtra

@@ -13,12 +13,14 @@ import sympy as sp
 from mpmath import MPContext
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.codegen.tables import system_table
-from nonsmooth.derive.declaration import Declaration
-from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.modal import TIME, Flow, Spectrum
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Condition, Configuration, System, Transition
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration
+from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Condition, Transition
+from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.proof.motion.validate import Proof, validate
 
@@ -37,7 +39,7 @@ def kernels_of(system: System) -> SystemKernels:
         c.name: Flow(c.name, (sp.exp(TIME),), (), (), c.dynamics.field(system.states))
         for c in system.configurations
     }
-    declaration = Declaration(system, Spectrum(()), flows)
+    declaration = SimulationForm(system, Spectrum(()), flows)
     module = ModuleType(system.name)
     exact = declaration.kernels()
     for kernel in exact:

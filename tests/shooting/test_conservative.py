@@ -13,11 +13,13 @@ import sympy as sp
 from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
-from nonsmooth.derive.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.energy import energy_of, is_conservative
-from nonsmooth.derive.itinerary import Itinerary, Phase
-from nonsmooth.derive.parameter import Parameter
-from nonsmooth.derive.system import Boundary, Configuration, System, Transition
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration
+from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
+from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.equations.energy import energy_of, is_conservative
 from nonsmooth.derive.systems import SYSTEMS, declaration, elastic_stop, rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
 from nonsmooth.runtime.orbits.many import solve_many

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from scipy.optimize import linear_sum_assignment
 
-from nonsmooth.derive.saltation import saltation_matrix
+from nonsmooth.derive.equations.saltation import saltation_matrix
 from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.refine import refine

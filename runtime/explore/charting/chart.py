@@ -152,12 +152,29 @@ def load_chart(path: str | Path) -> Dataset:
 
     Where nothing is computed yet, `status` is -128.
 
+    Parameters
+    ----------
+    path : str or path
+        Folder of the chart.
+
+    Returns
+    -------
+    xarray.Dataset
+        With the parameters as dimensions.
+
     Raises
     ------
     InputError
         If there is no chart.
     MissingExtra
         If Zarr or xarray are not installed.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> made = ns.chart("dry-friction/global-stick", V=[0.9, 1.0], store="plane.zarr")
+    >>> dict(ns.load_chart("plane.zarr").sizes)
+    {'V': 2}
     """
     check_zarr()
     import xarray

@@ -75,7 +75,16 @@ class Branch:
         return len(self.parameter_values)
 
     def orbit_at(self, place: int | Event) -> Orbit | ComposedOrbit:
-        """The orbit at a point of the branch, by its number, or at an event.
+        """Give the orbit at a point of the branch, or at an event.
+
+        Parameters
+        ----------
+        place : int or Event
+            Number of the point, counted from 0, or one of `events`.
+
+        Returns
+        -------
+        Orbit or ComposedOrbit
 
         Raises
         ------
@@ -103,9 +112,21 @@ class Branch:
     def next_itineraries(
         self, event: Event, parameters: Mapping[str, Any] | None = None
     ) -> tuple[ComposedOrbit, ...]:
-        """Admissible orbits of other itineraries just beyond a border collision.
+        """Find admissible orbits of other itineraries just beyond a border collision.
 
         Parameters of the system that the orbit leaves open may be given; else they are chosen.
+
+        Parameters
+        ----------
+        event : Event
+            A border collision of this branch.
+        parameters : mapping of str to number or text, optional
+            Parameters of the system that the orbit does not determine.
+
+        Returns
+        -------
+        tuple of ComposedOrbit
+            None where no itinerary that was tried has an admissible orbit there.
 
         Raises
         ------
@@ -117,11 +138,23 @@ class Branch:
         return next_itineraries(self, event, parameters)
 
     def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> ComposedOrbit:
-        """An orbit on the branch that meets this one at an event: `continue_orbit` follows it.
+        """Find an orbit on the branch that meets this one at an event.
 
         At a flip the one of twice the period, at a symmetry-breaking one without the symmetry,
         at a branch point one on the branch that crosses. Parameters of the system that the
         orbit leaves open may be given; else they are chosen.
+
+        Parameters
+        ----------
+        event : Event
+            A flip, a symmetry breaking or a branch point of this branch.
+        parameters : mapping of str to number or text, optional
+            Parameters of the system that the orbit does not determine.
+
+        Returns
+        -------
+        ComposedOrbit
+            `continue_orbit` follows it.
 
         Raises
         ------
@@ -135,7 +168,7 @@ class Branch:
         return other_branch(self, event, parameters)
 
     def quantity(self, name: str) -> np.ndarray:
-        """Values (k,) of something over the branch.
+        """Give the values of a quantity over the branch.
 
         Parameters
         ----------
@@ -145,6 +178,11 @@ class Branch:
             a forcing that is the frequency response; of a conservative family over its period,
             beside "frequency", the backbone. "energy" is that of a conservative family, in the
             unit in which the first coordinate has the mass 1.
+
+        Returns
+        -------
+        array (k,)
+            One value for each point.
 
         Raises
         ------
@@ -170,7 +208,12 @@ class Branch:
         return np.asarray(self.unknowns[:, self.unknown_names.index(name)])
 
     def to_xarray(self) -> Any:
-        """The branch as an xarray Dataset over its points.
+        """Give the branch as an xarray Dataset over its points.
+
+        Returns
+        -------
+        xarray.Dataset
+            With the dimension ``point``.
 
         Raises
         ------
@@ -203,9 +246,32 @@ class Branch:
         over: str | None = None,
         frequency: str = "angular",
     ) -> Any:
-        """Draw a quantity over the parameter, or another one; see `drawing.draw_branch`."""
+        """Draw a quantity over the parameter, or over another quantity.
+
+        Parameters
+        ----------
+        quantity : str, optional
+            What `quantity` takes; chosen for the branch when omitted.
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+        over : str, optional
+            Another quantity in place of the parameter.
+        frequency : {"angular", "cycles"}
+            Unit of a frequency that is drawn.
+
+        Returns
+        -------
+        matplotlib Axes
+            What was drawn on.
+        """
         return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the branch to a file; `nonsmooth.load_branch` reads it."""
+        """Write the branch to a file; `nonsmooth.load_branch` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+        """
         registered("save_branch")(self, path)

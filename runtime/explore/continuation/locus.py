@@ -63,7 +63,16 @@ class Locus:
         return f"{kind}{' of ' * bool(self.boundary)}{self.boundary}: {self.name}"
 
     def orbit_at(self, place: int) -> Orbit | ComposedOrbit:
-        """The orbit at a point of the curve, by its number.
+        """Give the orbit at a point of the curve.
+
+        Parameters
+        ----------
+        place : int
+            Number of the point, counted from 0.
+
+        Returns
+        -------
+        Orbit or ComposedOrbit
 
         Raises
         ------
@@ -78,9 +87,26 @@ class Locus:
         return orbit
 
     def plot(self, axes: Any = None) -> Any:
-        """Draw the curve in the plane of its parameters; see `drawing.draw_locus`."""
+        """Draw the curve in the plane of its parameters.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+
+        Returns
+        -------
+        matplotlib Axes
+            What was drawn on.
+        """
         return registered("draw_locus")(self, axes)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the curve to a file; `nonsmooth.load_locus` reads it."""
+        """Write the curve to a file; `nonsmooth.load_locus` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+        """
         registered("save_locus")(self, path)

@@ -158,7 +158,13 @@ class Found:
     complete: bool = True
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write everything as JSON that `nonsmooth.load_found` reads."""
+        """Write everything as JSON that `nonsmooth.load_found` reads.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+        """
         registered("save_found")(self, path)
 
     def _repr_html_(self) -> str:
@@ -166,7 +172,18 @@ class Found:
         return text
 
     def share(self, outcome: Outcome) -> float:
-        """Share of the starts that end so."""
+        """Give the share of the starts that end in one way.
+
+        Parameters
+        ----------
+        outcome : Outcome
+            One of `outcomes`.
+
+        Returns
+        -------
+        float
+            Between 0 and 1.
+        """
         return float(np.mean(self.labels == outcome)) if self.labels.size else 0.0
 
     @property
@@ -216,12 +233,25 @@ def find_orbits(
     progress : callable
         Told the name of each step when it begins.
 
+    Returns
+    -------
+    Found
+        The orbits, each with its itinerary, and the shares of the starts that end in them.
+
     Raises
     ------
     InputError
         For wrong names, values or counts.
     Interrupted
         By Ctrl-C, when the starts are followed; its `partial` is what was found until then.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> found = ns.find_orbits("dry-friction", data, n=20, transitions=200)
+    >>> [found_orbit.orbit.stability.verdict for found_orbit in found.orbits]
+    ['stable']
     """
     kernels = kernels_of(system)
     point = piecewise(kernels, parameters)

@@ -88,7 +88,13 @@ class Sweep:
         return f"at the phase {self.phase:g} of the forcing"
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the diagram to a file; `nonsmooth.load_sweep` reads it."""
+        """Write the diagram to a file; `nonsmooth.load_sweep` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+        """
         registered("save_sweep")(self, path)
 
 
@@ -139,11 +145,16 @@ def sweep(
 
     Parameters
     ----------
+    system : str, System or SystemKernels
     parameters : mapping
         All others than `name`.
+    name : str
+        The parameter that varies.
     values : array (n,)
     start : mapping of state to number
         Where every motion starts.
+    state : str
+        The state that is taken.
     configuration : str, optional
         The state is taken at each entry of it.
     phase : float, optional
@@ -156,10 +167,17 @@ def sweep(
     follow : bool
         Whether the motions at a value start where those before it ended, if that is possible,
         chunk by chunk of values; with a phase value by value. Else all start at `start`.
+    threads : int, optional
+        As many as processors when omitted.
     resume : Sweep, optional
         An interrupted one of the same question: what it has is not computed again.
     progress : callable
         Told how many values are done.
+
+    Returns
+    -------
+    Sweep
+        The samples of each value.
 
     Raises
     ------
@@ -168,6 +186,17 @@ def sweep(
         sweep to resume.
     Interrupted
         By Ctrl-C; its `partial` is the Sweep until then.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = dict(chi="0.5", eta=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> diagram = ns.sweep(
+    ...     "dry-friction", data, "V", [0.9, 1.0], dict(x1=0, x2=0, v1=0, v2=0),
+    ...     state="x1", configuration="stick-stick", transient=40, samples=12,
+    ... )
+    >>> len(diagram.values)
+    2
     """
     kernels = kernels_of(system)
     structure = structure_of(kernels)

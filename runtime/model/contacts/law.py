@@ -64,7 +64,7 @@ class Event(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Law:
-    """The contacts and what is known of them; see `nonsmooth.derive.contact_law`.
+    """The contacts and what is known of them; see `nonsmooth.derive.declaration.contact_law`.
 
     Attributes
     ----------

@@ -128,11 +128,24 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     path : str or path
         What `save` of a `Certificate`, `BoxCertificate`, `EventCertificate` or `Census` wrote.
 
+    Returns
+    -------
+    Check
+        Whether all claims hold, and what was checked.
+
     Raises
     ------
     InputError
         If the file cannot be read, is none of these, or has entries that are missing, unknown
         or of another type.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> ns.certify(ns.solve("dry-friction/global-stick")).save("proof.json")
+    >>> check = ns.check_certificate("proof.json")
+    >>> check.difference is None, check.claims["existence"]
+    (True, 'proved')
     """
     folder = Path(path).parent
     try:

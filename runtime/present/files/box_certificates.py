@@ -87,10 +87,27 @@ def box_entries(found: BoxCertificate) -> BoxEntries:
 def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
     """Read a map that `BoxCertificate.save` wrote; nothing is proved again.
 
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    BoxCertificate
+
     Raises
     ------
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> orbit = ns.solve("dry-friction/global-stick")
+    >>> ns.certify_box(orbit, {"V": ("0.999", "1.001")}).save("box.json")
+    >>> ns.load_box_certificate("box.json").proved
+    True
     """
     with naming(path) as file:
         entries = BOX.read(file)

@@ -80,11 +80,28 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
 def load_branch(path: str | os.PathLike[str]) -> Branch:
     """Read a branch that `Branch.save` wrote.
 
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    Branch
+
     Raises
     ------
     InputError
         If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
         the system that is there. The message names the file.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> orbit = ns.solve("dry-friction/global-stick")
+    >>> ns.continue_orbit(orbit, "V", (0.95, 1.05)).save("branch.json")
+    >>> ns.load_branch("branch.json").parameter
+    'V'
     """
     with naming(path) as file:
         return _branch(_BRANCH.read(file), file.parent)

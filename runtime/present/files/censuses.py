@@ -90,10 +90,26 @@ def census_entries(census: Census) -> CensusEntries:
 def load_census(path: str | os.PathLike[str]) -> Census:
     """Read a census that `Census.save` wrote; nothing is proved again.
 
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    Census
+
     Raises
     ------
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> ns.certify_all("dry-friction/global-stick", box={"tau": 3, "tau1": 3}).save("all.json")
+    >>> ns.load_census("all.json").count
+    1
     """
     with naming(path) as file:
         return census_of(CENSUS.read(file))

@@ -79,10 +79,26 @@ def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> 
 def load_certificate(path: str | os.PathLike[str]) -> Certificate:
     """Read a certificate that `Certificate.save` wrote; nothing is proved again.
 
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    Certificate
+
     Raises
     ------
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> ns.certify(ns.solve("dry-friction/global-stick")).save("proof.json")
+    >>> ns.load_certificate("proof.json").proved
+    True
     """
     with naming(path) as file:
         return certificate_of(CERTIFICATE.read(file))

@@ -87,10 +87,23 @@ def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertific
     ----------
     path : str or path
 
+    Returns
+    -------
+    tuple of EventCertificate
+
     Raises
     ------
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
+    >>> ns.certify_event(branch, flip).save("flip.json")
+    >>> [found.proved for found in ns.load_event_certificates("flip.json")]
+    [True]
     """
     with naming(path) as file:
         return events_of(EVENTS.read(file))

@@ -137,13 +137,30 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:
-    """Read what `save_found` wrote; each orbit is solved again and has to be the same.
+    """Read what `Found.save` wrote; each orbit is solved again and has to be the same.
+
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    Found
 
     Raises
     ------
     InputError
         For a file that cannot be read, is cut, edited or foreign, or holds what is no orbit
         of the system that is installed. The message names the file.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> ns.find_orbits("dry-friction", data, n=20, transitions=200).save("found.json")
+    >>> len(ns.load_found("found.json").orbits)
+    1
     """
     with naming(path) as file:
         return _found(FOUND.read(file), file.parent)

@@ -56,11 +56,29 @@ def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
 def load_locus(path: str | os.PathLike[str]) -> Locus:
     """Read a curve of events that `Locus.save` wrote.
 
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    Locus
+
     Raises
     ------
     InputError
         If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
         the system that is there. The message names the file.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
+    >>> ns.continue_event(branch, flip, "eta", (3.95, 4.05)).save("flips.json")
+    >>> ns.load_locus("flips.json").parameters
+    ('V', 'eta')
     """
     with naming(path) as file:
         return _locus(_LOCUS.read(file), file.parent)

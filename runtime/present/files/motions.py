@@ -120,7 +120,7 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
 
 
 def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
-    """Read a motion that `save_trajectory` wrote.
+    """Read a motion that `Trajectory.save` wrote.
 
     Kernels of another derivation are accepted if they have the same names, and the motion is
     one of their system.
@@ -129,11 +129,23 @@ def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     ----------
     path : str or path
 
+    Returns
+    -------
+    Trajectory
+
     Raises
     ------
     InputError
         If the file cannot be read, is cut, edited or foreign, or holds what is no motion of
         the systems that are installed. The message names the file.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+    >>> ns.simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=2).save("motion.npz")
+    >>> ns.load_trajectory("motion.npz").configurations
+    ('free', 'free', 'free')
     """
     read = _from_npz if _ending(Path(path)) == ".npz" else _from_csv
     with naming(path) as source:

@@ -124,11 +124,23 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
     ----------
     path : str or path
 
+    Returns
+    -------
+    Orbit or ComposedOrbit
+        With every digit that was saved.
+
     Raises
     ------
     InputError
         If the file cannot be read, is cut, edited or foreign, or holds what is no orbit of
         the kernels that are installed. The message names the file.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> ns.solve("dry-friction/global-stick").save("orbit.json")
+    >>> ns.load("orbit.json").converged
+    True
     """
     with naming(path) as file:
         return orbit_of(parsed(read_file(file, ORBIT.most, ORBIT.what)), file.parent)

@@ -27,10 +27,30 @@ def save_sweep(diagram: Sweep, path: str | os.PathLike[str]) -> None:
 def load_sweep(path: str | os.PathLike[str]) -> Sweep:
     """Read a diagram that `Sweep.save` wrote.
 
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    Sweep
+
     Raises
     ------
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = dict(chi="0.5", eta=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> ns.sweep(
+    ...     "dry-friction", data, "V", [0.9, 1.0], dict(x1=0, x2=0, v1=0, v2=0),
+    ...     state="x1", configuration="stick-stick", transient=40, samples=12,
+    ... ).save("diagram.npz")
+    >>> ns.load_sweep("diagram.npz").parameter
+    'V'
     """
     with naming(path) as file:
         diagram = _SWEEP.read(file)

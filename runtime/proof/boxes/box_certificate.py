@@ -149,12 +149,32 @@ class BoxCertificate:
         return {name: _hull([other[name] for other in stated]) for name in names}
 
     def where(self, tile: Tile) -> dict[str, Interval]:
-        """The parameters of a tile."""
+        """Give the parameters of a tile.
+
+        Parameters
+        ----------
+        tile : Tile
+            One of `tiles`.
+
+        Returns
+        -------
+        dict of str to Interval
+            Exact ends of each parameter of the box over the tile.
+        """
         ends = tuple(self.box.values())
         return {name: tile.place.interval(k, ends) for k, name in enumerate(self.box)}
 
     def tile_at(self, point: Mapping[str, object]) -> Tile:
-        """The first tile that holds a point of the box; a float means its shortest decimal.
+        """Find the first tile that holds a point of the box.
+
+        Parameters
+        ----------
+        point : mapping of str to number or text
+            A value of each parameter of the box; a float means its shortest decimal.
+
+        Returns
+        -------
+        Tile
 
         Raises
         ------
@@ -169,7 +189,13 @@ class BoxCertificate:
         raise KeyError(f"{dict(point)} is not in the box")
 
     def to_json(self) -> dict[str, Any]:
-        """The map as JSON: numbers as decimal strings or fractions."""
+        """Give the map as JSON: numbers as decimal strings or fractions.
+
+        Returns
+        -------
+        dict
+            The map, ready for `json.dumps`.
+        """
         return {
             "orbit": self.orbit,
             "system": self.system,
@@ -192,6 +218,11 @@ class BoxCertificate:
         ----------
         axes : matplotlib Axes, optional
 
+        Returns
+        -------
+        matplotlib Axes
+            What was drawn on.
+
         Raises
         ------
         InputError
@@ -203,6 +234,11 @@ class BoxCertificate:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the map to a file; `nonsmooth.load_box_certificate` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
 
         Raises
         ------

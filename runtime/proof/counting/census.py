@@ -130,7 +130,13 @@ class Census:
         return text
 
     def to_json(self) -> dict[str, Any]:
-        """The census as JSON: numbers as decimal strings, counts as integers."""
+        """Give the census as JSON: numbers as decimal strings, counts as integers.
+
+        Returns
+        -------
+        dict
+            The census, ready for `json.dumps`.
+        """
         return {
             "orbit": self.orbit,
             "system": self.system,
@@ -160,6 +166,11 @@ class Census:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the census to a file; `nonsmooth.load_census` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
 
         Raises
         ------

@@ -89,7 +89,13 @@ class EventCertificate:
         return self.enclosures[self.parameter]
 
     def to_json(self) -> dict[str, Any]:
-        """All of it as JSON: numbers as decimal strings."""
+        """Give the certificate as JSON: numbers as decimal strings.
+
+        Returns
+        -------
+        dict
+            The certificate, ready for `json.dumps`.
+        """
         return {
             "orbit": self.orbit,
             "system": self.system,
@@ -112,6 +118,11 @@ class EventCertificate:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the certificate to a file; `nonsmooth.load_event_certificates` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
 
         Raises
         ------

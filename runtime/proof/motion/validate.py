@@ -64,6 +64,11 @@ def validate(
         Precision to begin with; doubled up to `most_bits` where it does not do.
     most_bits : int
 
+    Returns
+    -------
+    Proof
+        What is proved of the motion, and why it ends where it does.
+
     Raises
     ------
     InputError

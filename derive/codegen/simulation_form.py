@@ -1,0 +1,275 @@
+"""A system as a simulation needs it: affine rows, vector fields, flows, resets, transitions.
+
+What depends on the parameters is emitted as kernels, over any arithmetic:
+
+* `rows`: every affine function n y + c that the declaration names, once each,
+* `fields`: y' = A y + b of each configuration,
+* `resets`: every affine reset, once each; the first leaves the state as it is,
+* `modes`: the flow of each configuration, y(t) = sum_b phi_b(t) (B_b y(0) + beta_b).
+
+What does not is a table of integers and names that refers to them by index.
+
+The functions phi_b come mode by mode: a mode with the exponent s + i w and `length` l gives
+t^k e^(st) cos(wt), and t^k e^(st) sin(wt) where it oscillates, for k = 0, ..., l - 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import chain
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.contact_law import ContactLaw
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.program import Argument, Kernel, Output
+from nonsmooth.derive.flows.modal import Flow, Spectrum
+from nonsmooth.derive.flows.modes import Mode, modes_of
+
+__all__ = [
+    "SimulationForm",
+]
+
+
+@dataclass(frozen=True)
+class SimulationForm:
+    """A system, its spectrum and its flows, seen as rows and tables.
+
+    Without flows, where no closed form is known, the runtime finds the modes from the fields.
+    """
+
+    system: System
+    spectrum: Spectrum = field(default_factory=lambda: Spectrum(()))
+    flows: Mapping[str, Flow] | None = None
+
+    @cached_property
+    def rows(self) -> tuple[sp.Expr, ...]:
+        """Every affine function of the state that the declaration names, once each."""
+        system = self.system
+        named: list[sp.Expr] = [
+            boundary.function for c in system.configurations for boundary in c.boundaries
+        ]
+        named += [c.function for t in system.transitions for c in t.conditions]
+        for configuration in system.configurations:
+            named += self._constraints(configuration)
+        for contact in system.contacts:
+            named += [*contact.forces.values(), contact.velocity, contact.surface]
+        if system.law is not None:
+            named += [f for contact in system.law.contacts for f in contact.functions]
+            named += [*system.law.coupling, *chain.from_iterable(system.law.free.values())]
+        named += [sine for _, sine in system.forcing[:1]]  # zero where its phase begins anew
+        return tuple(dict.fromkeys(map(sp.expand, named)))
+
+    @cached_property
+    def resets(self) -> tuple[sp.Matrix, ...]:
+        """Every reset as a column of expressions of the state, once each, the identity first."""
+        system, states = self.system, sp.Matrix(self.system.states)
+        columns = [sp.ImmutableMatrix(states)]
+        columns += [self._reset(t.reset) for t in system.transitions]
+        if system.law is not None:
+            columns += [
+                self._reset(r) for found in system.law.resets.values() for r in found.values()
+            ]
+        return tuple(dict.fromkeys(columns))
+
+    @cached_property
+    def modes(self) -> dict[str, tuple[Mode, ...]] | None:
+        """Modes of each configuration; None where one has no closed form of that kind."""
+        if self.flows is None:
+            return None
+        found = {name: modes_of(flow) for name, flow in self.flows.items()}
+        known = {name: modes for name, modes in found.items() if modes is not None}
+        return known if len(known) == len(found) else None
+
+    def kernels(self) -> tuple[Kernel, ...]:
+        """Kernels of rows, fields, resets and, where they have a closed form, modes."""
+        system = self.system
+        parameters = _vector("parameters", (p.symbol for p in system.parameters))
+        spectrum = _vector("spectrum", self.spectrum.symbols)
+        fields = [c.dynamics.field(system.states) for c in system.configurations]
+        kernels = [
+            Kernel(
+                "fields",
+                "Vector fields of the configurations, one below the other, offsets last.",
+                (parameters,),
+                (_stacked("fields", (matrix.row_join(b) for matrix, b in fields)),),
+                (),
+            ),
+            Kernel(
+                "rows",
+                "Affine functions of the state: gradients, constants last.",
+                (parameters,),
+                (_stacked("rows", (self._affine([row]) for row in self.rows)),),
+                (),
+            ),
+            Kernel(
+                "resets",
+                "Affine resets of the state, one below the other, offsets last.",
+                (parameters,),
+                (_stacked("resets", (self._affine(column) for column in self.resets)),),
+                (),
+            ),
+        ]
+        if self.modes is not None:
+            exponents = [
+                sp.Matrix([[mode.rate, mode.frequency]])
+                for modes in self.modes.values()
+                for mode in modes
+            ]
+            matrices = [
+                self._coefficient(name, term)
+                for name, modes in self.modes.items()
+                for mode in modes
+                for term in mode.terms
+            ]
+            kernels.append(
+                Kernel(
+                    "modes",
+                    "Exponents of the modes; coefficients of their functions, offsets last.",
+                    (parameters, spectrum),
+                    (_stacked("exponents", exponents), _stacked("coefficients", matrices)),
+                    (),
+                )
+            )
+        return tuple(kernels)
+
+    def table(self) -> dict[str, Any]:
+        """What does not depend on parameters, by names and by indices of rows and resets."""
+        system = self.system
+        modes = self.modes
+        configurations = [c.name for c in system.configurations]
+        return {
+            "modes": None
+            if modes is None
+            else {
+                name: [{"length": m.length, "oscillates": m.oscillates} for m in found]
+                for name, found in modes.items()
+            },
+            "forcing": [(str(c), str(s)) for c, s in system.forcing],
+            **({"forcing_row": self._row(system.forcing[0][1])} if system.forcing else {}),
+            "coordinates": [(str(x), str(v)) for x, v in self._coordinates()],
+            "held": {c.name: self._held(c.dynamics) for c in system.configurations},
+            "constraint_rows": {
+                c.name: [self._row(function) for function in self._constraints(c)]
+                for c in system.configurations
+            },
+            "boundary_rows": {
+                c.name: [self._row(b.function) for b in c.boundaries] for c in system.configurations
+            },
+            "transitions": [
+                {
+                    "source": t.source,
+                    "boundaries": sorted(t.boundaries),
+                    "conditions": [(self._row(c.function), c.along, c.holds) for c in t.conditions],
+                    "reset": self.resets.index(self._reset(t.reset)),
+                    "target": t.target,
+                    **({"order": t.order} if t.order else {}),
+                }
+                for t in system.transitions
+            ],
+            "contacts": {
+                contact.name: {
+                    "forces": {
+                        name: self._row(contact.forces[name])
+                        for name in configurations
+                        if name in contact.forces
+                    },
+                    "velocity": self._row(contact.velocity),
+                    "surface": self._row(contact.surface),
+                }
+                for contact in system.contacts
+            },
+            **({} if system.law is None else {"law": self._law(system.law)}),
+        }
+
+    def _coordinates(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
+        """Positions and their velocities: x' = v, in some configurations perhaps x' = 0."""
+        states = self.system.states
+        forced = {state for pair in self.system.forcing for state in pair}
+        fields = [c.dynamics.field(states) for c in self.system.configurations]
+        found = []
+        for place, state in enumerate(states):
+            rates = {(matrix * sp.Matrix(states) + offset)[place] for matrix, offset in fields}
+            moving = rates - {sp.Integer(0)}
+            if len(moving) == 1 and moving <= set(states) - forced and state not in forced:
+                found.append((state, *moving))
+        return found
+
+    def _law(self, law: ContactLaw) -> dict[str, Any]:
+        """A contact law, its functions and resets by their indices."""
+        columns = ("relative", "gap", "static", "kinetic", "slipping", "overshooting")
+        return {
+            "contacts": [
+                {"name": contact.name, "friction": contact.friction}
+                | dict(zip(columns, map(self._row, contact.functions), strict=True))
+                for contact in law.contacts
+            ],
+            "coupling": [[self._row(entry) for entry in row] for row in law.coupling.tolist()],
+            "couples": [[bool(entry != 0) for entry in row] for row in law.coupling.tolist()],
+            "regimes": dict(law.regimes),
+            "others": dict(law.others),
+            "free": {others: list(map(self._row, found)) for others, found in law.free.items()},
+            "arrivals": law.arrivals,
+            "limits": law.limits,
+            "switches": {others: dict(found) for others, found in law.switches.items()},
+            "idle": dict(law.idle),
+            "resets": {
+                target: {own: self.resets.index(self._reset(r)) for own, r in found.items()}
+                for target, found in law.resets.items()
+            },
+        }
+
+    def _reset(self, reset: Mapping[sp.Symbol, sp.Expr]) -> sp.Matrix:
+        return sp.ImmutableMatrix([sp.expand(reset.get(s, s)) for s in self.system.states])
+
+    def _row(self, function: sp.Expr) -> int:
+        return self._places[sp.expand(function)]
+
+    @cached_property
+    def _places(self) -> dict[sp.Expr, int]:
+        return {function: place for place, function in enumerate(self.rows)}
+
+    def _held(self, dynamics: Any) -> list[str]:
+        if not isinstance(dynamics, SecondOrder):
+            return []
+        return [str(self.system.states[i]) for i in sorted(dynamics.held_at(self.system.states))]
+
+    def _constraints(self, configuration: Configuration) -> list[sp.Expr]:
+        """Functions that vanish in a configuration; first the held velocities less their values."""
+        dynamics, states = configuration.dynamics, self.system.states
+        found: list[sp.Expr] = []
+        if isinstance(dynamics, SecondOrder):
+            size = dynamics.mass.rows
+            held = dynamics.held_at(states)
+            found += [states[size + i] - held[i] for i in sorted(held)]
+        return [*found, *configuration.constraints]
+
+    def _affine(self, functions: Iterable[sp.Expr]) -> sp.Matrix:
+        joined = []
+        for function in functions:
+            gradient, constant = self.system.gradient(function)
+            joined.append(gradient.row_join(sp.Matrix([[constant]])))
+        return sp.Matrix.vstack(*joined)
+
+    def _coefficient(self, configuration: str, term: sp.Expr) -> sp.Matrix:
+        assert self.flows is not None
+        flow = self.flows[configuration]
+        if term not in flow.basis:
+            return sp.zeros(len(self.system.states), len(self.system.states) + 1)
+        place = flow.basis.index(term)
+        return sp.Matrix(flow.matrices[place]).row_join(sp.Matrix(flow.offsets[place]))
+
+
+def _vector(name: str, symbols: Iterable[sp.Symbol]) -> Argument:
+    symbols = tuple(symbols)
+    return Argument(name, (len(symbols),), symbols)
+
+
+def _stacked(name: str, matrices: Iterable[sp.Matrix]) -> Output:
+    whole = sp.Matrix.vstack(*matrices)
+    return Output(name, whole.shape, tuple(whole))

@@ -1,0 +1,123 @@
+"""Configurations: the linear regimes of a system, their boundaries, and contacts seen in them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.dynamics import Dynamics
+from nonsmooth.derive.declaration.names import check_unique
+from nonsmooth.derive.declaration.parameter import exact
+from nonsmooth.derive.errors import DeclarationError
+
+__all__ = ["Boundary", "Configuration", "Contact"]
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """A switching surface at which a configuration is left.
+
+    Parameters
+    ----------
+    name : str
+        Name by which itineraries refer to it.
+    function : sympy expression
+        Affine function g of the state, negative inside the configuration. The boundary is
+        crossed when g rises through zero.
+    acts_when : {"reached", "exceeded"}
+        A velocity boundary acts when reached, tangentially too; a force limit only when
+        exceeded.
+    """
+
+    name: str
+    function: sp.Expr
+    acts_when: str = "exceeded"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "function", exact(self.function))
+        if self.acts_when not in ("reached", "exceeded"):
+            raise DeclarationError(
+                f"boundary {self.name!r}: acts_when is {self.acts_when!r},"
+                " not 'reached' or 'exceeded'"
+            )
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """One linear regime of a system and the boundaries at which it is left.
+
+    Parameters
+    ----------
+    name : str
+    dynamics : SecondOrder or FirstOrder
+    boundaries : tuple of Boundary
+    constraints : tuple of expressions
+        Affine functions of the state that vanish throughout, beside those that say that a
+        held coordinate has its velocity: the place at which a mass rests.
+    """
+
+    name: str
+    dynamics: Dynamics
+    boundaries: tuple[Boundary, ...]
+    constraints: tuple[sp.Expr, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "boundaries", tuple(self.boundaries))
+        object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))
+        check_unique([b.name for b in self.boundaries], f"boundary of configuration {self.name!r}")
+
+    def boundary(self, name: str) -> Boundary:
+        """Give the boundary of a name.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        Boundary
+
+        Raises
+        ------
+        DeclarationError
+            If this configuration has no boundary of that name.
+        """
+        for boundary in self.boundaries:
+            if boundary.name == name:
+                return boundary
+        known = ", ".join(b.name for b in self.boundaries)
+        raise DeclarationError(
+            f"configuration {self.name!r} has no boundary {name!r} (it has: {known})"
+        )
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Where the surroundings act on the oscillator: a stop, a belt.
+
+    Parameters
+    ----------
+    name : str
+    velocity : sympy expression
+        Velocity of the point of the oscillator, affine in the state.
+    forces : mapping of configuration to expression
+        Force on the oscillator in the direction of `velocity`, affine in the state; zero in
+        the configurations that are not named.
+    surface : sympy expression
+        Velocity of the surroundings there: of a belt, or zero. Their difference times the
+        force is the power that is dissipated.
+    """
+
+    name: str
+    velocity: sp.Expr
+    forces: Mapping[str, sp.Expr]
+    surface: sp.Expr = sp.S.Zero
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "velocity", exact(self.velocity))
+        object.__setattr__(self, "surface", exact(self.surface))
+        forces = {name: exact(force) for name, force in self.forces.items()}
+        object.__setattr__(self, "forces", MappingProxyType(forces))

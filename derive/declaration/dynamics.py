@@ -1,0 +1,236 @@
+"""Linear motions inside a configuration: second order with held coordinates, or first order."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.parameter import check_finite, exact
+from nonsmooth.derive.errors import DeclarationError
+
+__all__ = ["Dynamics", "FirstOrder", "SecondOrder"]
+
+
+@dataclass(frozen=True)
+class SecondOrder:
+    """Linear motion ``mass x'' + damping x' + stiffness x = load``, some coordinates held.
+
+    Parameters
+    ----------
+    mass, stiffness, damping : n x n matrices
+        `damping` is zero when omitted. Units are the user's own, consistent.
+    load : n values
+        Constant forces; zero when omitted.
+    held : mapping of position symbol to velocity
+        Coordinates that keep a constant velocity (stick); their rows of the equation give
+        the reaction and are not integrated.
+    """
+
+    mass: sp.Matrix
+    stiffness: sp.Matrix
+    load: Any = ()
+    damping: Any = None
+    held: Any = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        mass = _square(self.mass, "mass")
+        size = mass.rows
+        stiffness = _square(self.stiffness, "stiffness", size)
+        damping = (
+            sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
+        )
+        load = _column(self.load, size, "load")
+        if load.shape != (size, 1):
+            raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
+        if mass.det() == 0:
+            raise DeclarationError("mass is singular")
+        for attribute, value in (
+            ("mass", mass),
+            ("stiffness", stiffness),
+            ("damping", damping),
+            ("load", load),
+        ):
+            object.__setattr__(self, attribute, sp.ImmutableMatrix(value))
+        held = {symbol: exact(velocity) for symbol, velocity in self.held.items()}
+        for symbol, velocity in held.items():
+            check_finite(velocity, f"held velocity of {symbol}")
+        object.__setattr__(self, "held", sp.Dict(held))
+
+    def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
+        """Find which coordinates are held.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system: positions, then velocities.
+
+        Returns
+        -------
+        dict of int to expression
+            Index of each held coordinate, and its velocity.
+        """
+        return {list(states).index(symbol): velocity for symbol, velocity in self.held.items()}
+
+    def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
+        """Give the matrix A and the offset b of the first-order form ``y' = A y + b``.
+
+        Held coordinates keep the velocity that the state carries: x' = v, v' = 0.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system: positions, then velocities.
+
+        Returns
+        -------
+        tuple of matrix (N, N) and column (N,)
+            A and b.
+        """
+        size = self.mass.rows
+        held = self.held_at(states)
+        free = [i for i in range(size) if i not in held]
+        matrix, offset = sp.zeros(2 * size, 2 * size), sp.zeros(2 * size, 1)
+        for i in range(size):
+            matrix[i, size + i] = 1
+        if free:
+            inverse = self.mass.extract(free, free).inv()
+            rows = [size + i for i in free]
+            columns = list(range(size))
+            stiffness = inverse * self.stiffness.extract(free, columns)
+            damping = inverse * self.damping.extract(free, columns)
+            load = inverse * self.load.extract(free, [0])
+            for k, row in enumerate(rows):
+                matrix[row, :size] = -stiffness[k, :]
+                matrix[row, size:] = -damping[k, :]
+                offset[row, 0] = load[k]
+        return sp.ImmutableMatrix(matrix), sp.ImmutableMatrix(offset)
+
+    def shifted(self, origin: sp.Matrix) -> SecondOrder:
+        """Write the same motion in coordinates ``z = x - origin``.
+
+        Parameters
+        ----------
+        origin : column (n,)
+            In the old coordinates.
+
+        Returns
+        -------
+        SecondOrder
+        """
+        load = (self.load - self.stiffness * origin).applyfunc(sp.cancel)
+        return SecondOrder(self.mass, self.stiffness, tuple(load), self.damping, self.held)
+
+    def substituted(self, values: Mapping[sp.Symbol, sp.Expr]) -> SecondOrder:
+        """Write the same motion with symbols replaced.
+
+        Parameters
+        ----------
+        values : mapping of symbol to expression
+            What is put in place of each symbol.
+
+        Returns
+        -------
+        SecondOrder
+        """
+        return SecondOrder(
+            self.mass.subs(values),
+            self.stiffness.subs(values),
+            tuple(self.load.subs(values)),
+            self.damping.subs(values),
+            {s.subs(values): v.subs(values) for s, v in self.held.items()},
+        )
+
+    def free_symbols(self) -> set[sp.Symbol]:
+        """Give the symbols of the matrices, the load and the held velocities.
+
+        Returns
+        -------
+        set of symbols
+        """
+        matrices = (self.mass, self.stiffness, self.damping, self.load)
+        return set().union(*(m.free_symbols for m in (*matrices, *self.held.values())))
+
+
+@dataclass(frozen=True)
+class FirstOrder:
+    """Affine motion ``y' = matrix y + offset``.
+
+    Parameters
+    ----------
+    matrix : N x N matrix
+        Numbers or expressions of the parameters.
+    offset : N values, optional
+        Zero when omitted.
+
+    Raises
+    ------
+    DeclarationError
+        For another shape.
+    """
+
+    matrix: sp.Matrix
+    offset: Any = ()
+
+    def __post_init__(self) -> None:
+        matrix = _square(self.matrix, "matrix")
+        offset = _column(self.offset, matrix.rows, "offset")
+        if offset.shape != (matrix.rows, 1):
+            raise DeclarationError(
+                f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
+            )
+        object.__setattr__(self, "matrix", sp.ImmutableMatrix(matrix))
+        object.__setattr__(self, "offset", sp.ImmutableMatrix(offset))
+
+    def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
+        """Give the matrix A and the offset b of ``y' = A y + b``.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system: positions, then velocities.
+
+        Returns
+        -------
+        tuple of matrix (N, N) and column (N,)
+            A and b.
+        """
+        return self.matrix, self.offset
+
+    def free_symbols(self) -> set[sp.Symbol]:
+        """Give the symbols of the matrix and the offset.
+
+        Returns
+        -------
+        set of symbols
+        """
+        return set(self.matrix.free_symbols | self.offset.free_symbols)
+
+
+Dynamics = SecondOrder | FirstOrder
+
+
+def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
+    matrix = _matrix(matrix, what)
+    if matrix.rows != matrix.cols or (size is not None and matrix.rows != size):
+        expected = "square" if size is None else f"{size} x {size}"
+        raise DeclarationError(f"{what} is {matrix.rows} x {matrix.cols}, not {expected}")
+    return matrix
+
+
+def _column(values: Any, size: int, what: str) -> sp.Matrix:
+    """Column of the values; zeros where none are given."""
+    return _matrix(list(values), what) if len(values) else sp.zeros(size, 1)
+
+
+def _matrix(entries: Any, what: str) -> sp.Matrix:
+    """A matrix of finite, exact entries."""
+    try:
+        matrix = sp.Matrix(entries).applyfunc(exact)
+    except (ValueError, TypeError):
+        raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
+    for entry in matrix:
+        check_finite(entry, what)
+    return matrix

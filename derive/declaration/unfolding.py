@@ -1,0 +1,86 @@
+"""The whole of an orbit that is declared by a part and a symmetry."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.errors import DeclarationError
+
+__all__ = ["unfolded"]
+
+_LARGEST_ORDER = 64
+
+
+def unfolded(itinerary: Itinerary) -> Itinerary:
+    """The same orbit by all of its phases; dwell times of the k-th image end in ``_k``.
+
+    Raises
+    ------
+    DeclarationError
+        If the states' permutation maps a configuration that the orbit passes to none, or if
+        its powers never are the identity.
+    """
+    if not itinerary.symmetry:
+        return itinerary
+    system = itinerary.system
+    images = {s: sp.sympify(itinerary.symmetry.get(s, s)) for s in system.states}
+    phases, part = list(itinerary.phases), itinerary.phases
+    for number in range(2, _order(images) + 1):
+        part = tuple(_image(system, images, phase) for phase in part)
+        phases += [
+            replace(phase, dwell_time=f"{original.dwell_time}_{number}")
+            for phase, original in zip(part, itinerary.phases, strict=True)
+        ]
+    return replace(itinerary, phases=tuple(phases), symmetry={}, start={}, reference=None)
+
+
+def _order(images: Mapping[sp.Symbol, sp.Expr]) -> int:
+    current = dict(images)
+    for order in range(1, _LARGEST_ORDER + 1):
+        if all(image == state for state, image in current.items()):
+            return order
+        current = {state: image.xreplace(dict(images)) for state, image in current.items()}
+    raise DeclarationError("a symmetry whose powers are never the identity")
+
+
+def _image(system: System, images: Mapping[sp.Symbol, sp.Expr], phase: Phase) -> Phase:
+    """The image of a phase: the configuration and the boundary that the symmetry makes of it."""
+    source = system.configuration(phase.configuration)
+    wanted = _moved(source, system, images)
+    for target in system.configurations:
+        if _moved(target, system, {s: s for s in system.states}) == wanted:
+            function = _through(source.boundary(phase.boundary).function, images)
+            for boundary in target.boundaries:
+                if sp.expand(boundary.function - function) == 0:
+                    return replace(phase, configuration=target.name, boundary=boundary.name)
+    raise DeclarationError(
+        f"the symmetry maps configuration {source.name!r}, left by {phase.boundary!r}, to none"
+    )
+
+
+def _moved(
+    configuration: Configuration, system: System, images: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[sp.Matrix, frozenset[sp.Expr]]:
+    """Vector field and boundary functions of the image of a configuration."""
+    states = sp.Matrix(system.states)
+    matrix, offset = configuration.dynamics.field(system.states)
+    # with z = P y: z' = P (A P^-1 z + b)
+    permutation = sp.Matrix([images[s] for s in system.states]).jacobian(states)
+    field = permutation * (matrix * permutation.T * states + offset)
+    functions = (_through(b.function, images) for b in configuration.boundaries)
+    return sp.ImmutableMatrix(field.applyfunc(sp.expand)), frozenset(map(sp.expand, functions))
+
+
+def _through(function: sp.Expr, images: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """A function of the state as one of its image: of the inverse permutation."""
+    inverse = {}
+    for state, image in images.items():
+        (source,) = image.free_symbols
+        inverse[source] = state if image == source else -state
+    return sp.expand(function.subs(inverse, simultaneous=True))

@@ -1,0 +1,41 @@
+"""The equations of an orbit in a notebook: a table in HTML, or aligned LaTeX."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from html import escape
+
+from nonsmooth.derive.document.blocks import Formula
+from nonsmooth.derive.document.describe import describe_orbit
+from nonsmooth.derive.equations.equation_system import EquationSystem
+
+__all__ = ["equation_html", "equation_latex", "equation_lines"]
+
+
+def equation_lines(orbit: EquationSystem) -> list[tuple[str, str]]:
+    """Give the LaTeX and the meaning of each equation, as the document has them."""
+    blocks = describe_orbit(orbit).section("The equations")
+    return [(b.lines[0].latex, b.note or "") for b in blocks if isinstance(b, Formula)]
+
+
+def equation_latex(lines: Sequence[tuple[str, str]]) -> str:
+    """Write equations, their signs aligned, each with its meaning beside it."""
+    rows = [f"& {latex} && \\text{{{note.replace('*', '')}}}" for latex, note in lines]
+    body = " \\\\\n".join(rows)
+    return f"$$\\begin{{aligned}}\n{body}\n\\end{{aligned}}$$"
+
+
+def equation_html(lines: Sequence[tuple[str, str]], name: str) -> str | None:
+    """Write equations as a numbered table with MathML; None where no converter is installed."""
+    try:
+        from latex2mathml.converter import convert
+    except ImportError:
+        return None  # a notebook then takes the LaTeX
+    rows = ""
+    for number, (latex, note) in enumerate(lines, start=1):
+        parts = re.split(r"\$([^$]+)\$", note.replace("*", ""))
+        text = "".join(convert(p) if i % 2 else escape(p) for i, p in enumerate(parts))
+        rows += f"<tr><td>({number})</td><td>{convert(latex)}</td><td>{text}</td></tr>"
+    caption = f"{escape(name)}; (k) marks the state behind phase k"
+    return f"<table><caption>{caption}</caption>{rows}</table>"

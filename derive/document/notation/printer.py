@@ -1,0 +1,292 @@
+"""Expressions as LaTeX, in the order of terms and factors that a person would choose."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+
+from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.equations.explicit import Angle
+
+if TYPE_CHECKING:
+    from nonsmooth.derive.document.notation.symbols import Notation
+
+__all__ = ["Printer"]
+
+# a symbol with indices, to which a power may be put
+_LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
+# place of functions among the factors of a product
+_FUNCTIONS = 5
+
+
+class Printer(LatexPrinter):
+    """SymPy's printer with the order of terms and factors that a person would choose."""
+
+    WIDEST = 34.0
+
+    def __init__(self, notation: Notation) -> None:
+        super().__init__({"mat_str": "matrix", "mat_delim": "("})
+        self.notation = notation
+
+    def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
+        return self.notation.symbol(symbol)
+
+    def _print_Add(self, expression: sp.Add, order: Any = None) -> str:
+        return " ".join(self.summands(expression))
+
+    def _print_Mul(self, expression: sp.Mul) -> str:
+        return " ".join(self.summands(expression))
+
+    def _print_Pow(self, expression: sp.Pow) -> str:
+        if expression.exp.is_Rational and expression.exp.is_negative:
+            return self._print_Mul(expression)
+        if expression.exp == sp.Rational(1, 2):
+            return rf"\sqrt{{{self.radicand(expression.base)}}}"
+        base = self.notation.functions.get(expression.base, expression.base)
+        if base.is_Symbol and not _LETTER.fullmatch(self._print(base)):
+            return rf"\left({self._print(base)}\right)^{{{self._print(expression.exp)}}}"
+        if base != expression.base:
+            return str(self._print(base**expression.exp))
+        return str(super()._print_Pow(expression))
+
+    def _print(self, expression: Any, **settings: Any) -> str:
+        # SymPy's number knows its own letter, which a parameter may have
+        return r"\mathrm{e}" if expression is sp.E else str(super()._print(expression, **settings))
+
+    def _print_ExpBase(self, expression: sp.Expr, exp: str | None = None) -> str:
+        power = rf"\mathrm{{e}}^{{{self._print(expression.exp)}}}"
+        return power if exp is None else rf"\left({power}\right)^{{{exp}}}"
+
+    def _print_cos(self, expression: sp.Expr, exp: str | None = None) -> str:
+        return self.trigonometric("cos", expression.args[0], exp)
+
+    def _print_sin(self, expression: sp.Expr, exp: str | None = None) -> str:
+        return self.trigonometric("sin", expression.args[0], exp)
+
+    def _print_Angle(self, expression: sp.Expr) -> str:
+        sine, cosine = (self._print(a) for a in expression.args)
+        return rf"\operatorname{{arg}}\left({cosine} + \mathrm{{i}} {sine}\right)"
+
+    def _print_EntireDifference(self, expression: sp.Expr) -> str:
+        order, time, *nodes = (self._print(a) for a in expression.args)
+        return rf"c_{{{order}}}\left[{', '.join(nodes)}\right]\left({time}\right)"
+
+    def _print_EntirePair(self, expression: sp.Expr) -> str:
+        order, level, part, *rest = expression.args
+        time, mean, spread = (self._print(a) for a in rest)
+        index = f"{order}" if level == 0 else f"{order},{level}"
+        accent = "hat" if part == 1 else "bar"
+        return rf"\{accent}{{c}}_{{{index}}}\left({time}; {mean}, {spread}\right)"
+
+    def radicand(self, base: sp.Expr) -> str:
+        """What stands below a root: one fraction, unless its terms have denominators."""
+        if not base.is_Add:
+            return str(self._print(base))
+        if any(sp.fraction(a)[1].free_symbols for a in base.args):
+            number, rest = sp.factor_terms(base).as_coeff_Mul()
+            inner = " ".join(self.summands(rest))
+            return inner if number == 1 else rf"{self._print(number)} \left({inner}\right)"
+        return str(self._print(sp.together(base)))
+
+    def trigonometric(self, name: str, argument: sp.Expr, exponent: str | None) -> str:
+        """Cosine or sine, without brackets around a product of symbols."""
+        number, rest = argument.as_coeff_Mul()
+        plain = rest == 1 or all(map(self.is_letter, sp.Mul.make_args(rest)))
+        head = rf"\{name}^{{{exponent}}}" if exponent else rf"\{name}"
+        if plain and number.is_Rational and number.q > 1:
+            return f"{head}({self._print(number.p * rest)}/{number.q})"
+        text = self._print(argument)
+        return f"{head} {text}" if plain else rf"{head}\left({text}\right)"
+
+    def is_letter(self, factor: sp.Expr) -> bool:
+        """Whether a factor is written as one letter, with indices and labels."""
+        letter = self._print(factor).partition("^{(")[0] if factor.is_Symbol else ""
+        return _LETTER.fullmatch(letter) is not None
+
+    def ordered(self, expression: sp.Expr) -> list[tuple[sp.Expr, str]]:
+        """Terms of a sum in the order of reading, each with its LaTeX and sign."""
+        number, rest = expression.as_coeff_Mul()
+        if number == -1 and rest.is_Add:
+            # a minus sign in front of a sum that stands alone goes to its terms
+            expression = -rest
+        terms = [(self.rank(a), *self.term(a), a) for a in sp.Add.make_args(expression)]
+        terms.sort(
+            key=lambda item: (
+                not self.leads(item[3], expression),
+                *item[0][:2],
+                item[1] < 0,
+                item[0][2:],
+            )
+        )
+        leading = sp.Mul.make_args(terms[0][3])
+        if terms[0][1] < 0 and (len(terms) == 2 or not any(f.is_Add for f in leading)):
+            # a short sum begins with a positive term if it has one
+            first = next((t for t in terms if t[1] > 0), terms[0])
+            terms.remove(first)
+            terms.insert(0, first)
+        return [
+            (term, f"- {text}" if sign < 0 else f"+ {text}" if position else text)
+            for position, (_, sign, text, term) in enumerate(terms)
+        ]
+
+    def summands(self, expression: sp.Expr) -> list[str]:
+        """LaTeX of the terms of a sum in the order of reading."""
+        return [text for _, text in self.ordered(expression)]
+
+    def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
+        """Terms of a sum; a term that is too wide is cut inside its own sum."""
+        found: list[str] = []
+        for term, text in self.ordered(expression):
+            sums = [f for f in sp.Mul.make_args(term) if f.is_Add]
+            if width(text) <= self.WIDEST or not sums:
+                found.append(text)
+                continue
+            inner = max(sums, key=lambda s: len(s.args))
+            others = [f for f in sp.Mul.make_args(term) if f is not inner]
+            behind = [f for f in others if self.place(f)[0] >= _FUNCTIONS]
+            sign, outer = self.factor(sp.Mul(*(f for f in others if f not in behind)))
+            head = "- " if sign < 0 else "+ " if found else ""
+            first, *rest = self.summands(inner)
+            found.append(rf"{head}{'' if outer == '1' else outer} \biggl({first}")
+            found += rest
+            found[-1] += rf"\biggr) {self.product(behind, alone=False)}".rstrip()
+        return tuple(found)
+
+    def leads(self, term: sp.Expr, total: sp.Expr) -> bool:
+        """Whether a term of a sum over entries of projectors belongs to no state: it is first."""
+        notation, symbols = self.notation, total.free_symbols
+        if not symbols & set(notation.projectors) or any(map(notation.is_function, symbols)):
+            return False
+        return bool(term.free_symbols <= {*notation.projectors, *notation.names})
+
+    def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
+        """Place of a term in a sum: states in order, what moves, constants; numbers first."""
+        symbols = sorted(term.free_symbols, key=str)
+        notation = self.notation
+        states = [s for s in symbols if notation.is_state(s)]
+        if states:
+            return 0, min(notation.place(s) for s in states), 0, str(term)
+        if any(s not in notation.constants for s in symbols):
+            return 1, 0, int(not term.is_Symbol), str(term)
+        places = [notation.constants.index(s) + 1 for s in symbols]
+        return 2, min(places, default=0), 0, str(term)
+
+    def factor(self, expression: sp.Expr) -> tuple[int, str]:
+        """Sign of an expression, and LaTeX to which other factors may be put."""
+        return self.term(expression, alone=False)
+
+    def term(self, term: sp.Expr, *, alone: bool = True) -> tuple[int, str]:
+        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive.
+
+        A sum that is `alone` behind a plus sign has no brackets.
+        """
+        number, rest = term.as_coeff_Mul()
+        sign = -1 if number.is_negative else 1
+        factors = list(sp.Mul.make_args(rest))
+        roots = [f for f in factors if f.is_Pow and abs(f.exp) == sp.Rational(1, 2)]
+        scale = sp.Integer(1)
+        if number.is_Rational and any(f.base.is_number for f in roots):
+            scale, number = number**2, sp.Integer(sign)
+        above, below = [abs(number).p, abs(number).q] if number.is_Rational else [abs(number), 1]
+        above, below = [sp.sympify(above)], [sp.sympify(below)]
+        for factor in (f for f in factors if f not in roots):
+            base, exponent = factor.as_base_exp()
+            if base.is_Add and exponent.is_Integer and exponent % 2 and self.looks_negative(base):
+                base, sign = -base, -sign
+            if exponent.is_Rational and exponent < 0:
+                if exponent.is_Integer and exponent % 2 and self.looks_turned(base):
+                    base, sign = -base, -sign
+                below.append(base**-exponent)
+            else:
+                above.append(base**exponent)
+        if roots:
+            radicand = sp.Mul(*(f.base ** (2 * f.exp) for f in roots))
+            radicand = radicand if len(roots) == 1 else sp.together(radicand)
+            if scale != 1:
+                radicand = sp.Mul(scale, radicand, evaluate=not radicand.is_Add)
+            above.append(sp.Pow(radicand, sp.Rational(1, 2), evaluate=False))
+        if sign < 0:
+            turned = next((i for i, f in enumerate(above) if self.turnable(f)), None)
+            if turned is not None:
+                above[turned], sign = -above[turned], 1
+        above = [f for f in above if f != 1]
+        below = [f for f in below if f != 1]
+        if not below:
+            return sign, self.product(above, alone=alone and sign > 0) or "1"
+        outside = [f for f in above if isinstance(f, Angle) or _is_root_of_fraction(f)]
+        sums = [f for f in above if f.is_Add]
+        beside_function = any(self.place(f)[0] >= _FUNCTIONS for f in above)
+        nested = any(r"\frac" in self._print(f) for f in sums)
+        constant = set().union(*(f.free_symbols for f in sums)) <= set(self.notation.constants)
+        over_sum = constant and any(f.is_Add for f in below)
+        if nested or (len(above) > len(sums) and not beside_function and not over_sum):
+            outside += sums
+        inside = [f for f in above if f not in outside]
+        text = rf"\frac{{{self.product(inside) or '1'}}}{{{self.product(below)}}}"
+        return sign, " ".join(filter(None, (text, self.product(outside, alone=False))))
+
+    def looks_negative(self, expression: sp.Add) -> bool:
+        """Whether a sum reads better turned: its number, or every term of it, is negative."""
+        number = expression.as_coeff_Add()[0]
+        if number != 0:
+            return bool(number.is_negative)
+        return all(self.term(a)[0] < 0 for a in expression.args)
+
+    def looks_turned(self, expression: sp.Expr) -> bool:
+        """Whether a denominator subtracts a parameter from a state and not the other way."""
+        if not expression.is_Add or expression.as_coeff_Add()[0] != 0:
+            return False
+        constants = set(self.notation.constants)
+        fixed = [a for a in expression.args if a.free_symbols <= constants]
+        moving = len(fixed) < len(expression.args)
+        return bool(fixed) and moving and all(a.as_coeff_Mul()[0] < 0 for a in fixed)
+
+    def turnable(self, factor: sp.Expr) -> bool:
+        """Whether a sum can take up a minus sign in front of it."""
+        if not factor.is_Add or factor.as_coeff_Add()[0] != 0:
+            return False
+        if factor.free_symbols & set(self.notation.names):
+            return False
+        return any(self.term(a)[0] < 0 for a in factor.args)
+
+    def product(self, factors: Sequence[sp.Expr], *, alone: bool = True) -> str:
+        """Factors side by side: constants, states, sums, and functions last."""
+        ordered = sorted(factors, key=self.place)
+        if alone and len(ordered) == 1:
+            return str(self._print(ordered[0]))
+        texts = [rf"\left({self._print(f)}\right)" if f.is_Add else self._print(f) for f in ordered]
+        # digits side by side would be one number
+        return " ".join(
+            rf"\cdot {text}" if place and text[0].isdigit() else text
+            for place, text in enumerate(texts)
+        )
+
+    def place(self, factor: sp.Expr) -> tuple[int, str]:
+        """Place of a factor in a product."""
+        base = factor.as_base_exp()[0]
+        if base.is_number and not isinstance(base, sp.cos | sp.sin):
+            return 0, str(factor)
+        if base.is_Add:
+            moving = any(map(self.notation.is_function, base.free_symbols))
+            entries = base.free_symbols & set(self.notation.projectors)
+            return 3, f"{2 if moving else 0 if entries else 1} {factor}"
+        if isinstance(base, sp.cos | sp.sin) or self.notation.is_function(base):
+            # without brackets of its own it ends a product
+            return _FUNCTIONS + 1, str(factor)
+        if base.is_Function or base == sp.E:
+            return _FUNCTIONS, str(factor)
+        if "_by_" in str(base):
+            return 4, str(factor)
+        if base in self.notation.constants:
+            return 1, str(factor)
+        return 2, str(factor)
+
+
+def _is_root_of_fraction(factor: sp.Expr) -> bool:
+    return bool(
+        factor.is_Pow and factor.exp == sp.Rational(1, 2) and sp.fraction(factor.base)[1] != 1
+    )

@@ -1,0 +1,239 @@
+"""Notation: how symbols and expressions of the derivation are written in LaTeX.
+
+One general rule, no table per orbit:
+
+* a name is letters and digits: Greek names become Greek letters, digits an index, the second
+  of two letters joins the index (``us1`` is u_{s1}, ``ta`` is t_a, ``z10`` is z_{10});
+* ``z1_3`` is a state behind phase 3, z_1^{(3)}, and ``z1_3_reset`` behind its transition;
+* ``z1_3_by_tau`` is its partial derivative;
+* values of a flow's functions are written as what they are, cos(omega_1 tau_1);
+* ``amplitude_tau2`` and its like belong to the dwell time that they name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.document.notation.printer import Printer
+
+__all__ = ["Notation"]
+
+_GREEK_NAMES = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau"
+    " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
+)
+_GREEK = tuple(_GREEK_NAMES.split())
+_WORDS = {
+    "gap": r"\Delta",
+    "mean": r"\mu",
+    "spread": r"\delta",
+    "equation": "F",
+    "coefficient": "a",
+    "right": "b",
+    "determinant": "D",
+    "numerator": "N",
+}
+_PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A", "rate": "s"}
+_NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
+_TURNED = re.compile(r"(cos|sin)_(\w+)_return")
+_WORD = r"[A-Za-z]\w*"
+_SUM = rf"{_WORD}(?:\s*[-+*/]\s*{_WORD})*"
+_EXPRESSION = re.compile(rf"(?<![-\w])(?:{_SUM}|\({_SUM}\))(?:\s*[-+*/]\s*(?:{_WORD}|\({_SUM}\)))*")
+
+
+@dataclass(frozen=True)
+class Notation:
+    """LaTeX of the symbols and expressions of one document.
+
+    Attributes
+    ----------
+    states : tuple of symbols
+    constants : tuple of symbols
+        Parameters and the spectrum.
+    functions : mapping of symbol to expression
+        Symbols that stand for values of functions of time, or for half a dwell time.
+    unknowns : tuple of symbols
+    start : mapping of symbol to int
+        Coordinates of the start, and which of the states each is.
+    projectors : tuple of symbols
+        Those of the spectrum that are entries of projectors.
+    names : mapping of symbol to LaTeX
+        Symbols that the document itself introduces.
+    """
+
+    states: tuple[sp.Symbol, ...]
+    constants: tuple[sp.Symbol, ...]
+    functions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    unknowns: tuple[sp.Symbol, ...] = ()
+    start: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    projectors: tuple[sp.Symbol, ...] = ()
+    names: Mapping[sp.Symbol, str] = field(default_factory=dict)
+
+    def with_names(self, names: Mapping[sp.Symbol, str]) -> Notation:
+        """The same notation with more symbols that the document introduces."""
+        return replace(self, names={**self.names, **names})
+
+    def symbol(self, name: sp.Symbol | str) -> str:
+        """LaTeX of a symbol."""
+        if isinstance(name, sp.Symbol) and name in self.names:
+            return self.names[name]
+        text = str(name)
+        inner, by, variable = text.rpartition("_by_")
+        if by:
+            return rf"\partial_{{{self.symbol(variable)}}} {self.symbol(inner)}"
+        if text in self._functions:
+            return self.latex(self._functions[text])
+        state = self._state_at(text)
+        if state:
+            base, index, mark = state
+            return f"{_identifier(base)}^{{({index}){mark}}}"
+        turned = _TURNED.fullmatch(text)
+        if turned:
+            return rf"\{turned[1]} \theta_{{{_identifier(turned[2])}}}"
+        for part, letter in _PARTS.items():
+            if text.startswith(f"{part}_"):
+                return f"{letter}_{{{_identifier(text.removeprefix(f'{part}_'))}}}"
+        return _identifier(text)
+
+    def latex(self, expression: Any) -> str:
+        """LaTeX of an expression or a matrix; one of a single entry is that entry."""
+        if getattr(expression, "shape", None) == (1, 1):
+            expression = expression[0]
+        return str(self._printer.doprint(expression))
+
+    def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
+        """LaTeX of a sum, cut in front of every sign at which a line may break."""
+        return self._printer.pieces(sp.sympify(expression))
+
+    def prose(self, text: str) -> str:
+        """Text in which the names of symbols, and arithmetic with them, are set as formulas."""
+
+        def formula(match: re.Match[str]) -> str:
+            found = match[0]
+            words = re.findall(_WORD, found)
+            if not all(self._is_name(w) for w in words):
+                return found if len(words) == 1 else re.sub(_WORD, single, found)
+            return f"${re.sub(_WORD, lambda m: self.symbol(m[0]), found)}$"
+
+        def single(match: re.Match[str]) -> str:
+            return f"${self.symbol(match[0])}$" if self._is_name(match[0]) else match[0]
+
+        return _EXPRESSION.sub(formula, text)
+
+    def plain(self, expression: sp.Expr) -> sp.Expr:
+        """An expression with powers of time, and halves of dwell times, written out."""
+        return sp.sympify(expression).xreplace(
+            {s: e for s, e in self.functions.items() if not e.is_Function}
+        )
+
+    def tidy(self, expression: sp.Expr) -> sp.Expr:
+        """Order an expression for reading: state by state, constants factored."""
+        expression = self.plain(expression)
+        if expression.has(sp.Function) or expression.is_Atom:
+            return expression
+        if any(p.exp == sp.Rational(1, 2) and p.base.is_Add for p in expression.atoms(sp.Pow)):
+            return expression
+        collected: dict[sp.Expr, sp.Expr] = {}
+        for term in sp.Add.make_args(sp.expand(expression)):
+            moving = sorted(term.free_symbols - set(self.constants), key=str)
+            factor, monomial = term.as_independent(*moving, as_Add=False)
+            collected[monomial] = collected.get(monomial, sp.Integer(0)) + factor
+        grouped: dict[sp.Expr, dict[sp.Expr, sp.Expr]] = {}
+        for monomial, factor in collected.items():
+            states = sorted((s for s in monomial.free_symbols if self.is_state(s)), key=str)
+            rest, state = monomial.as_independent(*states, as_Add=False)
+            inner = grouped.setdefault(state, {})
+            inner[rest] = inner.get(rest, sp.Integer(0)) + sp.factor(sp.cancel(factor))
+        sums: dict[sp.Expr, sp.Expr] = {}
+        for state, inner in grouped.items():
+            factor = sp.factor_terms(sp.Add(*(r * f for r, f in inner.items())))
+            # states with one factor up to its sign share it
+            opposite = next((f for f in sums if f == -factor), None)
+            if factor == 1 or factor == -1 or (factor not in sums and opposite is None):
+                key, sign = factor, 1
+            else:
+                key, sign = (factor, 1) if opposite is None else (opposite, -1)
+            sums[key] = sums.get(key, sp.Integer(0)) + sign * state
+        parts = [f * s if f.is_number else sp.Mul(f, s) for f, s in sums.items()]
+        return sp.factor_terms(sp.Add(*parts)) if len(parts) > 1 else sp.Add(*parts)
+
+    def is_state(self, symbol: sp.Symbol) -> bool:
+        """Whether a symbol is a state, at the start or behind a phase too, or its derivative."""
+        name = str(symbol).partition("_by_")[0]
+        return symbol in (*self.states, *self.start) or self._state_at(name) is not None
+
+    def place(self, symbol: sp.Symbol) -> int:
+        """Which of the states a symbol belongs to."""
+        if symbol in self.start:
+            return self.start[symbol]
+        name = str(symbol).partition("_by_")[0]
+        state = self._state_at(name)
+        return self._state_names.index(state[0] if state else name)
+
+    def is_function(self, symbol: sp.Symbol) -> bool:
+        """Whether a symbol is written as a function, without brackets behind it."""
+        known = self.functions.get(symbol)
+        return (known is not None and known.is_Function) or _TURNED.fullmatch(
+            str(symbol)
+        ) is not None
+
+    def term(self, term: sp.Expr) -> tuple[int, str]:
+        """Sign and LaTeX of a term of a sum."""
+        return self._printer.term(term)
+
+    def factor(self, factor: sp.Expr) -> tuple[int, str]:
+        """Sign and LaTeX of a factor, a sum in brackets."""
+        return self._printer.factor(factor)
+
+    def _state_at(self, name: str) -> tuple[str, str, str] | None:
+        match = re.fullmatch(r"(\w+?)_(\d+)(_reset)?", name)
+        if match is None or match[1] not in self._state_names:
+            return None
+        return match[1], match[2], "+" if match[3] else ""
+
+    def _is_name(self, word: str) -> bool:
+        known = word in self._known and (len(word) > 1 or word.isupper())
+        indexed = re.fullmatch(rf"[A-Za-z]{{1,2}}\d+|(?:{'|'.join(_GREEK)})\d*", word)
+        return known or indexed is not None or self._state_at(word) is not None
+
+    @cached_property
+    def _state_names(self) -> tuple[str, ...]:
+        return tuple(str(s) for s in self.states)
+
+    @cached_property
+    def _functions(self) -> dict[str, sp.Expr]:
+        return {str(s): e for s, e in self.functions.items()}
+
+    @cached_property
+    def _known(self) -> frozenset[str]:
+        return frozenset(str(s) for s in (*self.states, *self.constants, *self.unknowns))
+
+    @cached_property
+    def _printer(self) -> Printer:
+        return Printer(self)
+
+
+def _identifier(name: str) -> str:
+    """LaTeX of a plain name."""
+    match = _NAME.fullmatch(name)
+    if match is None:
+        return rf"\mathrm{{{name}}}".replace("_", r"\_")
+    stem, digits, rest = match.groups()
+    index = digits
+    if stem in _GREEK:
+        base = f"\\{stem}"
+    elif stem in _WORDS:
+        base = _WORDS[stem]
+    elif len(stem) <= 2:
+        base, index = stem[0], stem[1:] + digits
+    else:
+        base = rf"\mathrm{{{stem}}}"
+    extra = [f"\\{part}" if part in _GREEK else part for part in rest.split("_") if part]
+    index = ",".join(filter(None, (index, *extra)))
+    return f"{base}_{{{index}}}" if index else base

@@ -1,0 +1,122 @@
+"""The sections of a document on the chain of an orbit's states and on its equations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
+from nonsmooth.derive.document.notation.wording import count, enumeration, numbered
+from nonsmooth.derive.document.sections.describe_symmetry import REVERSOR
+from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.equations.chain import Link
+
+__all__ = ["chain_section", "equation_section"]
+
+
+def chain_section(view: View) -> list[Block]:
+    """Follow the states behind the phases, one by one."""
+    equations, naming = view.equations, view.naming
+    state, itinerary = naming.state, equations.itinerary
+    arrows = r" \;\to\; ".join(f"{state}^{{({k})}}" for k in range(len(view.links) + 1))
+    assigned = dict(a for s in equations.chain.stages for a in s.assignments)
+    lead = f"The flows carry the start through the phases, ${arrows}$."
+    if view.reversible:
+        lead += (
+            " The conditions halfway do without whole phases; the chain is what the Poincaré map"
+            f" is made of, and at the orbit it gives the images under ${REVERSOR}$ found above."
+        )
+    blocks: list[Block] = [Paragraph(lead)]
+    for index, (phase, link) in enumerate(zip(itinerary.phases, view.links, strict=True), start=1):
+        dwell = naming.notation.symbol(link.dwell)
+        flow = rf"\Phi_{{{view.numbers[phase.configuration]}}}({dwell})"
+        how = "for no time" if link.duration == 0 else f"for ${dwell}$ with ${flow}$"
+        blocks.append(Paragraph(f"Phase {index}, *{phase.configuration}* {how}:"))
+        blocks.append(Formula(tuple(_lines(view, index, assigned))))
+        transition = itinerary.transition_after(naming.system, index - 1)
+        if transition.reset:
+            rules = [_rule(view, s, e) for s, e in transition.reset.items()]
+            target = f"The transition to *{transition.target}*"
+            blocks.append(Paragraph(f"{target} {enumeration(rules)}."))
+    return blocks
+
+
+def _lines(view: View, index: int, assigned: dict[sp.Symbol, sp.Expr]) -> list[Line]:
+    """State at the end of one phase, written state by state."""
+    link, naming = view.links[index - 1], view.naming
+    lines = []
+    for row, (symbol, value) in enumerate(zip(naming.system.states, link.after, strict=True)):
+        named = sp.Symbol(f"{symbol}_{index}", real=True)
+        line = naming.equal(named, assigned.get(value, value))
+        if view.reversible or link.flow.configuration in view.centres.columns:
+            line = replace(line, pieces=_about_centre(view, link, row))
+        lines.append(line)
+    return lines
+
+
+def _about_centre(view: View, link: Link, row: int) -> tuple[str, ...]:
+    """One coordinate as a sum over the distances of all from their centre, in their order."""
+    notation, states = view.naming.notation, view.naming.system.states
+    centre = view.centres.columns.get(link.flow.configuration, sp.zeros(len(states), 1))
+    distances = [sp.Symbol(f"{s}_0", real=True) for s in states]
+    total = notation.tidy((link.transfer[row, :] * sp.Matrix(distances))[0])
+    inserted = {d: b - c for d, b, c in zip(distances, link.before, centre, strict=True)}
+    terms = sorted(
+        sp.Add.make_args(total),
+        key=lambda t: min(distances.index(d) for d in distances if d in t.free_symbols),
+    )
+    pieces = [notation.symbol(centre[row])] if centre[row] != 0 else []
+    for term in (t.xreplace(inserted) for t in terms):
+        if term == 0:
+            continue
+        first, *rest = notation.pieces(term)
+        sign = "+ " if pieces and not first.startswith("-") else ""
+        pieces += [f"{sign}{first}", *rest]
+    return tuple(pieces)
+
+
+def _rule(view: View, symbol: sp.Symbol, expression: sp.Expr) -> str:
+    """What a reset does to one state."""
+    notation = view.naming.notation
+    left, right = notation.symbol(symbol), notation.latex(notation.tidy(expression))
+    if expression.free_symbols & set(view.naming.system.states):
+        return f"takes ${left}$ to ${right}$"
+    return f"sets ${left} = {right}$"
+
+
+def equation_section(view: View) -> list[Block]:
+    """Number the switching and periodicity equations."""
+    equations = view.equations
+    counted = (
+        f" {count(len(equations.equations), 'equation')} for"
+        f" {count(len(equations.unknowns), 'unknown')}"
+    )
+    if view.reversible:
+        kept = any("halfway" not in meaning for meaning, _ in equations.equations)
+        lead = f"The conditions halfway through the phase{'' if len(view.links) == 1 else 's'}"
+        lead += f", and what the ends leave, make{counted}" if kept else f" make{counted}"
+        lead += (
+            f", {view.naming.list(equations.unknowns)}. Each is written function by function of"
+            " half the dwell time:"
+        )
+    else:
+        coordinates = equations.chain.start.coordinates
+        closed = {meaning for meaning, _ in equations.equations}
+        dropped = [q for q in coordinates if f"{q} returns" not in closed]
+        lead = (
+            "The switching condition of each phase and the closure of each of the start's own"
+            f" coordinates{_except(view, dropped)} make{counted}:"
+        )
+    labels = [str(i + 1) for i in range(len(equations.equations))]
+    formulas = numbered(view.naming, equations.equations, labels, view.conditions)
+    return [Paragraph(lead), *formulas]
+
+
+def _except(view: View, dropped: Sequence[sp.Symbol]) -> str:
+    """Name the coordinates that energy makes return, given that the others do."""
+    if not dropped:
+        return ""
+    names = view.naming.list(dropped)
+    return f" but {names}, which the energy makes return if all others do,"

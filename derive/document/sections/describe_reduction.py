@@ -1,0 +1,125 @@
+"""The section of a document on the reduction of an orbit's equations."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from nonsmooth.derive.document.blocks import Block, Formula, Paragraph, Table
+from nonsmooth.derive.document.notation.wording import Naming, count, numbered
+from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.equations.explicit import LINEAR, RETURN
+from nonsmooth.derive.equations.reduction import Elimination
+
+__all__ = ["numbered_rest", "reduction_section"]
+
+_FIRST_RETURN = (
+    r"A switching condition with one frequency and no drift has the form"
+    r" $a \cos\theta + b \sin\theta + c = 0$. That it rises through zero fixes the cosine and the"
+    r" sine of the angle $\theta = \omega\tau$; with $\operatorname{arg}$ in $[0, 2\pi)$ the dwell"
+    r" time is that of the first return."
+)
+
+
+def reduction_section(view: View) -> list[Block]:
+    """Tell what is eliminated along the chain, by which rule, and the equations that remain."""
+    equations, naming = view.equations, view.naming
+    notation, reduction = naming.notation, equations.reduction
+    if reduction.equations == equations.equations and not reduction.eliminations:
+        return [Paragraph("Nothing is eliminated: Newton's method works on the equations above.")]
+    turned = equations.itinerary.rotated(reduction.rotation)
+    phase = turned.phases[0]
+    left = count(len(reduction.unknowns), "unknown")
+    if reduction.unknowns:
+        left += f", {naming.list(reduction.unknowns)}"
+    blocks: list[Block] = [
+        Paragraph(
+            "Whatever is linear or explicit is eliminated. The chain is followed from the phase"
+            f" with the smallest section, *{phase.configuration}* (phase {reduction.rotation + 1}),"
+            f" and each switching condition is used as far as it goes, which leaves {left}."
+        )
+    ]
+    if reduction.eliminations:
+        rows = [
+            (f"${notation.symbol(e.unknown)}$", naming.prose(e.rule))
+            for e in reduction.eliminations
+        ]
+        blocks.append(Table(("Eliminated", "Rule"), tuple(rows)))
+    if any(e.rule == RETURN for e in reduction.eliminations):
+        blocks.append(Paragraph(_FIRST_RETURN))
+    blocks += _beyond(view)
+    blocks += _stages(view)
+    if reduction.equations:
+        blocks.append(
+            Paragraph(f"The reduced system has {count(len(reduction.equations), 'equation')}:")
+        )
+        blocks += numbered_rest(view)
+    else:
+        blocks.append(Paragraph("Nothing remains to be solved: the orbit is explicit."))
+    others = [(s, e) for s, e in reduction.values.items() if s != e and s in equations.unknowns]
+    if others:
+        blocks.append(Paragraph("The unknowns that do not appear among the stages are"))
+        blocks.append(Formula(tuple(naming.equal(s, e) for s, e in others)))
+    return blocks
+
+
+def _beyond(view: View) -> list[Block]:
+    """Say what states behind the last phase are, where the stages name them."""
+    state, phases = view.naming.state, len(view.links)
+    assigned = {str(s) for stage in view.equations.reduction.stages for s, _ in stage.assignments}
+    found = [
+        k
+        for k in range(phases + 1, 2 * phases)
+        if assigned & {f"{s}_{k}" for s in view.naming.system.states}
+    ]
+    return [
+        Paragraph(
+            f"Behind the last phase the count goes on: ${state}^{{({k})}}$ is the state behind"
+            f" phase {k - phases} of the next period."
+        )
+        for k in found
+    ]
+
+
+def numbered_rest(view: View) -> list[Formula]:
+    """The equations of the reduced system, counted on."""
+    reduction = view.equations.reduction
+    labels = [view.reduced_label(i) for i in range(len(reduction.equations))]
+    written = [expression for _, expression in view.reduction.equations]
+    return numbered(view.naming, reduction.equations, labels, written)
+
+
+def _stages(view: View) -> list[Block]:
+    """The stages of the reduction, each under its title."""
+    naming, reduction = view.naming, view.equations.reduction
+    shown = {a for s in view.equations.chain.stages for a in s.assignments}
+    titles: list[tuple[str, list[tuple[sp.Symbol, sp.Expr]]]] = []
+    for stage in reduction.stages:
+        kept = [a for a in stage.assignments if a[0] not in naming.notation.functions]
+        if titles and titles[-1][0] == stage.title:
+            titles[-1][1].extend(kept)
+        elif kept:
+            titles.append((stage.title, kept))
+    rules = {f"{e.unknown}: {e.rule}": e for e in reduction.eliminations}
+    blocks: list[Block] = []
+    for title, assignments in titles:
+        known = rules.get(title)
+        text = _sentence(naming, known) if known else naming.prose(title)
+        text = text[:1].upper() + text[1:]
+        if all(a in shown for a in assignments):
+            symbols = naming.list(s for s, _ in assignments)
+            blocks.append(Paragraph(f"{text}: {symbols} as in the chain of states."))
+            continue
+        blocks.append(Paragraph(f"{text}:"))
+        blocks.append(Formula(tuple(naming.equal(s, e) for s, e in assignments)))
+    return blocks
+
+
+def _sentence(naming: Naming, elimination: Elimination) -> str:
+    """Lead to the assignment by which an unknown was eliminated."""
+    symbol = f"${naming.notation.symbol(elimination.unknown)}$"
+    if elimination.rule == LINEAR:
+        return f"The switching condition is linear in {symbol}"
+    if elimination.rule == RETURN:
+        return f"Hence {symbol}, the first return"
+    boundary = elimination.rule.removeprefix("linear in ")
+    return f"The condition of {naming.prose(boundary)} is linear in {symbol}"

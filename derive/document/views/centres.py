@@ -1,0 +1,91 @@
+"""Centres of configurations, with letters of their own in the formulas of an orbit.
+
+Inside a configuration with the centre d, the state is d + Phi(t) (X(0) - d). The kernels
+compute with the parameters in place of d; a document writes d.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from nonsmooth.derive.flows.modal import Flow
+
+__all__ = ["Centres", "centre_of", "name_centres"]
+
+
+@dataclass(frozen=True)
+class Centres:
+    """Centres that differ from the origin, by configuration.
+
+    Attributes
+    ----------
+    columns : mapping of configuration to N x 1 matrix
+        Symbols of the coordinates that are not zero.
+    values : mapping of symbol to expression
+    names : mapping of symbol to LaTeX
+    """
+
+    columns: Mapping[str, sp.Matrix]
+    values: Mapping[sp.Symbol, sp.Expr]
+    names: Mapping[sp.Symbol, str]
+
+    def written(self, flow: Flow) -> Flow:
+        """A flow with the symbols of its centre in place of the parameters."""
+        column = self.columns.get(flow.configuration)
+        if column is None:
+            return flow
+        offsets = [
+            (column if function == 1 else 0 * column) - matrix * column
+            for function, matrix in zip(flow.basis, flow.matrices, strict=True)
+        ]
+        return replace(flow, offsets=tuple(sp.ImmutableMatrix(o) for o in offsets))
+
+
+def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
+    """Name the centres of an orbit's configurations, with a letter that nothing else has.
+
+    Parameters
+    ----------
+    flows : iterable of Flow
+    taken : iterable of str
+        LaTeX of all other symbols.
+    """
+    found = {f.configuration: c for f in flows if (c := centre_of(f)) and not c.is_zero_matrix}
+    used = set(taken)
+    columns: dict[str, sp.Matrix] = {}
+    values: dict[sp.Symbol, sp.Expr] = {}
+    names: dict[sp.Symbol, str] = {}
+    letters = ("d", "c", r"\bar{x}")
+    letter = next(
+        x for x in letters if not any(u.startswith(f"{x}_") for u in used) or x == letters[-1]
+    )
+    for configuration, centre in found.items():
+        which = "" if len(found) == 1 else rf"\text{{{configuration}}},"
+        column = sp.zeros(*centre.shape)
+        for place, value in enumerate(centre):
+            if value == 0:
+                continue
+            symbol = sp.Symbol(f"centre_of_{configuration}_{place}", real=True)
+            column[place], values[symbol] = symbol, value
+            names[symbol] = f"{letter}_{{{which}{place + 1}}}"
+        columns[configuration] = sp.ImmutableMatrix(column)
+    return Centres(columns, values, names)
+
+
+def centre_of(flow: Flow) -> sp.Matrix | None:
+    """Point c with y(t) - c = Phi(t) (y(0) - c), free components zero; None if there is none."""
+    matrix, offset = flow.field
+    size = matrix.rows
+    # states that drift come last, so that they are the free ones
+    drifting = (matrix * matrix).applyfunc(sp.cancel)
+    order = sorted(range(size), key=lambda i: (drifting[i, :].is_zero_matrix, i))
+    unknowns = sp.symbols(f"centre0:{size}")
+    solutions = sp.linsolve((matrix[:, order], -offset), *unknowns)
+    if not solutions:
+        return None
+    (solution,) = solutions
+    values = sp.Matrix(solution).subs(dict.fromkeys(unknowns, 0)).applyfunc(sp.factor)
+    return sp.Matrix([values[order.index(i)] for i in range(size)])

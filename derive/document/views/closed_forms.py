@@ -1,0 +1,53 @@
+"""Flows of those configurations that have a closed form in the parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.flows.modal import Flow, Spectrum, derive_flows
+
+__all__ = ["closed_flows", "without_numeric"]
+
+
+def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[str, Flow]]:
+    """Spectrum and flows of the named configurations, those without a closed form left out.
+
+    Parameters
+    ----------
+    system : System
+    names : iterable of str
+    """
+    chosen = [system.configuration(name) for name in names]
+    try:
+        return derive_flows(_alone(system, chosen))
+    except DerivationError:
+        closed = [c for c in chosen if _is_closed(system, c)]
+        return derive_flows(_alone(system, closed)) if closed else (Spectrum(()), {})
+
+
+def without_numeric(spectrum: Spectrum, flows: Mapping[str, Flow]) -> dict[str, Flow]:
+    """Flows in which no eigenvalue occurs that is found from numbers only."""
+    numeric = {symbol for group, _ in spectrum.eigenvalues for symbol in group}
+    return {
+        name: flow
+        for name, flow in flows.items()
+        if not any(function.free_symbols & numeric for function in flow.basis)
+    }
+
+
+def _is_closed(system: System, configuration: Configuration) -> bool:
+    try:
+        derive_flows(_alone(system, [configuration]))
+    except DerivationError:
+        return False
+    return True
+
+
+def _alone(system: System, configurations: Iterable[Configuration]) -> System:
+    """A system of these motions, without boundaries and what belongs to them."""
+    motions = tuple(Configuration(c.name, c.dynamics, ()) for c in configurations)
+    return replace(system, configurations=motions, transitions=(), contacts=())

@@ -1,0 +1,236 @@
+"""An itinerary as its document sees it: the section at its start, and transitions once each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.configuration import Boundary
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.declaration.translation import translations
+from nonsmooth.derive.document.notation.letters import Letters
+from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.equations.saltation import saltation_matrix
+from nonsmooth.derive.equations.section import Section, reset_matrix, section_of, start_of
+
+__all__ = ["Cycle", "Harmonic", "Passing", "harmonics_of"]
+
+
+@dataclass(frozen=True)
+class Passing:
+    """One transition of a cycle, with what its derivatives need.
+
+    Attributes
+    ----------
+    transition : Transition
+    boundary : Boundary
+        By which the phases in front of it are left.
+    phases : tuple of int
+        Numbers of those phases.
+    normal, constant : 1 x N matrix and expression
+        The boundary's function is ``normal y + constant``.
+    reset, jump : N x N and N x 1 matrices
+        The state behind the transition is ``reset y + jump``.
+    before, behind : N x 1 matrices
+        Vector fields in front of the transition and behind it, both of the state in front.
+    """
+
+    transition: Transition
+    boundary: Boundary
+    phases: tuple[int, ...]
+    normal: sp.Matrix
+    constant: sp.Expr
+    reset: sp.Matrix
+    jump: sp.Matrix
+    before: sp.Matrix
+    behind: sp.Matrix
+
+    @property
+    def rate(self) -> sp.Expr:
+        """Rate at which the boundary's function rises through zero."""
+        return sp.expand((self.normal * self.before)[0])
+
+    @property
+    def resets(self) -> bool:
+        """Whether the state jumps."""
+        unit = self.reset == sp.eye(self.reset.rows)
+        return not (unit and self.jump.is_zero_matrix)
+
+    def saltation(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
+        """Saltation matrix at a state on the boundary."""
+        matrix = saltation_matrix(self.reset, self.normal, self.before, self.behind)
+        return self._on_boundary(matrix, states)
+
+    def difference(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
+        """What the field behind has more than the reset of that in front, on the boundary."""
+        return self._on_boundary(self.behind - self.reset * self.before, states)
+
+    def _on_boundary(self, matrix: sp.Matrix, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
+        solved = _solved(self.normal, self.constant, states)
+        return sp.ImmutableMatrix(matrix.subs(solved).applyfunc(lambda e: sp.factor(sp.cancel(e))))
+
+
+@dataclass(frozen=True)
+class Harmonic:
+    """Two states that oscillate by themselves: first' = -a second, second' = b first.
+
+    Attributes
+    ----------
+    first, second : symbol
+    frequency : expression
+    invariant : expression
+        Quadratic function of both that keeps its value.
+    """
+
+    first: sp.Symbol
+    second: sp.Symbol
+    frequency: sp.Expr
+    invariant: sp.Expr
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """An itinerary with the notation and the letters in which it is written.
+
+    Attributes
+    ----------
+    itinerary : Itinerary
+    naming : Naming
+    letters : Letters
+    numbers : mapping of configuration to int
+        Number of each flow.
+    """
+
+    itinerary: Itinerary
+    naming: Naming
+    letters: Letters
+    numbers: Mapping[str, int]
+
+    @property
+    def system(self) -> System:
+        """The system as it is presented."""
+        return self.naming.system
+
+    @property
+    def count(self) -> int:
+        """Number of phases."""
+        return len(self.itinerary.phases)
+
+    @cached_property
+    def start(self) -> Section:
+        """The set on which the start lies."""
+        return start_of(self.itinerary, self.system, section_of(self.itinerary, self.system))
+
+    @cached_property
+    def passings(self) -> tuple[Passing, ...]:
+        """Transitions in the order in which they first occur."""
+        places: dict[tuple[str, str, str], list[int]] = {}
+        for index, phase in enumerate(self.itinerary.phases):
+            following = self.itinerary.phases[(index + 1) % self.count].configuration
+            key = phase.configuration, phase.boundary, following
+            places.setdefault(key, []).append(index + 1)
+        return tuple(self._passing(tuple(found)) for found in places.values())
+
+    @property
+    def distinct(self) -> bool:
+        """Whether every phase has a transition of its own."""
+        return len(self.passings) == self.count
+
+    @property
+    def phase(self) -> str:
+        """Index of a phase in formulas: a number where there is but one."""
+        return "k" if self.count > 1 else "1"
+
+    @property
+    def index(self) -> str:
+        """Index of a transition's letters in the formulas of a phase."""
+        return self.phase if self.distinct else "j(k)"
+
+    @property
+    def product(self) -> str:
+        """Sign of a product over the phases, the first on the right."""
+        return rf"\prod_{{k={self.count}}}^{{1}} " if self.count > 1 else ""
+
+    def number(self, phase: int) -> int:
+        """Number of the transition that ends a phase; both count from one."""
+        return next(i for i, p in enumerate(self.passings, start=1) if phase in p.phases)
+
+    @cached_property
+    def resets(self) -> bool:
+        """Whether the state jumps anywhere."""
+        return any(p.resets for p in self.passings)
+
+    @cached_property
+    def harmonics(self) -> tuple[Harmonic, ...]:
+        """Oscillations that nothing else acts on."""
+        return harmonics_of(self.itinerary, self.system)
+
+    @cached_property
+    def directions(self) -> sp.Matrix:
+        """Directions of the state that nothing depends on, as columns."""
+        return translations(self.system)
+
+    def _passing(self, phases: tuple[int, ...]) -> Passing:
+        system, states = self.system, self.system.states
+        phase = self.itinerary.phases[phases[0] - 1]
+        transition = self.itinerary.transition_after(system, phases[0] - 1)
+        source = system.configuration(phase.configuration)
+        boundary = source.boundary(phase.boundary)
+        normal, constant = system.gradient(boundary.function)
+        reset, jump = reset_matrix(transition.reset.items(), states)
+        state = sp.Matrix(states)
+        target = system.configuration(transition.target)
+        before = _velocity(source.dynamics.field(states), state)
+        behind = _velocity(target.dynamics.field(states), reset * state + jump)
+        return Passing(transition, boundary, phases, normal, constant, reset, jump, before, behind)
+
+
+def harmonics_of(itinerary: Itinerary, system: System) -> tuple[Harmonic, ...]:
+    """Pairs of states that oscillate by themselves all along an itinerary.
+
+    In every one of its configurations the two have the same equations, in which no other state
+    occurs, and no transition resets them.
+    """
+    states = system.states
+    names = dict.fromkeys(p.configuration for p in itinerary.phases)
+    fields = [system.configuration(name).dynamics.field(states) for name in names]
+    indices = range(len(itinerary.phases))
+    moved = {s for i in indices for s in itinerary.transition_after(system, i).reset}
+    matrix = fields[0][0]
+    found = []
+    for i in range(len(states)):
+        for j in range(i + 1, len(states)):
+            square = sp.cancel(-matrix[i, j] * matrix[j, i])
+            alone = all(
+                a[k, m] == (matrix[k, m] if {k, m} == {i, j} else 0) and b[k] == 0
+                for a, b in fields
+                for k in (i, j)
+                for m in range(len(states))
+            )
+            if alone and square.is_positive and not {states[i], states[j]} & moved:
+                ratio = sp.cancel(-matrix[i, j] / matrix[j, i])
+                invariant = states[i] ** 2 + ratio * states[j] ** 2
+                found.append(Harmonic(states[i], states[j], sp.sqrt(square), invariant))
+    return tuple(found)
+
+
+def _velocity(field: tuple[sp.Matrix, sp.Matrix], state: sp.Matrix) -> sp.Matrix:
+    matrix, offset = field
+    return sp.ImmutableMatrix((matrix * state + offset).applyfunc(sp.expand))
+
+
+def _solved(
+    normal: sp.Matrix, constant: sp.Expr, states: tuple[sp.Symbol, ...]
+) -> dict[sp.Symbol, sp.Expr]:
+    """A boundary solved for one of its states, one with a number for its coefficient first."""
+    places = [i for i, n in enumerate(normal) if n != 0]
+    if not places:
+        return {}
+    place = min(places, key=lambda i: not normal[i].is_number)
+    others = (normal * sp.Matrix(states))[0] - normal[place] * states[place] + constant
+    return {states[place]: sp.expand(-others / normal[place])}

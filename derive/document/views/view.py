@@ -1,0 +1,175 @@
+"""One orbit as its document sees it: the equations, how they are written, and their numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import TIME, System
+from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.views.centres import Centres, name_centres
+from nonsmooth.derive.equations.chain import Link
+from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.reduction import Reduction
+from nonsmooth.derive.equations.section import Section, section_of, start_of
+from nonsmooth.derive.equations.symmetry import half_phases, halfway, phase_starts, reversor_of
+from nonsmooth.derive.flows.modal import Flow
+
+__all__ = ["View", "functions_of", "view_of"]
+
+
+@dataclass(frozen=True)
+class View:
+    """An orbit's equations with the notation in which they are written.
+
+    Attributes
+    ----------
+    equations : EquationSystem
+    naming : Naming
+    centres : Centres
+    numbers : mapping of configuration to int
+        Number of each flow.
+    """
+
+    equations: EquationSystem
+    naming: Naming
+    centres: Centres
+    numbers: Mapping[str, int]
+
+    @property
+    def reversible(self) -> bool:
+        """Whether the orbit is sought among those that a reversor maps to themselves."""
+        return bool(self.equations.itinerary.reversor)
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """The phases of the chain."""
+        return self.equations.chain.links
+
+    @property
+    def flows(self) -> dict[str, Flow]:
+        """Flows of the orbit's configurations, each once."""
+        return {link.flow.configuration: link.flow for link in self.links}
+
+    @cached_property
+    def undecided(self) -> tuple[Itinerary, System, Section]:
+        """The itinerary, its system and its start before the closure has decided on values."""
+        equations, itinerary = self.equations, self.equations.itinerary
+        shown = itinerary.presentation
+        if equations.required and shown is not None:
+            kept = {s: e for s, e in shown.substitution.items() if s not in equations.required}
+            itinerary = replace(itinerary, presentation=replace(shown, substitution=kept))
+        system = itinerary.presented_system
+        return itinerary, system, start_of(itinerary, system, section_of(itinerary, system))
+
+    @cached_property
+    def images(self) -> tuple[sp.Matrix, ...]:
+        """States at the ends of the phases of a reversible orbit, in the start's coordinates."""
+        itinerary, system = self.equations.itinerary, self.equations.system
+        jump, shift = reversor_of(itinerary, system)
+        starts = phase_starts(itinerary, system, self.equations.chain.start)
+        return tuple(jump * state + shift for state in starts)
+
+    @cached_property
+    def conditions(self) -> tuple[sp.Expr, ...]:
+        """Left-hand sides of the equations as they are written: with the letters of centres."""
+        equations = self.equations
+        if not (self.reversible and self.centres.columns):
+            return tuple(equations.residual)
+        flows = {name: self.centres.written(flow) for name, flow in equations.flows.items()}
+        start = equations.chain.start
+        found = half_phases(equations.itinerary, equations.system, flows, start)
+        return tuple(expression for _, expression in found.equations)
+
+    @cached_property
+    def reduction(self) -> Reduction:
+        """The reduction as it is written: with the letters of centres."""
+        equations = self.equations
+        if not (self.reversible and self.centres.columns):
+            return equations.reduction
+        parameters = [p.symbol for p in equations.system.parameters]
+        spectrum, start = equations.spectrum, equations.chain.start
+        known = reference_values(equations.itinerary.reference, spectrum, parameters)
+        centres = self.centres.values
+        return eliminate_coordinates(
+            equations.stages,
+            [(m, e) for (m, _), e in zip(equations.equations, self.conditions, strict=True)],
+            start.coordinates,
+            [u for u in equations.unknowns if u not in start.coordinates],
+            {*parameters, *spectrum.symbols, *centres},
+            known and known | {s: e.xreplace(known) for s, e in centres.items()},
+            equations.reduction.rank,
+        )
+
+    @cached_property
+    def written(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """Expressions of the reduction's stages as they are written."""
+        return dict(a for stage in self.reduction.stages for a in stage.assignments)
+
+    def labels_of(self, meaning: str) -> list[str]:
+        """Numbers, in brackets, of the equations with a meaning."""
+        known = enumerate(self.equations.equations, start=1)
+        return [f"({i})" for i, (found, _) in known if found == meaning]
+
+    def reduced_label(self, index: int) -> str:
+        """Number of an equation of the reduced system; the count goes on."""
+        return str(len(self.equations.equations) + 1 + index)
+
+    @property
+    def trace_label(self) -> str:
+        """Number of the trace, behind the equations of both systems."""
+        reduction = self.equations.reduction
+        shown = reduction.equations if reduction.equations != self.equations.equations else ()
+        return self.reduced_label(len(shown))
+
+
+def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
+    """Notation of an orbit's document, and the centres that have a letter there."""
+    itinerary, system, start = equations.itinerary, equations.system, equations.chain.start
+    presentation = itinerary.presentation
+    states = presentation.states if presentation else ()
+    known = [*itinerary.system.parameters, *(presentation.parameters if presentation else ())]
+    # a given period stands where dwell times stand, behind the frequencies
+    known += [p for p in system.parameters if p not in (*known, itinerary.period)]
+    spectrum, flows = equations.spectrum, [link.flow for link in equations.chain.links]
+    constants = tuple(p.symbol for p in known) + spectrum.symbols
+    all_states = (*system.states, *(s for s in itinerary.system.states if s not in states))
+    frequencies = {s for f in flows for g in f.basis for s in g.free_symbols}
+    entries = {s for f in flows for m in f.matrices for s in m.free_symbols}
+    plain = Notation(all_states, constants)
+    taken = [plain.symbol(s) for s in (*constants, *all_states, *equations.unknowns)]
+    centres = name_centres(flows, taken)
+    section = equations.chain.section
+    notation = Notation(
+        all_states,
+        (*constants, *centres.values),
+        functions_of(equations),
+        equations.unknowns,
+        dict(zip(section.coordinates, section.places, strict=True))
+        | dict(zip(start.coordinates, start.places, strict=True)),
+        tuple(s for s in spectrum.symbols if s in entries - frequencies),
+        centres.names,
+    )
+    return Naming(notation, system), centres
+
+
+def functions_of(equations: EquationSystem) -> dict[sp.Symbol, sp.Expr]:
+    """Symbols that stand for values of functions of time, and those values."""
+    found = {
+        value: function.subs(TIME, link.dwell)
+        for link in equations.chain.links
+        for function, value in zip(link.flow.basis, link.functions, strict=True)
+        if value.is_Symbol and value != link.dwell
+    }
+    if equations.itinerary.reversor:
+        assigned = dict(a for stage in equations.stages for a in stage.assignments)
+        halves = {halfway(link.dwell): link.dwell / 2 for link in equations.chain.links}
+        halved = {s: e.subs(halves) for s, e in assigned.items() if set(halves) & e.free_symbols}
+        found |= halves | halved
+    return found

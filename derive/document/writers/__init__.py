@@ -1,0 +1,1 @@
+"""Documents as files: LaTeX and PDF, Markdown, HTML with MathML."""

@@ -1,0 +1,227 @@
+"""The chain of states along an itinerary: section, phases, transitions.
+
+Z0 -> Z1 -> ... -> Zp: the start lies on the section, each phase applies the flow of its
+configuration, each transition its reset. Everything about a periodic orbit (equations,
+Jacobians, Poincare map) is read off this chain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.program import Stage, assign
+from nonsmooth.derive.equations.section import Section, reset_matrix
+from nonsmooth.derive.flows.modal import TIME, Flow
+
+__all__ = [
+    "Chain",
+    "Link",
+    "derived_time",
+    "follow",
+    "name_functions",
+    "poincare_jacobian",
+    "sensitivities",
+]
+
+
+@dataclass(frozen=True)
+class Link:
+    """One phase of the chain, with its transition.
+
+    Attributes
+    ----------
+    flow : Flow
+    dwell : symbol
+        Its dwell time.
+    duration : expression
+        The dwell time in terms of the unknowns and parameters: the symbol itself, zero, or
+        what the others leave of a given period.
+    functions : tuple of expressions
+        Values of the flow's basis functions at the end of the phase.
+    before, after, following : N x 1 matrices
+        State at the start, at the end, and behind the transition.
+    normal : 1 x N matrix
+        Gradient of the exit boundary.
+    exit : expression
+        Exit boundary's function at the end: the switching condition is that it vanishes.
+    reset : N x N matrix
+        Linear part of the transition's reset.
+    """
+
+    flow: Flow
+    dwell: sp.Symbol
+    duration: sp.Expr
+    functions: tuple[sp.Expr, ...]
+    before: sp.Matrix
+    after: sp.Matrix
+    following: sp.Matrix
+    normal: sp.Matrix
+    exit: sp.Expr
+    reset: sp.Matrix
+
+    @property
+    def transfer(self) -> sp.Matrix:
+        """Phi of the whole phase."""
+        return self.flow.matrix(self.functions)
+
+    @property
+    def velocity(self) -> sp.Matrix:
+        """Vector field at the end of the phase: the state's derivative by the dwell time."""
+        return self.flow.velocity(self.after)
+
+
+@dataclass(frozen=True)
+class Chain:
+    """The start, links and the stages that compute their states.
+
+    `section` is the set on which the end of the last phase lands, `start` the one in whose
+    coordinates the start is sought; they differ only where an itinerary names more states.
+    """
+
+    section: Section
+    start: Section
+    links: tuple[Link, ...]
+    stages: tuple[Stage, ...]
+
+    @property
+    def end(self) -> sp.Matrix:
+        """State behind the last transition."""
+        return self.links[-1].following
+
+
+def follow(
+    itinerary: Itinerary,
+    system: System,
+    flows: Mapping[str, Flow],
+    section: Section,
+    start: Section,
+) -> Chain:
+    """Follow an itinerary from its start through all phases and transitions."""
+    states = system.states
+    begin, values = assign("start on the section", [f"{s}_0" for s in states], start.state)
+    stages, state, links = [begin], sp.Matrix(values), []
+    for index, phase in enumerate(itinerary.phases):
+        flow, dwell = flows[phase.configuration], dwell_symbol(phase.dwell_time)
+        duration = itinerary.duration(index)
+        stages.append(derived_time(dwell, duration))
+        naming, functions = name_functions(flow, dwell, duration if duration == 0 else dwell)
+        end = flow.matrix(functions) * state + flow.offset(functions)
+        names = [f"{s}_{index + 1}" for s in states]
+        title = f"{phase.configuration} for {dwell}, until {phase.boundary}"
+        step, values = assign(title, names, end)
+        after = sp.Matrix(values)
+        boundary = system.configuration(phase.configuration).boundary(phase.boundary)
+        normal, constant = system.gradient(boundary.function)
+        transition = itinerary.transition_after(system, index)
+        jump, values = assign(
+            f"transition to {transition.target}",
+            [f"{n}_reset" for n in names],
+            transition.reset_of(after, states),
+        )
+        following = sp.Matrix(values)
+        stages += [naming, step, jump]
+        links.append(
+            Link(
+                flow,
+                dwell,
+                duration,
+                tuple(functions),
+                state,
+                after,
+                following,
+                normal,
+                (normal * after)[0] + constant,
+                reset_matrix(transition.reset.items(), states)[0],
+            )
+        )
+        state = following
+    return Chain(section, start, tuple(links), tuple(s for s in stages if s.assignments))
+
+
+def sensitivities(
+    chain: Chain, states: Sequence[sp.Symbol], unknowns: Sequence[sp.Symbol]
+) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
+    """Derivatives of the state at each phase's end, and behind the last transition.
+
+    Columns follow `unknowns` (coordinates of the start, then dwell times). By the chain rule
+    S' = Phi S + f e^T, with f the vector field at the end and e the derivatives of the
+    phase's dwell time.
+    """
+    columns = len(unknowns)
+    matrix = sp.Matrix.hstack(
+        chain.start.embedding, sp.zeros(len(states), columns - chain.start.dimension)
+    )
+    stages, ends = [], []
+    for index, link in enumerate(chain.links):
+        moved = sp.Matrix(link.transfer * matrix)
+        for column, unknown in enumerate(unknowns):
+            moved[:, column] += sp.diff(link.duration, unknown) * link.velocity
+        names = [f"{s}_{index + 1}_by_{u}" for s in states for u in unknowns]
+        step, values = assign(f"derivatives of the state after {link.dwell}", names, moved)
+        ends.append(sp.Matrix(len(states), columns, values))
+        matrix = link.reset * ends[-1]
+        stages.append(step)
+    return tuple(stages), [*ends, matrix]
+
+
+def poincare_jacobian(
+    chain: Chain, states: Sequence[sp.Symbol]
+) -> tuple[tuple[Stage, ...], sp.Matrix]:
+    """Jacobian of the Poincare map on the section, as a product of local maps (Sec. 4).
+
+    Each phase carries a perturbation by Phi and projects it along the vector field onto
+    its exit boundary, (I - f n/(n f)) Phi; the transition's reset follows.
+    """
+    matrix, stages = chain.section.embedding, []
+    columns = [str(q) for q in chain.section.coordinates]
+    for index, link in enumerate(chain.links):
+        names = [f"carried_{s}_{index + 1}_by_{q}" for s in states for q in columns]
+        step, values = assign(f"Phi along {link.dwell}", names, link.transfer * matrix)
+        carried = sp.Matrix(len(states), len(columns), values)
+        velocity = link.velocity
+        rate, (speed,) = assign(
+            f"rate of the exit boundary after {link.dwell}",
+            [f"rate_{index + 1}"],
+            [(link.normal * velocity)[0]],
+        )
+        delays = [-(link.normal * carried[:, j])[0] / speed for j in range(len(columns))]
+        delay, values = assign(
+            f"derivatives of the time to the boundary after {link.dwell}",
+            [f"delay_{link.dwell}_by_{q}" for q in columns],
+            delays,
+        )
+        projected = carried + velocity * sp.Matrix(1, len(columns), values)
+        names = [f"{s}_{index + 1}_on_boundary_by_{q}" for s in states for q in columns]
+        landing, values = assign(
+            f"perturbation on the boundary after {link.dwell}", names, link.reset * projected
+        )
+        matrix = sp.Matrix(len(states), len(columns), values)
+        stages += [step, rate, delay, landing]
+    return tuple(stages), matrix.extract(list(chain.section.places), list(range(len(columns))))
+
+
+def derived_time(dwell: sp.Symbol, duration: sp.Expr) -> Stage:
+    """Stage that assigns a dwell time which is not an unknown; empty for one that is."""
+    derived = duration not in (dwell, 0)
+    return Stage(f"{dwell} completes the period", ((dwell, duration),) if derived else ())
+
+
+def name_functions(
+    flow: Flow, dwell: sp.Symbol, time: sp.Expr | None = None
+) -> tuple[Stage, list[sp.Expr]]:
+    """Name the values at the end of a phase of the functions of time in its flow.
+
+    The names are those of the dwell time; `time`, if given, is when the values are taken.
+    """
+    names: list[str] = []
+    for position, function in enumerate(flow.basis):
+        frequency = [str(s) for s in sorted(function.free_symbols - {TIME}, key=str)]
+        name = "_".join([type(function).__name__.lower(), *frequency, str(dwell)])
+        names.append(f"{name}_{position}" if name in names else name)
+    values = [function.subs(TIME, dwell if time is None else time) for function in flow.basis]
+    return assign(f"functions of {dwell} in {flow.configuration}", names, values)

@@ -1,0 +1,201 @@
+"""The pipeline of this package: from an itinerary to its equations, stage by stage."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.chain import Chain, follow
+from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
+from nonsmooth.derive.equations.energy import energy_of, is_conservative
+from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.reduction import reduce_itinerary, unreduced
+from nonsmooth.derive.equations.section import section_of, smallest_section, start_of
+from nonsmooth.derive.equations.symmetry import half_phases, required_values, vanishing_coordinates
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.flows.modal import Flow, Spectrum, derive_flows
+
+__all__ = ["derive_equations"]
+
+
+def derive_equations(itinerary: Itinerary) -> EquationSystem:
+    """Derive everything about one orbit; the pipeline of this package, stage by stage.
+
+    * the **presented system**: the declaration in the itinerary's coordinates;
+    * its **flows**: closed form inside each configuration, over one common spectrum;
+    * the **section** that the end of the last phase enforces, and the **start** on it;
+    * the **chain** of states: start, phases, transitions;
+    * the **equations**: one exit condition a phase, and the closure of the start; for a
+      reversible orbit, conditions halfway through the phases;
+    * the **reduction**: whatever is linear or explicit, eliminated.
+
+    Jacobians, Poincare map, trace and boundary functions are derived from these when an
+    emitter asks for them. Flows are those of modal analysis; the equations of the built-in orbits
+    are those of Pascal (2011); a perturbation passes a transition by the saltation matrix of
+    Aizerman and Gantmacher (1958).
+
+    Parameters
+    ----------
+    itinerary : Itinerary
+        With its system; its parameters are nondimensional, or in consistent units.
+
+    Returns
+    -------
+    EquationSystem
+        Unknowns, parameters, equations, and what is derived from them on demand.
+
+    Raises
+    ------
+    DerivationError
+        If a configuration has no closed form, the start satisfies no state, or the
+        itinerary gives more or fewer equations than unknowns.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import derive_equations
+    >>> from nonsmooth.derive.systems import rigid_stop
+    >>> (itinerary,) = rigid_stop.orbits
+    >>> derive_equations(itinerary).unknowns
+    (y, u)
+    """
+    required = _required(itinerary)
+    itinerary = itinerary.specialised(required)
+    system = itinerary.presented_system
+    spectrum, flows = derive_flows(system)
+    section = section_of(itinerary, system)
+    start = start_of(itinerary, system, section)
+    vanishing = vanishing_coordinates(itinerary, system, start) if itinerary.reversor else ()
+    start = start.without(vanishing)
+    chain = follow(itinerary, system, flows, section, start)
+    parameters = tuple(p.symbol for p in system.parameters)
+    dwell_times = tuple(
+        link.dwell
+        for link in chain.links
+        if link.duration == link.dwell and link.dwell not in parameters
+    )
+    swapped = tuple(s for s in parameters if str(s) in itinerary.solved_for)
+    if itinerary.reversor:
+        halves = half_phases(itinerary, system, flows, start)
+        stages, equations = halves.stages, halves.equations
+        reduction = eliminate_coordinates(
+            stages,
+            equations,
+            start.coordinates,
+            dwell_times,
+            {*parameters, *spectrum.symbols},
+            reference_values(itinerary.reference, spectrum, parameters),
+            smallest_section(itinerary, system)[1].dimension,
+        )
+    else:
+        stages, equations = chain.stages, _full_turn(itinerary, chain)
+        if itinerary.period is None:
+            reduction = reduce_itinerary(itinerary, system, flows, spectrum)
+        else:
+            known = reference_values(itinerary.reference, spectrum, parameters)
+            equations = _without_one(itinerary, system, chain, equations, known)
+            dimension = smallest_section(itinerary, system)[1].dimension
+            reduction = unreduced(start.coordinates + dwell_times, equations, stages, dimension)
+    unknowns = start.coordinates + dwell_times + swapped
+    if len(equations) != len(unknowns):
+        raise DerivationError(
+            f"itinerary {itinerary.name!r}: {len(equations)} equations for {len(unknowns)} unknowns"
+        )
+    _check_solvable(itinerary, swapped, spectrum, flows)
+    used = set().union(
+        *(e.free_symbols for _, e in equations),
+        *(e.free_symbols for stage in (*stages, *chain.stages) for _, e in stage.assignments),
+        spectrum.parameters,
+    )
+    limiting = set().union(
+        *(
+            boundary.function.free_symbols
+            for phase in itinerary.phases
+            for boundary in system.configuration(phase.configuration).boundaries
+        )
+    )
+    free = [s for s in parameters if s not in swapped]
+    return EquationSystem(
+        itinerary,
+        system,
+        spectrum,
+        flows,
+        chain,
+        unknowns,
+        stages,
+        equations,
+        tuple(s for s in free if s in used),
+        tuple(s for s in free if s in limiting - used),
+        reduction,
+        required,
+        vanishing,
+        is_conservative(itinerary, system),
+    )
+
+
+def _required(itinerary: Itinerary) -> dict[sp.Symbol, sp.Expr]:
+    """Values of parameters that a reversible orbit needs."""
+    if not itinerary.reversor:
+        return {}
+    system = itinerary.presented_system
+    start = start_of(itinerary, system, section_of(itinerary, system))
+    return required_values(itinerary, system, start)
+
+
+def _full_turn(itinerary: Itinerary, chain: Chain) -> tuple[tuple[str, sp.Expr], ...]:
+    """One exit condition a phase, and the closure of the start's coordinates."""
+    equations = [
+        (f"{phase.boundary} ends {phase.configuration}", sp.expand(link.exit))
+        for phase, link in zip(itinerary.phases, chain.links, strict=True)
+    ]
+    for coordinate, place in zip(chain.start.coordinates, chain.start.places, strict=True):
+        equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
+    return tuple(equations)
+
+
+def _without_one(
+    itinerary: Itinerary,
+    system: System,
+    chain: Chain,
+    equations: tuple[tuple[str, sp.Expr], ...],
+    known: Mapping[sp.Symbol, sp.Expr],
+) -> tuple[tuple[str, sp.Expr], ...]:
+    """The equations without one closure, which the first integral E makes redundant.
+
+    It is that of the coordinate q with the largest |dE/dq| at the known point: the others
+    would leave q undetermined to first order.
+    """
+    first = system.configuration(itinerary.phases[0].configuration)
+    energy = energy_of(first.dynamics, system.states)
+    if energy is None or not is_conservative(itinerary, system):
+        return equations
+    at_start = energy.subs(dict(zip(system.states, chain.start.state, strict=True)))
+    slopes = [abs(sp.diff(at_start, q).subs(known)) for q in chain.start.coordinates]
+    if not all(slope.is_number for slope in slopes):
+        raise DerivationError(
+            f"itinerary {itinerary.name!r}: a conservative orbit of given period needs a"
+            " reference with values of all its parameters and unknowns"
+        )
+    steepest = max(range(len(slopes)), key=lambda k: slopes[k])
+    dropped = len(chain.links) + steepest
+    return equations[:dropped] + equations[dropped + 1 :]
+
+
+def _check_solvable(
+    itinerary: Itinerary,
+    swapped: tuple[sp.Symbol, ...],
+    spectrum: Spectrum,
+    flows: Mapping[str, Flow],
+) -> None:
+    """Refuse to solve for a parameter on which the flows depend."""
+    moving = set(spectrum.parameters).union(
+        *(m.free_symbols for f in flows.values() for m in (*f.matrices, *f.offsets, *f.field))
+    )
+    for symbol in swapped:
+        if symbol in moving:
+            raise DerivationError(
+                f"itinerary {itinerary.name!r}: {symbol} changes the flows, so it cannot be"
+                " solved for in place of a dwell time"
+            )

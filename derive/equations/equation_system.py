@@ -1,0 +1,275 @@
+"""The frozen record of an orbit's equations, handed to every emitter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.chain import Chain, poincare_jacobian, sensitivities
+from nonsmooth.derive.equations.program import Stage, derivative_of, differentiate, prune
+from nonsmooth.derive.equations.reduction import Reduction
+from nonsmooth.derive.equations.section import Section, section_of
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
+from nonsmooth.derive.registry import registered
+
+__all__ = [
+    "BoundaryFunction",
+    "EquationSystem",
+]
+
+
+@dataclass(frozen=True)
+class BoundaryFunction:
+    """One boundary along one phase: a sum of functions of the time since its start.
+
+    Attributes
+    ----------
+    phase : int
+    boundary : str
+    coefficients : tuple of expressions
+        Constant, slope, cosine and sine amplitudes, for the frequencies of the phase.
+    open_parameter : symbol or None
+        A parameter that the equations leave open, entering as ``open_coefficient * it``.
+    open_coefficient : number
+    begins : bool
+        Whether the phase begins on the boundary, so that the sum is zero there.
+    """
+
+    phase: int
+    boundary: str
+    coefficients: tuple[sp.Expr, ...]
+    open_parameter: sp.Symbol | None
+    open_coefficient: sp.Expr
+    begins: bool
+
+
+@dataclass(frozen=True)
+class EquationSystem:
+    """Switching and periodicity equations of an itinerary, and all that is derived from them.
+
+    Attributes
+    ----------
+    itinerary : Itinerary
+    system : System
+        In the coordinates and parameters of the presentation.
+    spectrum : Spectrum
+    flows : mapping of configuration to Flow
+    chain : Chain
+        States from the section through all phases.
+    unknowns : tuple of symbols
+        Coordinates of the start, dwell times, then parameters that are solved for.
+    stages : tuple of Stage
+        What the equations are written in: the chain's, or those halfway through the phases.
+    equations : tuple of (meaning, expression)
+        As many as unknowns; each vanishes at the orbit.
+    parameters : tuple of symbols
+        Those that the equations contain.
+    open_parameters : tuple of symbols
+        Those that only admissibility depends on.
+    reduction : Reduction
+    required : mapping of symbol to number
+        Values of parameters without which there is no such orbit; they are inserted.
+    vanishing : tuple of symbols
+        Coordinates of the start that the closure makes zero.
+    conservative : bool
+        Whether energy is a first integral along the itinerary.
+    """
+
+    itinerary: Itinerary
+    system: System
+    spectrum: Spectrum
+    flows: Mapping[str, Flow]
+    chain: Chain
+    unknowns: tuple[sp.Symbol, ...]
+    stages: tuple[Stage, ...]
+    equations: tuple[tuple[str, sp.Expr], ...]
+    parameters: tuple[sp.Symbol, ...]
+    open_parameters: tuple[sp.Symbol, ...]
+    reduction: Reduction
+    required: Mapping[sp.Symbol, sp.Expr]
+    vanishing: tuple[sp.Symbol, ...]
+    conservative: bool
+
+    @property
+    def residual(self) -> list[sp.Expr]:
+        """Left-hand sides of the equations."""
+        return [expression for _, expression in self.equations]
+
+    @cached_property
+    def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+        """Stages and entries of the derivatives of the equations by the unknowns."""
+        itinerary = self.itinerary
+        if itinerary.reversor or itinerary.solved_for or itinerary.period is not None:
+            seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
+            stages, moving = differentiate(self.stages, seeds)
+            return stages, sp.Matrix(
+                [[derivative_of(e, moving[str(u)]) for u in self.unknowns] for e in self.residual]
+            )
+        stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
+        start = self.chain.start
+        rows = [link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)]
+        for column, place in enumerate(start.places):
+            closure = sp.Matrix(ends[-1][place, :])
+            closure[column] -= 1
+            rows.append(closure)
+        return stages, sp.Matrix.vstack(*rows)
+
+    @cached_property
+    def parameter_jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+        """Stages and entries of the total derivatives of the equations by the parameters."""
+        stages, moving = differentiate(self.stages, self.parameter_seeds)
+        return stages, sp.Matrix(
+            [[derivative_of(e, moving[str(p)]) for p in self.parameters] for e in self.residual]
+        )
+
+    @property
+    def parameter_seeds(self) -> dict[str, dict[sp.Symbol, sp.Expr]]:
+        """What moves with each parameter: itself, and the spectrum by its own derivatives."""
+        return {
+            str(p): {p: sp.Integer(1)}
+            | (
+                {s: spectral_derivative(s, p) for s in self.spectrum.symbols}
+                if p in self.spectrum.parameters
+                else {}
+            )
+            for p in self.parameters
+        }
+
+    @cached_property
+    def poincare_jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+        """Stages and entries of the Poincare map's Jacobian on the section."""
+        return poincare_jacobian(self.chain, self.system.states)
+
+    @cached_property
+    def trace(self) -> tuple[tuple[Stage, ...], sp.Expr]:
+        """Stages (all that are needed) and expression of the trace.
+
+        Zero where the orbit passes through a section that is a point, the slope of the map
+        in one variable where it passes through a line and the unknowns give all it needs,
+        otherwise the sum of the diagonal of the Poincare map's Jacobian.
+        """
+        if self.reduction.rank == 0:
+            return (), sp.Integer(0)
+        # a coordinate that stays unknown in the reduction has a name of its own there
+        own = [u for u in self.reduction.unknowns if u not in self.unknowns]
+        if self.reduction.start is not None and (not own or self.reduction.rotation == 0):
+            coordinates = self.chain.section.coordinates[: len(own)]
+            begin = Stage("start on the section", tuple(zip(own, coordinates, strict=True)))
+            stages, slope = self.reduction.slope()
+            return prune((begin, *self.reduction.stages, *stages), [slope]), slope
+        stages, matrix = self.poincare_jacobian
+        trace = sp.sympify(matrix.trace())
+        return prune((*self.chain.stages, *stages), [trace]), trace
+
+    @cached_property
+    def trace_gradient(self) -> tuple[tuple[Stage, ...], list[sp.Expr]]:
+        """Derivatives of the trace by the unknowns and, in total, by the parameters."""
+        stages, trace = self.trace
+        seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns} | self.parameter_seeds
+        more, moving = differentiate(stages, seeds)
+        return (*stages, *more), [derivative_of(trace, m) for m in moving.values()]
+
+    @property
+    def frequencies(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """Frequencies of each phase, in order."""
+        return tuple(_frequencies(link.flow) for link in self.chain.links)
+
+    @cached_property
+    def boundary_functions(self) -> tuple[BoundaryFunction, ...]:
+        """Every boundary of every phase's configuration, along that phase.
+
+        Raises
+        ------
+        DerivationError
+            If a boundary contains two open parameters, or a flow is no trigonometric sum.
+        """
+        found = []
+        for index, link in enumerate(self.chain.links):
+            configuration = self.system.configuration(link.flow.configuration)
+            oscillations = [g(w * TIME) for g in (sp.cos, sp.sin) for w in self.frequencies[index]]
+            basis = (sp.Integer(1), TIME, *oscillations)
+            begin = section_of(self.itinerary.rotated(index), self.system)
+            for boundary in configuration.boundaries:
+                row, constant = self.system.gradient(boundary.function)
+                opened = sorted(constant.free_symbols & set(self.open_parameters), key=str)
+                if len(opened) > 1:
+                    raise DerivationError(
+                        f"boundary {boundary.name!r}: {opened[0]} and {opened[1]} are both open"
+                    )
+                parameter = opened[0] if opened else None
+                slope = sp.diff(constant, parameter) if parameter else sp.Integer(0)
+                closed = sp.expand(constant - slope * parameter) if parameter else constant
+                values = dict(
+                    zip(link.flow.basis, link.flow.along(row, closed, link.before), strict=True)
+                )
+                found.append(
+                    BoundaryFunction(
+                        index,
+                        boundary.name,
+                        tuple(values.get(f, sp.Integer(0)) for f in basis),
+                        parameter,
+                        slope,
+                        _vanishes_on(begin, row, constant),
+                    )
+                )
+        return tuple(found)
+
+    @cached_property
+    def measures(self) -> tuple[sp.Symbol, ...]:
+        """Data of the size of the boundary functions, whose rounding these carry.
+
+        The start's coordinates, and the parameters in the boundaries.
+        """
+        boundaries = (
+            boundary.function
+            for phase in self.itinerary.phases
+            for boundary in self.system.configuration(phase.configuration).boundaries
+        )
+        contained = set().union(*(b.free_symbols for b in boundaries))
+        known = (*self.parameters, *self.unknowns)
+        coordinates = self.chain.start.coordinates
+        return tuple(s for s in known if s in contained or s in coordinates)
+
+    @cached_property
+    def _shown(self) -> list[tuple[str, str]]:
+        """LaTeX and meaning of each equation, as the document has them."""
+        lines: list[tuple[str, str]] = registered("equation_lines")(self)
+        return lines
+
+    def _repr_latex_(self) -> str:
+        latex: str = registered("equation_latex")(self._shown)
+        return latex
+
+    def _repr_html_(self) -> str | None:
+        name = f"{self.itinerary.system.name}/{self.itinerary.name}"
+        html: str | None = registered("equation_html")(self._shown, name)
+        return html
+
+
+def _vanishes_on(section: Section, row: sp.Matrix, constant: sp.Expr) -> bool:
+    """Whether an affine function of the state is zero on all of a section."""
+    values = [*(row * section.embedding), (row * section.constant)[0] + constant]
+    return all(sp.cancel(sp.expand(value)) == 0 for value in values)
+
+
+def _frequencies(flow: Flow) -> tuple[sp.Expr, ...]:
+    found: list[sp.Expr] = []
+    for function in flow.basis:
+        if isinstance(function, sp.cos):
+            found.append(function.args[0] / TIME)
+        elif not isinstance(function, sp.sin) and function not in (sp.Integer(1), TIME):
+            raise DerivationError(
+                f"configuration {flow.configuration!r}: {function} is no trigonometric sum"
+            )
+    return tuple(found)
+
+
+def spectral_derivative(entry: sp.Symbol, parameter: sp.Symbol) -> sp.Symbol:
+    """Symbol of the derivative of a spectral entry by a parameter."""
+    return sp.Symbol(f"{entry}_by_{parameter}", real=True)

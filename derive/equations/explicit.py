@@ -1,0 +1,131 @@
+"""Dwell times in closed form: exit conditions that are linear in time or have one frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from nonsmooth.derive.equations.program import Stage, assign
+from nonsmooth.derive.flows.modal import TIME
+
+__all__ = ["LINEAR", "RETURN", "Angle", "ExplicitTime", "explicit_time"]
+
+
+class Angle(sp.Function):
+    """Angle in [0, 2 pi) of a point (cosine, sine): written Angle(sine, cosine)."""
+
+    nargs = 2
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """Derivative by the sine (1) or the cosine (2)."""
+        sine, cosine = self.args
+        square = sine**2 + cosine**2
+        return cosine / square if argindex == 1 else -sine / square
+
+
+LINEAR, RETURN = "linear in time", "first return"
+
+
+@dataclass(frozen=True)
+class ExplicitTime:
+    """A dwell time in closed form: the rule, its stages, the functions it fixes, the time."""
+
+    rule: str
+    stages: tuple[Stage, ...]
+    functions: Mapping[sp.Expr, sp.Expr]
+    time: sp.Expr
+    identities: tuple[Mapping[sp.Expr, sp.Expr], ...] = ()
+
+    def shorten(self, expression: sp.Expr) -> sp.Expr:
+        """Apply what the rule knows about its own symbols."""
+        for identity in self.identities:
+            expression = sp.expand(expression.subs(identity, simultaneous=True))
+        return expression
+
+
+def explicit_time(
+    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, constants: set[sp.Symbol]
+) -> ExplicitTime | None:
+    """Closed form of the dwell time after which an exit condition is first met, if it has one.
+
+    Parameters
+    ----------
+    coefficients : mapping
+        The boundary's function of time: coefficient of each basis function.
+    dwell : symbol
+    constants : set of symbols
+        Parameters and spectrum: what does not belong to the state.
+    """
+    return _linear_time(coefficients) or _first_return(coefficients, dwell, constants)
+
+
+def _linear_time(coefficients: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None:
+    """Dwell time of an exit condition ``c + s t = 0``."""
+    present = {f: c for f, c in coefficients.items() if sp.expand(c) != 0}
+    if TIME not in present or set(present) - {sp.Integer(1), TIME}:
+        return None
+    constant = sp.expand(present.get(sp.Integer(1), sp.Integer(0)))
+    return ExplicitTime(LINEAR, (), {}, -constant / sp.factor(present[TIME]))
+
+
+def _first_return(
+    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, constants: set[sp.Symbol]
+) -> ExplicitTime | None:
+    """Dwell time of an exit condition ``a cos(w t) + b sin(w t) + c = 0``, rising.
+
+    Rising through zero the derivative is w s with s = sqrt(a^2 + b^2 - c^2), which fixes
+    cosine and sine; the angle in (0, 2 pi) is the first return.
+    """
+    present = {f: sp.expand(c) for f, c in coefficients.items()}
+    present = {f: c for f, c in present.items() if c != 0}
+    oscillating = [f for f in present if isinstance(f, sp.cos | sp.sin)]
+    arguments = {f.args[0] for f in oscillating}
+    if len(arguments) != 1 or set(present) - {sp.Integer(1), *oscillating}:
+        return None
+    (argument,) = arguments
+    cosine, sine = sp.cos(argument), sp.sin(argument)
+    title = f"first return of {dwell}"
+    parts, (a, b, c) = assign(
+        title,
+        [f"{part}_{dwell}" for part in ("cosine_part", "sine_part", "constant_part")],
+        [present.get(f, sp.Integer(0)) for f in (cosine, sine, sp.Integer(1))],
+    )
+    square = a**2 + b**2
+    identities: tuple[Mapping[sp.Expr, sp.Expr], ...] = ()
+    if c == 0:
+        scale, (r,) = assign(title, [f"amplitude_{dwell}"], [sp.sqrt(square)])
+        at = (b / r, -a / r)
+        if a.is_Symbol and b.is_Symbol:
+            parts_of = ((present[cosine], a), (present[sine], b))
+            identities = _amplitude_identities(parts_of, r, constants)
+    else:
+        scale, (s,) = assign(title, [f"rate_{dwell}"], [sp.sqrt(square - c**2)])
+        at = ((b * s - a * c) / square, -(b * c + a * s) / square)
+    naming, values = assign(title, [f"cos_{dwell}_return", f"sin_{dwell}_return"], at)
+    if identities:
+        identities = ({**identities[0], **dict(zip(values, at, strict=True))}, identities[1])
+    stages = tuple(s for s in (parts, scale, naming) if s.assignments)
+    time = Angle(values[1], values[0]) / (argument / TIME)
+    return ExplicitTime(RETURN, stages, {cosine: values[0], sine: values[1]}, time, identities)
+
+
+def _amplitude_identities(
+    parts: Sequence[tuple[sp.Expr, sp.Symbol]], r: sp.Expr, constants: set[sp.Symbol]
+) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr]]:
+    """State symbols in terms of a and b, and a^2 = r^2 - b^2: the state shrinks to r."""
+    states = sorted(set().union(*(e.free_symbols for e, _ in parts)) - constants, key=str)
+    solution = _linear_solution([e - s for e, s in parts], states)
+    solved = {x: v for x, v in zip(states, solution, strict=True) if x != v}
+    (_, a), (_, b) = parts
+    return solved, {a**2: r**2 - b**2}
+
+
+def _linear_solution(
+    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
+) -> Sequence[sp.Expr]:
+    """Solution of linear equations; the unknowns themselves where there is none."""
+    if any(sp.diff(e, x, y) != 0 for e in equations for x in unknowns for y in unknowns):
+        return unknowns
+    return next(iter(sp.linsolve(equations, unknowns)), unknowns)

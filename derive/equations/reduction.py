@@ -1,0 +1,363 @@
+"""Elimination of every unknown that is linear or explicit.
+
+The chain is followed once more, from the rotation of the itinerary whose section is
+smallest. On the way each exit condition is used as far as it goes:
+
+* it is linear in the dwell time (all coordinates held): the dwell time is explicit;
+* it has one frequency and no drift: cosine and sine of the angle are explicit, and the
+  dwell time is the first return;
+* it contains a section coordinate that is still unknown: linear in it, so the coordinate
+  is explicit and the dwell time stays as the unknown in its place;
+* otherwise the dwell time stays unknown and the condition stays an equation.
+
+With a section of dimension one this leaves a map in one variable: the coordinate q at the
+start as a function of one unknown, and the returning coordinate. Its slope is the only
+multiplier that can differ from zero, hence the trace.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, dwell_symbol
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.chain import name_functions
+from nonsmooth.derive.equations.explicit import LINEAR, ExplicitTime, explicit_time
+from nonsmooth.derive.equations.program import (
+    Stage,
+    assign,
+    derivative_of,
+    differentiate,
+    merged,
+    prune,
+)
+from nonsmooth.derive.equations.section import section_of, smallest_section
+from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
+
+__all__ = ["Elimination", "Reduction", "reduce_itinerary", "unreduced"]
+
+
+@dataclass(frozen=True)
+class Elimination:
+    """One unknown that the reduction made explicit, and by which rule."""
+
+    unknown: sp.Symbol
+    rule: str
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """The reduced system of an itinerary and the way back to all its unknowns.
+
+    Attributes
+    ----------
+    rotation : int
+        The reduction starts at this phase.
+    rank : int
+        Dimension of the section there, the smallest: no more multipliers differ from zero.
+    unknowns : tuple of symbols
+        What Newton's method works on.
+    equations : tuple of (meaning, expression)
+        As many, each zero at an orbit, in terms of the stages.
+    stages : tuple of Stage
+    values : mapping of symbol to expression
+        Every unknown of the full system, in terms of the stages.
+    eliminations : tuple of Elimination
+    rates : mapping of (symbol, dwell time) to expression
+        Derivative of a phase's last state by its dwell time: the vector field.
+    start : expression, or None
+        The single section coordinate q at the start, where the section has dimension one.
+    image : expression, or None
+        The same coordinate after one turn.
+    determinants : tuple of (determinant, bound)
+        Of linear equations that were solved: where one is far below its bound, the orbit is
+        not determined.
+    """
+
+    rotation: int
+    rank: int
+    unknowns: tuple[sp.Symbol, ...]
+    equations: tuple[tuple[str, sp.Expr], ...]
+    stages: tuple[Stage, ...]
+    values: Mapping[sp.Symbol, sp.Expr]
+    eliminations: tuple[Elimination, ...]
+    rates: Mapping[tuple[sp.Symbol, str], sp.Expr]
+    start: sp.Expr | None
+    image: sp.Expr | None
+    determinants: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+
+    def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+        """Stages and entries of the derivatives of the equations by the unknowns."""
+        seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
+        stages, moving = differentiate(
+            self.needed([e for _, e in self.equations]), seeds, self.rates
+        )
+        entries = [
+            [derivative_of(equation, moving[str(u)]) for u in self.unknowns]
+            for _, equation in self.equations
+        ]
+        return stages, sp.Matrix(entries)
+
+    def slope(self) -> tuple[tuple[Stage, ...], sp.Expr]:
+        """Slope of the map in one variable, by the implicit function theorem.
+
+        The unknowns x follow the coordinate q(x) at the start along all equations but the
+        last, which is the closure q(image) = q(start); in general q depends on the first
+        unknown alone.
+        """
+        if self.start is None or self.image is None:
+            raise ValueError("the reduction has no map in one variable")
+        stages, jacobian = self.jacobian()
+        base = self.needed([self.start, self.image])
+        seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
+        more, moving = differentiate(base, seeds, self.rates)
+        by = [derivative_of(self.image, moving[str(u)]) for u in self.unknowns]
+        rates = [derivative_of(self.start, moving[str(u)]) for u in self.unknowns]
+        start_rate, numerator = rates[0], by[0]
+        followers = len(self.unknowns) - 1
+        if any(rates[1:]):
+            # the coordinate moves with several unknowns: the tangent t of the equations
+            # with (dq/dx) t = 1 carries it
+            rows = sp.Matrix.vstack(jacobian[:followers, :], sp.Matrix([rates]))
+            names = [f"equation{i}_by_{u}" for i in range(followers) for u in self.unknowns]
+            names += [f"start_by_{u}" for u in self.unknowns]
+            step, values = assign("derivatives of the equations and of the start", names, rows)
+            right = sp.Matrix([0] * followers + [1])
+            tangent = sp.Matrix(*rows.shape, values).LUsolve(right)
+            slope = sum((b * e for b, e in zip(by, tangent, strict=True)), sp.Integer(0))
+            return (*merged(stages, more), step), slope
+        if followers:
+            names = [f"equation{i}_by_{u}" for i in range(followers) for u in self.unknowns]
+            step, values = assign("derivatives of the equations", names, jacobian[:followers, :])
+            stages = (*stages, step)
+            rows = sp.Matrix(followers, followers + 1, values)
+            response = -rows[:, 1:].LUsolve(rows[:, 0])
+            numerator += sum(b * r for b, r in zip(by[1:], response, strict=True))
+        return merged(stages, more), numerator / start_rate
+
+    def needed(self, expressions: Sequence[sp.Expr]) -> tuple[Stage, ...]:
+        """The stages that the expressions need."""
+        return prune(self.stages, expressions)
+
+
+@dataclass
+class _Draft:
+    """What one turn along the itinerary has collected so far."""
+
+    constants: set[sp.Symbol]
+    unsolved: list[sp.Symbol]
+    stages: list[Stage] = field(default_factory=list)
+    equations: list[tuple[str, sp.Expr]] = field(default_factory=list)
+    unknowns: list[sp.Symbol] = field(default_factory=list)
+    eliminations: list[Elimination] = field(default_factory=list)
+    values: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    linear_times: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    rates: dict[tuple[sp.Symbol, str], sp.Expr] = field(default_factory=dict)
+    solved: list[Stage] = field(default_factory=list)
+
+    def settle(self) -> None:
+        """Assign the solved coordinates, the last one first: the others contain it."""
+        self.stages += reversed(self.solved)
+        self.solved = []
+
+
+@dataclass(frozen=True)
+class _Exit:
+    """A phase, its flow, its dwell time and the boundary that ends it."""
+
+    phase: Phase
+    flow: Flow
+    dwell: sp.Symbol
+    gradient: tuple[sp.Matrix, sp.Expr]
+
+    @property
+    def meaning(self) -> str:
+        """What its exit condition says."""
+        return f"{self.phase.boundary} ends {self.phase.configuration}"
+
+    def condition(self, state: sp.Matrix) -> sp.Expr:
+        """Boundary's function at a state."""
+        row, constant = self.gradient
+        return sp.expand((row * state)[0] + constant)
+
+
+def reduce_itinerary(
+    itinerary: Itinerary, system: System, flows: Mapping[str, Flow], spectrum: Spectrum
+) -> Reduction:
+    """Derive the reduced system of an itinerary; see the module's description.
+
+    With parameters to solve for there is no map in one variable: they stay along it.
+    """
+    count = len(itinerary.phases)
+    rotation, section = smallest_section(itinerary, system)
+    turned, original = itinerary.rotated(rotation), section_of(itinerary, system)
+
+    # the states behind phase k carry the index k; so do the coordinates of this section
+    coordinates = [sp.Symbol(f"{system.states[i]}_{rotation}", real=True) for i in section.places]
+    constants = {p.symbol for p in system.parameters} | set(spectrum.symbols)
+    draft = _Draft(constants, list(coordinates))
+    state = section.state.subs(dict(zip(section.coordinates, coordinates, strict=True)))
+    for index, phase in enumerate(turned.phases):
+        if (index + rotation) % count == 0:
+            start = [state[i] for i in original.places]
+            draft.values |= dict(zip(original.coordinates, start, strict=True))
+        boundary = system.configuration(phase.configuration).boundary(phase.boundary)
+        leaving = _Exit(
+            phase,
+            flows[phase.configuration],
+            dwell_symbol(phase.dwell_time),
+            system.gradient(boundary.function),
+        )
+        # beyond the last phase the count goes on: the return is not the start
+        names = [f"{s}_{index + rotation + 1}" for s in system.states]
+        follow = _at_once if phase.dwell_time in itinerary.vanishing else _through
+        after = follow(draft, leaving, state, names)
+        state = turned.transition_after(system, index).reset_of(after, system.states)
+
+    draft.settle()
+    images = [
+        _canonical(state[place].subs(draft.linear_times), constants) for place in section.places
+    ]
+    for coordinate, image in zip(coordinates, images, strict=True):
+        draft.equations.append((f"{coordinate} returns", image - coordinate))
+    swapped = [p.symbol for p in system.parameters if p.name in itinerary.solved_for]
+    draft.values |= {s: s for s in swapped}
+    wanted = [e for _, e in draft.equations] + list(draft.values.values())
+    one = section.dimension == 1 and not swapped
+    return Reduction(
+        rotation,
+        section.dimension,
+        tuple(draft.unsolved + draft.unknowns + swapped),
+        tuple(draft.equations),
+        prune(draft.stages, wanted),
+        draft.values,
+        tuple(draft.eliminations),
+        draft.rates,
+        coordinates[0] if one else None,
+        images[0] if one else None,
+    )
+
+
+def unreduced(
+    unknowns: Sequence[sp.Symbol],
+    equations: Sequence[tuple[str, sp.Expr]],
+    stages: Sequence[Stage],
+    rank: int,
+) -> Reduction:
+    """Equations as they are, where nothing is eliminated."""
+    values = {u: u for u in unknowns}
+    return Reduction(
+        0, rank, tuple(unknowns), tuple(equations), tuple(stages), values, (), {}, None, None
+    )
+
+
+def _through(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
+    """Follow one phase, use its exit condition as far as it goes, and give the state at its end."""
+    flow, dwell = leaving.flow, leaving.dwell
+    draft.values[dwell] = dwell
+    coefficients = dict(zip(flow.basis, flow.along(*leaving.gradient, state), strict=True))
+    explicit = explicit_time(coefficients, dwell, draft.constants)
+    if explicit is not None:
+        after = _at_explicit_time(draft, leaving, explicit, coefficients, state)
+        if not draft.unsolved:
+            draft.settle()
+        return after
+    draft.unknowns.append(dwell)
+    naming, functions = name_functions(flow, dwell)
+    draft.stages.append(naming)
+    after = flow.matrix(functions) * state + flow.offset(functions)
+    used = bool(draft.unsolved)
+    if used:
+        after = _use_for_coordinate(draft, leaving, after)
+    if draft.unsolved:
+        return after
+    draft.settle()
+    step, values = assign(f"{leaving.phase.configuration} for {dwell}", names, after)
+    draft.stages.append(step)
+    after = sp.Matrix(values)
+    if not used:
+        velocity = flow.velocity(after)
+        draft.rates |= {(s, str(dwell)): v for s, v in zip(after, velocity, strict=True)}
+        draft.equations.append((leaving.meaning, leaving.condition(after)))
+    return after
+
+
+def _at_once(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
+    """A phase that takes no time: its exit condition is one on the state at its start."""
+    if draft.unsolved:
+        return _use_for_coordinate(draft, leaving, state)
+    step, values = assign(f"{leaving.phase.configuration} for no time", names, state)
+    draft.stages.append(step)
+    draft.equations.append((leaving.meaning, leaving.condition(sp.Matrix(values))))
+    return sp.Matrix(values)
+
+
+def _at_explicit_time(
+    draft: _Draft,
+    leaving: _Exit,
+    explicit: ExplicitTime,
+    coefficients: Mapping[sp.Expr, sp.Expr],
+    state: sp.Matrix,
+) -> sp.Matrix:
+    """End of a phase whose dwell time is explicit."""
+    flow, dwell = leaving.flow, leaving.dwell
+    # the dwell time depends on these coordinates: no later condition is linear in them
+    entering = set().union(*(sp.expand(c).free_symbols for c in coefficients.values()))
+    draft.unknowns += [q for q in draft.unsolved if q in entering]
+    draft.unsolved = [q for q in draft.unsolved if q not in entering]
+    draft.stages += explicit.stages
+    draft.stages.append(Stage(f"{dwell}: {explicit.rule}", ((dwell, explicit.time),)))
+    draft.eliminations.append(Elimination(dwell, explicit.rule))
+    if explicit.rule == LINEAR:
+        draft.linear_times[dwell] = explicit.time
+    functions = [explicit.functions.get(f, f.subs(TIME, dwell)) for f in flow.basis]
+    after = flow.matrix(functions) * state + flow.offset(functions)
+    return after.applyfunc(lambda e: _canonical(explicit.shorten(e), draft.constants))
+
+
+def _use_for_coordinate(draft: _Draft, leaving: _Exit, after: sp.Matrix) -> sp.Matrix:
+    """Solve an exit condition for a section coordinate; without one it stays an equation."""
+    condition = leaving.condition(after)
+    chosen = next((q for q in draft.unsolved if sp.diff(condition, q) != 0), None)
+    if chosen is None:
+        draft.equations.append((leaving.meaning, condition))
+        return after
+    slope = sp.diff(condition, chosen)
+    solution = _canonical(-sp.expand(condition - slope * chosen) / slope, draft.constants)
+    rule = f"linear in {leaving.phase.boundary}"
+    draft.eliminations.append(Elimination(chosen, rule))
+    draft.solved.append(Stage(f"{chosen}: {rule}", ((chosen, solution),)))
+    draft.unsolved.remove(chosen)
+    if draft.unsolved:  # the solution contains them: later conditions must see them
+        substituted = after.subs(chosen, solution)
+        step, after = _affine_in(draft.unsolved, substituted, leaving.dwell)
+        draft.stages.append(step)
+    return after
+
+
+def _affine_in(
+    coordinates: Sequence[sp.Symbol], state: sp.Matrix, dwell: sp.Symbol
+) -> tuple[Stage, sp.Matrix]:
+    """Name the coefficients of a state that is affine in some section coordinates."""
+    zero = dict.fromkeys(coordinates, 0)
+    parts = [(1, [e.subs(zero) for e in state])]
+    parts += [(q, [sp.diff(e, q) for e in state]) for q in coordinates]
+    names = [f"part{i}_of_{q}_{dwell}" for q, column in parts for i in range(len(column))]
+    expressions = [sp.factor_terms(e) for _, column in parts for e in column]
+    step, values = assign(f"state after {dwell}, affine in the section", names, expressions)
+    total, size = sp.zeros(state.rows, 1), state.rows
+    for k, (q, _) in enumerate(parts):
+        total += q * sp.Matrix(values[k * size : (k + 1) * size])
+    return step, total
+
+
+def _canonical(expression: sp.Expr, constants: set[sp.Symbol]) -> sp.Expr:
+    """Polynomial in the stages' symbols with factored coefficients, so that what cancels goes."""
+    collected: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(sp.expand(expression)):
+        coefficient, monomial = term.as_independent(*(term.free_symbols - constants), as_Add=False)
+        collected[monomial] = collected.get(monomial, 0) + coefficient
+    return sp.Add(*(sp.factor(sp.cancel(c)) * monomial for monomial, c in collected.items()))

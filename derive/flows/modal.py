@@ -1,0 +1,358 @@
+"""Flows of configurations in closed form, by modal analysis.
+
+With the free coordinates f and the held ones h, an undamped configuration reads
+
+    x_f'' + L x_f = q - P x_h,   x_h = x_h(0) + v_h t,
+    L = M_ff^-1 K_ff,  P = M_ff^-1 K_fh,  q = M_ff^-1 load_f,
+
+and its flow is a sum of functions of time times constant matrices,
+
+    y(t) = sum_b phi_b(t) (B_b y(0) + beta_b).
+
+Where L has provably positive, distinct eigenvalues on the whole parameter domain the
+functions are 1, t, cos(omega t) and sin(omega t), with frequencies that are radicals of the
+parameters. Elsewhere they are the entire functions of :mod:`nonsmooth.derive.flows.entire`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from itertools import count
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.system import TIME, System
+from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.flows.entire import EntireDifference, EntirePair
+
+__all__ = ["TIME", "Flow", "Spectrum", "derive_flows"]
+
+# function of time, row block, column block (or "1" for the offset), matrix
+_Term = tuple[sp.Expr, str, str, sp.Matrix]
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Frequencies and projector coefficients: all that needs a root of the parameters.
+
+    Attributes
+    ----------
+    entries : tuple of (symbol, expression)
+        In order of evaluation; an expression may use the symbols before it.
+    eigenvalues : tuple of (symbols, matrix)
+        Eigenvalues without a closed form: the symbols stand for those of the matrix.
+    """
+
+    entries: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    eigenvalues: tuple[tuple[tuple[sp.Symbol, ...], sp.Matrix], ...] = ()
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """All spectral symbols in order."""
+        return tuple(s for s, _ in self.entries) + tuple(
+            s for group, _ in self.eigenvalues for s in group
+        )
+
+    @property
+    def parameters(self) -> tuple[sp.Symbol, ...]:
+        """Symbols of the parameters that the spectrum depends on, by name."""
+        inputs = set().union(
+            *(e.free_symbols for _, e in self.entries),
+            *(m.free_symbols for _, m in self.eigenvalues),
+        )
+        return tuple(sorted(inputs - set(self.symbols), key=str))
+
+
+@dataclass(frozen=True)
+class Flow:
+    """Closed-form solution inside one configuration.
+
+    Attributes
+    ----------
+    configuration : str
+    basis : tuple of expressions in `TIME`
+        Functions phi_b.
+    matrices : tuple of N x N matrices
+        B_b, constant in time.
+    offsets : tuple of N x 1 matrices
+        beta_b, constant in time.
+    field : pair (A, b)
+        Vector field y' = A y + b.
+    """
+
+    configuration: str
+    basis: tuple[sp.Expr, ...]
+    matrices: tuple[sp.Matrix, ...]
+    offsets: tuple[sp.Matrix, ...]
+    field: tuple[sp.Matrix, sp.Matrix]
+
+    def matrix(self, functions: Iterable[sp.Expr] | None = None) -> sp.Matrix:
+        """Phi(t), with the basis functions replaced by `functions` when given."""
+        return self._sum(self.matrices, functions)
+
+    def offset(self, functions: Iterable[sp.Expr] | None = None) -> sp.Matrix:
+        """Phi(t)-independent part of the solution."""
+        return self._sum(self.offsets, functions)
+
+    def _sum(self, terms: tuple[sp.Matrix, ...], functions: Iterable[sp.Expr] | None) -> sp.Matrix:
+        total = sp.zeros(*terms[0].shape)
+        for function, term in zip(functions or self.basis, terms, strict=True):
+            total += function * term
+        return total
+
+    def velocity(self, state: sp.Matrix) -> sp.Matrix:
+        """Vector field at a state: the derivative of the flow by time."""
+        matrix, offset = self.field
+        return matrix * state + offset
+
+    def along(self, row: sp.Matrix, constant: sp.Expr, state: sp.Matrix) -> tuple[sp.Expr, ...]:
+        """Coefficients, one for each basis function, of ``row y(t) + constant``."""
+        coefficients = [
+            (row * (matrix * state + offset))[0]
+            for matrix, offset in zip(self.matrices, self.offsets, strict=True)
+        ]
+        coefficients[self.basis.index(sp.Integer(1))] += constant
+        return tuple(coefficients)
+
+
+class _Names:
+    """Spectral symbols in use, so that equal expressions of two configurations share one."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self.taken = set(taken)  # names of the states and parameters
+        self.entries: dict[sp.Expr, sp.Symbol] = {}
+        self.eigenvalues: list[tuple[tuple[sp.Symbol, ...], sp.Matrix]] = []
+
+    def symbol(self, stem: str, expression: sp.Expr) -> sp.Expr:
+        """Symbol that stands for the expression; the expression itself if it is a number."""
+        expression = sp.sympify(expression)
+        if expression.is_number or expression.is_Symbol:
+            return expression
+        if expression not in self.entries:
+            assumptions = {"positive": True} if expression.is_positive else {"real": True}
+            self.entries[expression] = sp.Symbol(self._fresh(stem), **assumptions)
+        return self.entries[expression]
+
+    def numeric(self, matrix: sp.Matrix) -> tuple[sp.Symbol, ...]:
+        """Symbols for the eigenvalues of a matrix that have no closed form."""
+        for group, known in self.eigenvalues:
+            if known == matrix:
+                return group
+        group = tuple(sp.Symbol(self._fresh("lambda")) for _ in range(matrix.rows))
+        self.eigenvalues.append((group, matrix))
+        return group
+
+    def _fresh(self, stem: str) -> str:
+        """A name that nothing bears yet: the stem and a number."""
+        name = next(n for n in (f"{stem}{i}" for i in count(1)) if n not in self.taken)
+        self.taken.add(name)
+        return name
+
+
+def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
+    """Flow of every configuration and the spectrum that they share.
+
+    Raises
+    ------
+    DerivationError
+        For a configuration whose closed form is not available here: damping, or a general
+        first-order form.
+    """
+    names = _Names([*map(str, system.states), *(p.name for p in system.parameters)])
+    flows = {c.name: _flow(c, system, names) for c in system.configurations}
+    entries = tuple((symbol, expression) for expression, symbol in names.entries.items())
+    return Spectrum(entries, tuple(names.eigenvalues)), flows
+
+
+def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
+    dynamics = configuration.dynamics
+    if not isinstance(dynamics, SecondOrder) or not dynamics.damping.is_zero_matrix:
+        raise DerivationError(
+            f"configuration {configuration.name!r}: the closed form covers undamped"
+            " second-order motions only"
+        )
+    size = dynamics.mass.rows
+    held = sorted(dynamics.held_at(system.states))
+    free = [i for i in range(size) if i not in held]
+    inverse = dynamics.mass.extract(free, free).inv()
+    stiffness = (inverse * dynamics.stiffness.extract(free, free)).applyfunc(sp.cancel)
+    coupling = (inverse * dynamics.stiffness.extract(free, held)).applyfunc(sp.cancel)
+    load = (inverse * dynamics.load.extract(free, [0])).applyfunc(sp.cancel)
+    terms = _held_terms(len(held))
+    if free:
+        modes = _positive_modes(stiffness, system.parameters, names)
+        terms += (
+            _entire_terms(stiffness, coupling, load, _functions_of(stiffness, names))
+            if modes is None
+            else _oscillating_terms(stiffness, coupling, load, modes)
+        )
+    matrices, offsets = _assemble(terms, size, free, held)
+    return Flow(
+        configuration.name,
+        tuple(matrices),
+        tuple(sp.ImmutableMatrix(m) for m in matrices.values()),
+        tuple(sp.ImmutableMatrix(o) for o in offsets.values()),
+        dynamics.field(system.states),
+    )
+
+
+def _held_terms(size: int) -> list[_Term]:
+    """Held coordinates move with the velocity that the state carries."""
+    one, identity = sp.Integer(1), sp.eye(size)
+    return [
+        (one, "xh", "xh", identity),
+        (TIME, "xh", "vh", identity),
+        (one, "vh", "vh", identity),
+    ]
+
+
+def _positive_modes(
+    stiffness: sp.Matrix, parameters: tuple[Parameter, ...], names: _Names
+) -> list[tuple[sp.Expr, sp.Matrix]] | None:
+    """Frequencies and projectors of L if its eigenvalues are provably positive and distinct."""
+    size = stiffness.rows
+    if size == 1:
+        if not is_positive(stiffness[0], parameters):
+            return None
+        return [(names.symbol("omega", sp.sqrt(stiffness[0])), sp.eye(1))]
+    if size > 2:
+        return None
+    a, b, c, d = stiffness
+    trace, determinant = a + d, sp.factor(a * d - b * c)
+    discriminant = (a - d) ** 2 + 4 * b * c
+    if not all(is_positive(e, parameters) for e in (trace, determinant, discriminant)):
+        return None
+    separation = discriminant / trace**2
+    if separation.is_number and separation < sp.Rational(1, 10**4):
+        return None  # known to nearly coalesce: the projectors would cancel
+    gap = names.symbol("gap", sp.sqrt(discriminant))
+    faster = names.symbol("omega", sp.sqrt((trace + gap) / 2))
+    # the smaller root by the product of both: a difference would cancel
+    slower = names.symbol("omega", sp.sqrt(determinant) / faster)
+    p = names.symbol("p", (1 + (a - d) / gap) / 2)
+    q, r = names.symbol("p", b / gap), names.symbol("p", c / gap)
+    projector = sp.Matrix([[p, q], [r, 1 - p]])
+    return [(faster, projector), (slower, sp.eye(2) - projector)]
+
+
+def _oscillating_terms(
+    stiffness: sp.Matrix,
+    coupling: sp.Matrix,
+    load: sp.Matrix,
+    modes: list[tuple[sp.Expr, sp.Matrix]],
+) -> list[_Term]:
+    """Blocks of the flow where L is nonsingular.
+
+    w = x_f + G x_h - s with G = L^-1 P and s = L^-1 q obeys w'' + L w = 0.
+    """
+    quasi_static = (stiffness.LUsolve(coupling)).applyfunc(sp.cancel)
+    centre = (stiffness.LUsolve(load)).applyfunc(sp.cancel)
+    one = sp.Integer(1)
+    terms: list[_Term] = [
+        (one, "xf", "xh", -quasi_static),
+        (one, "xf", "1", centre),
+        (one, "vf", "vh", -quasi_static),
+        (TIME, "xf", "vh", -quasi_static),
+    ]
+    for omega, projector in modes:
+        cosine, sine = sp.cos(omega * TIME), sp.sin(omega * TIME)
+        for row, column, function, matrix in (
+            ("xf", "x", cosine, projector),
+            ("xf", "v", sine, projector / omega),
+            ("vf", "x", sine, -omega * projector),
+            ("vf", "v", cosine, projector),
+        ):
+            terms.append((function, row, f"{column}f", matrix))
+            terms.append((function, row, f"{column}h", matrix * quasi_static))
+            if column == "x":
+                terms.append((function, row, "1", -matrix * centre))
+    return terms
+
+
+def _entire_terms(
+    stiffness: sp.Matrix,
+    coupling: sp.Matrix,
+    load: sp.Matrix,
+    function: Callable[[int], list[tuple[sp.Expr, sp.Matrix]]],
+) -> list[_Term]:
+    """Blocks of the flow for any L, from c_0(L), ..., c_3(L) (variation of constants)."""
+    terms: list[_Term] = []
+    for k, row, column, factor in (
+        (0, "xf", "xf", sp.eye(stiffness.rows)),
+        (1, "xf", "vf", sp.eye(stiffness.rows)),
+        (2, "xf", "xh", -coupling),
+        (3, "xf", "vh", -coupling),
+        (2, "xf", "1", load),
+        (1, "vf", "xf", -stiffness),
+        (0, "vf", "vf", sp.eye(stiffness.rows)),
+        (1, "vf", "xh", -coupling),
+        (2, "vf", "vh", -coupling),
+        (1, "vf", "1", load),
+    ):
+        for scalar, matrix in function(k):
+            terms.append((scalar, row, column, matrix * factor))
+    return terms
+
+
+def _functions_of(
+    stiffness: sp.Matrix, names: _Names
+) -> Callable[[int], list[tuple[sp.Expr, sp.Matrix]]]:
+    """c_k(L) as a sum of entire scalar functions times polynomials of L, for each k."""
+    size = stiffness.rows
+    identity = sp.eye(size)
+    if size == 2 and not stiffness.is_zero_matrix:
+        a, b, c, d = stiffness
+        mean = names.symbol("mean", (a + d) / 2)
+        spread = names.symbol("spread", ((a - d) / 2) ** 2 + b * c)
+        deviation = stiffness - (a + d) / 2 * identity
+        return lambda k: [
+            (EntirePair(k, 0, 0, TIME, mean, spread), identity),
+            (EntirePair(k, 0, 1, TIME, mean, spread), deviation),
+        ]
+    if stiffness.is_zero_matrix:
+        nodes: tuple[sp.Expr, ...] = (sp.Integer(0),)
+    elif size == 1:
+        nodes = (names.symbol("lambda", stiffness[0]),)
+    else:
+        nodes = names.numeric(stiffness)
+    products = [identity]
+    for node in nodes[:-1]:
+        products.append(products[-1] * (stiffness - node * identity))
+    return lambda k: [
+        (EntireDifference(k, TIME, *nodes[: i + 1]), product) for i, product in enumerate(products)
+    ]
+
+
+def _assemble(
+    terms: list[_Term], size: int, free: list[int], held: list[int]
+) -> tuple[dict[sp.Expr, sp.Matrix], dict[sp.Expr, sp.Matrix]]:
+    """Blocks of free and held coordinates, placed in the matrices of the whole state."""
+    places = {
+        "xf": free,
+        "xh": held,
+        "vf": [size + i for i in free],
+        "vh": [size + i for i in held],
+    }
+    matrices: dict[sp.Expr, sp.Matrix] = {}
+    offsets: dict[sp.Expr, sp.Matrix] = {}
+    for function, row, column, block in terms:
+        # a multiple of a power of time joins the others of that power
+        scale, function = function.as_independent(TIME, as_Add=False)
+        matrix = matrices.setdefault(function, sp.zeros(2 * size, 2 * size))
+        offset = offsets.setdefault(function, sp.zeros(2 * size, 1))
+        for i, target in enumerate(places[row]):
+            for j in range(block.cols):
+                if column == "1":
+                    offset[target, 0] += scale * block[i, j]
+                else:
+                    matrix[target, places[column][j]] += scale * block[i, j]
+    kept = [
+        f
+        for f in matrices
+        if f == 1 or not (matrices[f].is_zero_matrix and offsets[f].is_zero_matrix)
+    ]
+    return {f: matrices[f] for f in kept}, {f: offsets[f] for f in kept}

@@ -1,0 +1,40 @@
+"""Functions and classes by name, for what stands below the modules that hold them.
+
+A system gives its own kernels and the equations of an orbit show themselves in a notebook, but a
+declaration knows no emitter and equations know no document. They ask here by name. The package
+says where each name stands; the module is imported when the name is first asked for.
+"""
+
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any
+
+__all__ = ["register", "registered"]
+
+_MODULES: dict[str, str] = {}
+
+
+def register(modules: Mapping[str, str]) -> None:
+    """Say in which modules names stand.
+
+    Parameters
+    ----------
+    modules : mapping of str to str
+        From a name to the full name of its module.
+    """
+    _MODULES.update(modules)
+
+
+def registered(name: str) -> Any:
+    """Give what stands under a name, and import its module if need be.
+
+    Parameters
+    ----------
+    name : str
+
+    Raises
+    ------
+    KeyError
+        If the name is not registered.
+    """
+    return getattr(import_module(_MODULES[name]), name)

@@ -1,0 +1,118 @@
+"""Public names say what they take, give, refuse, and how they are used.
+
+numpydoc sections are demanded of what `nonsmooth` and `nonsmooth.derive` export: of functions, of
+classes and of the public methods of these. Ruff's pydocstyle cannot tell whether they are complete.
+"""
+
+import ast
+import inspect
+import re
+import textwrap
+from collections.abc import Callable, Iterator
+from dataclasses import fields, is_dataclass
+from functools import cached_property
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nonsmooth
+import nonsmooth.derive
+
+ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "NoConvergence"}
+# they are being made one record and one function
+TO_BE_WRITTEN = {
+    "ComposedOrbit",
+    "Orbit",
+    "Orbits",
+    "compose_many",
+}
+
+
+def public() -> Iterator[tuple[str, str, Any]]:
+    """Kind, name and object of each public class, function, method and property."""
+    for package in (nonsmooth, nonsmooth.derive):
+        for name in package.__all__:
+            found = getattr(package, name)
+            if inspect.isfunction(found):
+                yield "function", name, found
+            elif inspect.isclass(found):
+                yield "class", name, found
+                for attribute, member in vars(found).items():
+                    if isinstance(member, property | cached_property):
+                        inner = member.fget if isinstance(member, property) else member.func
+                        kind = "property"
+                    else:
+                        inner, kind = getattr(member, "__func__", member), "method"
+                    if not attribute.startswith("_") and inspect.isfunction(inner):
+                        yield kind, f"{name}.{attribute}", inner
+
+
+PUBLIC = [
+    (kind, name, found)
+    for kind, name, found in public()
+    if name.partition(".")[0] not in TO_BE_WRITTEN
+]
+
+
+def sections(docstring: str) -> dict[str, str]:
+    """Text of each section of a docstring, that of the summary under an empty name."""
+    parts = re.split(r"^(\w+)\n-{3,}$", inspect.cleandoc(docstring), flags=re.MULTILINE)
+    return {"": parts[0]} | dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+def entries(section: str) -> set[str]:
+    """Names that a section of parameters or attributes describes."""
+    heads = (line.partition(" : ")[0] for line in section.splitlines() if line[:1].strip())
+    return {name.strip().lstrip("*") for head in heads for name in head.split(",")}
+
+
+def raised(function: Callable[..., Any]) -> set[str]:
+    """Errors of the package that the body of a function raises by itself."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
+    calls = (n.exc for n in ast.walk(tree) if isinstance(n, ast.Raise))
+    return {c.func.id for c in calls if isinstance(c, ast.Call) and isinstance(c.func, ast.Name)}
+
+
+@pytest.mark.parametrize(("kind", "name", "found"), PUBLIC, ids=[name for _, name, _ in PUBLIC])
+def test_docstrings_are_complete(kind: str, name: str, found: Any) -> None:
+    told = sections(found.__doc__ or "")
+    summary = told[""].strip().partition("\n")[0]
+    assert summary.endswith((".", ":")), f"no summary in one line: {summary!r}"
+    if kind == "class":
+        described = entries(told.get("Parameters", "") + told.get("Attributes", ""))
+        own = fields(found) if is_dataclass(found) else ()
+        wanted = {f.name for f in own if not f.name.startswith("_")}
+        assert wanted <= described, f"not described: {sorted(wanted - described)}"
+        return
+    signature = inspect.signature(found)
+    wanted = set(signature.parameters) - {"self", "cls"}
+    described = entries(told.get("Parameters", ""))
+    assert wanted == described, f"not described, or not there: {sorted(wanted ^ described)}"
+    if kind != "property" and signature.return_annotation not in (None, "None"):
+        assert "Returns" in told
+    missing = {error for error in raised(found) & ERRORS if error not in told.get("Raises", "")}
+    assert not missing, f"raised and not told: {sorted(missing)}"
+    if kind == "function":
+        assert "Examples" in told
+
+
+@pytest.mark.parametrize(
+    ("body", "missing"),
+    [
+        ("def f(a): 'Do.'", "not described"),
+        ("def f() -> int: 'Do.'", "Returns"),
+        ("def f() -> None: 'Do.'", "Examples"),
+        ("def f() -> None:\n    'Do.'\n    raise InputError('no')", "raised and not told"),
+        ("def f(): 'Do'", "no summary"),
+    ],
+)
+def test_what_is_missing_is_found(
+    body: str, missing: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(tmp_path)
+    name = f"told_{abs(hash(body))}"
+    (tmp_path / f"{name}.py").write_text(f"from __future__ import annotations\n\n{body}\n")
+    with pytest.raises(AssertionError, match=missing):
+        test_docstrings_are_complete("function", "f", import_module(name).f)

@@ -1,0 +1,55 @@
+"""The examples in docstrings are true: each runs by itself, in an empty folder."""
+
+import doctest
+import pkgutil
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import nonsmooth
+from nonsmooth.runtime.simulation.engines import compiled_engine
+
+# simulate many motions, which takes minutes in Python
+COMPILED = {"find_orbits", "load_found", "load_sweep", "lyapunov", "simulate_many", "sweep"}
+
+
+def with_examples() -> list[str]:
+    """Names of the modules whose sources show a prompt; importing all would take seconds."""
+    names = []
+    for module in pkgutil.walk_packages(nonsmooth.__path__, "nonsmooth."):
+        origin = module.module_finder.find_spec(module.name, None).origin
+        if origin and origin.endswith(".py") and ">>> " in Path(origin).read_text(encoding="utf-8"):
+            names.append(module.name)
+    return names
+
+
+def examples() -> list[object]:
+    """Give the examples of all docstrings, those of one docstring together."""
+    finder = doctest.DocTestFinder(exclude_empty=True)
+    found = [test for name in with_examples() for test in finder.find(import_module(name))]
+    return [
+        pytest.param(
+            test,
+            id=test.name.removeprefix("nonsmooth."),
+            marks=[
+                pytest.mark.compiled,
+                pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine"),
+            ]
+            if test.name.rpartition(".")[2] in COMPILED
+            else [],
+        )
+        for test in found
+        if test.examples
+    ]
+
+
+@pytest.mark.parametrize("example", examples())
+def test_examples(
+    example: doctest.DocTest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
+    report: list[str] = []
+    failed, _ = doctest.DocTestRunner().run(example, out=report.append)
+    assert not failed, "".join(report)
