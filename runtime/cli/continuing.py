@@ -22,7 +22,7 @@ from nonsmooth.runtime.cli.application import (
 from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
 from nonsmooth.runtime.cli.options import AsJson, OrbitName
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.cli.display_branches import Others
     from nonsmooth.runtime.core.values import Value
     from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
     from nonsmooth.runtime.orbits.orbit import Orbit
 

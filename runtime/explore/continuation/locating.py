@@ -20,7 +20,8 @@ from numpy.polynomial import Polynomial
 from scipy.optimize import brentq, minimize_scalar
 
 from nonsmooth.runtime.explore.continuation.between_points import Samples, Track
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors
 from nonsmooth.runtime.explore.continuation.orbit_family import Curve
 from nonsmooth.runtime.explore.continuation.stepping import on_chord
