@@ -22,7 +22,9 @@ FRICTION = {"chi": 0.4, "eta": 4, "V": 0.6773, "us1": 0.0127, "ur1": 0.0255, "us
 
 def composed() -> Any:
     phases = [("free", "first-reaches-stop")]
-    return ns.compose("rigid-stop", TWO_MASSES | {"r": 1}, phases, [6.28], period="2*pi")
+    return ns.solve(
+        "rigid-stop", TWO_MASSES | {"r": 1}, [6.28], itinerary=phases, given={"period": "2*pi"}
+    )
 
 
 def found() -> Any:

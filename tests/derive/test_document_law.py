@@ -36,7 +36,7 @@ from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.itinerary import Itinerary
 from nonsmooth.derive.system import System
 from nonsmooth.derive.unfolding import unfolded
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits import orbit as solved_orbits
 from tests.documents import GALLERY, document_of, names
 from tests.documents import declarations as all_declarations
 
@@ -113,7 +113,7 @@ def law_of(name: str) -> CycleLaw:
     itinerary = all_declarations()[name]
     assert isinstance(itinerary, Itinerary)
     solved = ns.solve(f"{GALLERY}/{name.replace('/', '.py:')}")
-    assert isinstance(solved, ComposedOrbit)
+    assert isinstance(solved, solved_orbits.Orbit)
     document, itinerary = describe_itinerary(itinerary), unfolded(itinerary)
     system = itinerary.presented_system
     spectrum, found = closed_flows(system, dict.fromkeys(p.configuration for p in itinerary.phases))

@@ -176,7 +176,7 @@ def test_a_given_period_may_span_the_box() -> None:
 
 
 @cache
-def impacts() -> ns.ComposedOrbit:
+def impacts() -> ns.Orbit:
     """An impact in each period of the forcing."""
     w, size, c = sp.symbols("w F c")
     system = load_system(
@@ -187,11 +187,11 @@ def impacts() -> ns.ComposedOrbit:
                         Parameter("c", "damping")],
         )
     )  # fmt: skip
-    return ns.compose(
+    return ns.solve(
         system,
         {"w": "13/5", "F": "7/10", "c": "1/10"},
-        [("free", "wall-reaches-stop")],
         [2 * math.pi / 2.6],
+        itinerary=[("free", "wall-reaches-stop")],
     )
 
 
@@ -203,7 +203,9 @@ def test_forced_orbits_over_frequency_and_force() -> None:
     # Liouville: the product of the multipliers is r^2 e^(-c T), whatever the force is
     for w in ("2.58", "2.6", "2.62"):
         values = {"w": w, "F": "0.7", "c": "0.1"}
-        orbit = ns.compose(impacts().kernels, values, impacts().itinerary, [2 * math.pi / 2.6])
+        orbit = ns.solve(
+            impacts().kernels, values, [2 * math.pi / 2.6], itinerary=impacts().itinerary
+        )
         trace = found.enclosures["trace"]
         assert trace.lower <= orbit.trace <= trace.upper
 

@@ -282,8 +282,8 @@ def test_margins_are_true() -> None:
     orbit = ns.solve(STICK, {"us1": 1, "us2": 1})
     first = ns.certify(orbit)
     values = {name: value.text for name, value in first.parameters.items()}
-    dwell = list(orbit.dwell_times.values())
-    composed = ns.compose("dry-friction", values, first.itinerary, dwell)
+    dwell = orbit.dwell_times.tolist()
+    composed = ns.solve("dry-friction", values, dwell, itinerary=first.itinerary)
     certificate = ns.certify(composed)
     motion = composed.trajectory()
     system = composed.piecewise
@@ -383,7 +383,9 @@ def test_an_orbit_is_the_same_by_either_route() -> None:
     derived = ns.certify(ns.solve("elastic-stop/one-contact"))
     values = {name: value.text for name, value in derived.parameters.items()}
     dwell = [float(derived.enclosures[name]) for name in derived.dwell_names]
-    composed = ns.compose("elastic-stop", values, derived.itinerary, dwell, period="2*pi")
+    composed = ns.solve(
+        "elastic-stop", values, dwell, itinerary=derived.itinerary, given={"period": "2*pi"}
+    )
     certificate = ns.certify(composed)
     assert certificate.claims == derived.claims
     assert certificate.trace.ball.overlaps(derived.trace.ball)

@@ -337,7 +337,7 @@ def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path)
     file.write_text(SLIDING)
     motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
     itinerary, dwell, start = itinerary_of(motion)
-    orbit = ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist())
+    orbit = ns.solve(str(file), {}, [*dwell.tolist(), *start.tolist()], itinerary=itinerary)
     assert orbit.admissibility.verdict is True
     proof = ns.certify(orbit)
     assert set(proof.claims.values()) == {"proved"}

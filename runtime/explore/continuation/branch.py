@@ -17,7 +17,6 @@ from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
 from nonsmooth.runtime.explore.continuation.physical_parameters import composed_family
 from nonsmooth.runtime.explore.continuation.table_family import ComposedCurve
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -52,7 +51,7 @@ class Branch:
         Why the branch ends, at its beginning and at its end.
     start : int
         Which of the points it was followed from.
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         That point.
     """
 
@@ -74,7 +73,7 @@ class Branch:
     def __len__(self) -> int:
         return len(self.parameter_values)
 
-    def orbit_at(self, place: int | Event) -> Orbit | ComposedOrbit:
+    def orbit_at(self, place: int | Event) -> Orbit:
         """The orbit at a point of the branch, by its number, or at an event.
 
         Raises
@@ -88,7 +87,7 @@ class Branch:
             z = np.append(self.unknowns[place], self.parameter_values[place])
         else:
             raise InputError(f"the branch has {len(self)} points, no point {place}")
-        orbit: Orbit | ComposedOrbit = curve_of(self.orbit, self.parameter, 1.0).at(z)
+        orbit: Orbit = curve_of(self.orbit, self.parameter, 1.0).at(z)
         return orbit
 
     def _motion_at(self, place: int) -> Orbit | Trajectory:
@@ -96,13 +95,11 @@ class Branch:
         curve = curve_of(self.orbit, self.parameter, 1.0)
         if isinstance(curve, ComposedCurve):
             return curve.motion(np.append(self.unknowns[place], self.parameter_values[place]))
-        orbit = self.orbit_at(place)
-        assert isinstance(orbit, Orbit)
-        return orbit
+        return self.orbit_at(place)
 
     def next_itineraries(
         self, event: Event, parameters: Mapping[str, Any] | None = None
-    ) -> tuple[ComposedOrbit, ...]:
+    ) -> tuple[Orbit, ...]:
         """Admissible orbits of other itineraries just beyond a border collision.
 
         Parameters of the system that the orbit does not determine have to be given.
@@ -116,7 +113,7 @@ class Branch:
 
         return next_itineraries(self, event, parameters)
 
-    def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> ComposedOrbit:
+    def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> Orbit:
         """An orbit on the branch that meets this one at an event: `continue_orbit` follows it.
 
         At a flip the one of twice the period, at a symmetry-breaking one without the symmetry,

@@ -13,9 +13,9 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, load_or
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.piecewise import system_parameters
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.named import whole_names
+from nonsmooth.runtime.orbits.declared_solve import whole_names
 from nonsmooth.runtime.orbits.routes import with_routes
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.orbit_numbers import given_value
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.contact_statement import kernels_with
 from nonsmooth.runtime.proof.exact_tables import exact_tables

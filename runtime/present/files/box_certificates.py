@@ -9,7 +9,7 @@ from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import Form, naming
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.orbit_numbers import given_value
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.boxes.tile_places import Place

@@ -18,10 +18,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import Form, naming
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import KINDS, Event
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.files.composed_orbits import composed_content
-from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_of
+from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 
 __all__ = ["load_branch", "numbers_of", "orbit_entries", "save_branch", "texts_of"]
 
@@ -85,7 +83,7 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
 
 def _branch(content: dict[str, Any], folder: Path) -> Branch:
     (entries,) = content["orbit"]
-    orbit = orbit_of(entries, folder)
+    orbit = orbit_in(entries, folder)
     values, unknowns, period, multipliers, trace = map(numbers_of, content["columns"])
     names = tuple(content["unknown_names"])
     count = len(values)
@@ -107,9 +105,9 @@ def _branch(content: dict[str, Any], folder: Path) -> Branch:
     )
 
 
-def orbit_entries(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
+def orbit_entries(orbit: Orbit) -> dict[str, Any]:
     """Entries of the file of an orbit of either kind."""
-    return composed_content(orbit) if isinstance(orbit, ComposedOrbit) else orbit_content(orbit)
+    return orbit_content(orbit)
 
 
 def texts_of(array: np.ndarray) -> list[str]:

@@ -13,7 +13,7 @@ from nonsmooth.runtime.present.files.certificates import (
     certificate_of,
     check_certificate_entries,
 )
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.orbit_numbers import given_value
 from nonsmooth.runtime.proof.certificate import VERSION
 from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
 

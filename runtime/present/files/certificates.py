@@ -8,7 +8,7 @@ from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import Form, naming
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.orbit_numbers import given_value
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     FORMAT,

@@ -11,7 +11,7 @@ from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import Form, naming
 from nonsmooth.runtime.present.checking.box_certificates import compare_box
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.orbit_numbers import given_value
 from nonsmooth.runtime.proof.certificate import VERSION, Stated, Unknown
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.statement import rational

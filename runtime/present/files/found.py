@@ -19,7 +19,7 @@ from nonsmooth.runtime.model.piecewise import (
     piecewise,
     system_parameters,
 )
-from nonsmooth.runtime.orbits.compose import compose
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.multipliers import Multiplier
 
 __all__ = ["FOUND", "found_json", "load_found", "save_found"]
@@ -167,7 +167,7 @@ def _found(content: dict[str, Any], folder: Path) -> Found:
         phases = [(p["configuration"], p["boundary"]) for p in entry["itinerary"]]
         dwell = [float(p["dwell_time"]) for p in entry["itinerary"]]
         start = [float(x) for x in entry["start"].values()]
-        orbit = compose(kernels, parameters, phases, dwell, start)
+        orbit = solve_itinerary(kernels, parameters, phases, dwell, start)
         same = np.allclose(orbit.dwell_times, dwell, rtol=_DIGITS_KEPT, atol=0)
         if not orbit.converged or not same:
             raise InputError(

@@ -11,7 +11,7 @@ from nonsmooth.runtime.core.result_files import Form, naming
 from nonsmooth.runtime.explore.continuation.event import KINDS
 from nonsmooth.runtime.explore.continuation.locus import Locus
 from nonsmooth.runtime.present.files.branches import numbers_of, orbit_entries, texts_of
-from nonsmooth.runtime.present.files.orbits import orbit_of
+from nonsmooth.runtime.present.files.orbits import orbit_in
 
 __all__ = ["load_locus", "save_locus"]
 
@@ -73,7 +73,7 @@ def load_locus(path: str | os.PathLike[str]) -> Locus:
 
 def _locus(content: dict[str, Any], folder: Path) -> Locus:
     (entries,) = content["orbit"]
-    orbit = orbit_of(entries, folder)
+    orbit = orbit_in(entries, folder)
     if content["kind"] not in KINDS:
         raise InputError(f"{content['kind']!r} is no kind of event")
     values, names = numbers_of(content["values"]), tuple(content["unknown_names"])

@@ -29,7 +29,7 @@ from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.orbit_numbers import given_value
 from nonsmooth.runtime.simulation.starting import check_forcing
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

@@ -2,71 +2,27 @@
 
 Numbers are decimal strings that give back the very same double or mpmath number; given
 values are kept as they were written. A checksum covers the content, and an orbit that is
-read has to solve the equations of the kernels that are there.
+read has to solve the equations of the kernels or tables that are there.
 """
 
 from __future__ import annotations
 
-import math
 import os
-from collections.abc import Mapping
-from dataclasses import replace
-from decimal import Decimal, InvalidOperation
-from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
-
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
-from nonsmooth.runtime.core.result_files import Form, naming, parsed
-from nonsmooth.runtime.core.values import LONGEST_TEXT, Value, as_value, decimal_string, parse
-from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.model.parameters import in_domain
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.refine import MOST_DIGITS
-from nonsmooth.runtime.shooting.newton import CONVERGED
-
-if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
-
-__all__ = [
-    "ORBIT",
-    "bits_of",
-    "check_counts",
-    "check_texts",
-    "given_value",
-    "load_orbit_file",
-    "number_text",
-    "orbit_content",
-    "orbit_of",
-    "read_number",
-    "save_orbit",
-]
-
-ORBIT = Form(
-    "nonsmooth orbit",
-    "saved orbit",
-    {
-        "orbit": str,
-        "derivation": str,
-        "given": dict,
-        "opened": dict,
-        "unknowns": dict,
-        "arithmetic": str,
-        "bits": int,
-        "residual": str,
-        "digits": int,
-        "iterations": int,
-        "status": int,
-    },
-    most=50_000_000,
+from nonsmooth.runtime.core.result_files import naming, parsed
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.present.files.kernel_orbits import (
+    KERNEL_ORBIT,
+    kernel_entries,
+    kernel_orbit,
 )
-_DOUBLE_BITS = 53
-_MOST_BITS = 8 * MOST_DIGITS
-_LARGEST_EXPONENT, _LEAST_EXPONENT = 308, -10 * MOST_DIGITS  # decimal
-_SLACK = 100  # times the residual that the stated digits allow
+from nonsmooth.runtime.present.files.table_orbits import TABLE_ORBIT, table_entries, table_orbit
+
+__all__ = ["load_orbit_file", "orbit_content", "orbit_in", "save_orbit"]
 
 
 def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
@@ -84,35 +40,24 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
     InputError
         If the orbit has not converged or the file cannot be written.
     """
-    ORBIT.write(path, _entries(orbit))
+    form = TABLE_ORBIT if orbit.problem.kernels is None else KERNEL_ORBIT
+    form.write(path, _entries(orbit))
 
 
 def orbit_content(orbit: Orbit) -> dict[str, Any]:
     """What is in an orbit's file; InputError if it has not converged."""
-    return ORBIT.content(_entries(orbit))
+    form = TABLE_ORBIT if orbit.problem.kernels is None else KERNEL_ORBIT
+    return form.content(_entries(orbit))
 
 
 def _entries(orbit: Orbit) -> dict[str, Any]:
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
-    bits = max(map(bits_of, (*orbit.unknowns.values(), orbit.residual)))
-    return {
-        "orbit": orbit.name,
-        "derivation": _derivation(orbit.kernels),
-        "given": {name: value.text for name, value in orbit.given.items()},
-        "opened": {name: value.text for name, value in orbit.opened.items()},
-        "unknowns": {name: number_text(number, bits) for name, number in orbit.unknowns.items()},
-        "arithmetic": "mpmath" if orbit.precise else "double",
-        "bits": bits,
-        "residual": number_text(orbit.residual, bits),
-        "digits": orbit.digits,
-        "iterations": orbit.iterations,
-        "status": orbit.status,
-    }
+    return (table_entries if orbit.problem.kernels is None else kernel_entries)(orbit)
 
 
-def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
-    """Read an orbit that `Orbit.save` or `ComposedOrbit.save` wrote.
+def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
+    """Read an orbit that `Orbit.save` wrote.
 
     Kernels of another derivation are accepted if they have the same unknowns and parameters
     and the orbit solves their equations.
@@ -128,157 +73,17 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit | ComposedOrbit:
         the kernels that are installed. The message names the file.
     """
     with naming(path) as file:
-        return orbit_of(parsed(read_file(file, ORBIT.most, ORBIT.what)), file.parent)
+        return orbit_in(parsed(read_file(file, KERNEL_ORBIT.most, KERNEL_ORBIT.what)), file.parent)
 
 
-def orbit_of(content: Any, folder: Path) -> Orbit | ComposedOrbit:
-    """The orbit that the entries of a file in a folder describe, of one of the two formats.
+def orbit_in(content: Any, folder: Path) -> Orbit:
+    """The orbit that the entries of a file in a folder describe.
 
     Raises
     ------
     InputError
         As for `load_orbit_file`, without the name of a file.
     """
-    from nonsmooth.runtime.present.files.composed_orbits import COMPOSED, composed_orbit
-
-    composed = isinstance(content, dict) and content.get("format") == COMPOSED.name
-    (COMPOSED if composed else ORBIT).check(content)
-    return composed_orbit(content, folder) if composed else _orbit(content, folder)
-
-
-def bits_of(number: Any) -> int:
-    """Precision of a number: of a double, or of the mpmath context that made it."""
-    if isinstance(number, float):
-        return _DOUBLE_BITS
-    return max(int(number.man_exp[0]).bit_length(), int(number.context.prec))
-
-
-def number_text(number: Any, bits: int) -> str:
-    """Decimal text that determines a number of so many bits."""
-    if isinstance(number, float):
-        return float.__repr__(number)
-    return decimal_string(number, math.ceil(bits * math.log10(2)))
-
-
-def check_texts(content: Mapping[str, Any], *names: str) -> None:
-    """Refuse entries that map to something else than texts."""
-    for name in names:
-        if not all(isinstance(text, str) for text in content[name].values()):
-            raise InputError(f"{name!r} holds something else than decimal strings")
-
-
-def _orbit(content: Mapping[str, Any], folder: Path) -> Orbit:
-    """The orbit that a file's entries describe, checked against the kernels."""
-    check_texts(content, "given", "opened", "unknowns")
-    kernels = load_orbit(content["orbit"], folder)
-    _check_names(kernels, content)
-    check_counts(content)
-    bits = None if content["arithmetic"] == "double" else content["bits"]
-    orbit = Orbit(
-        kernels.name,
-        {name: given_value(name, text) for name, text in content["given"].items()},
-        {name: read_number(name, text, bits) for name, text in content["unknowns"].items()},
-        {name: given_value(name, text) for name, text in content["opened"].items()},
-        read_number("residual", content["residual"], bits),
-        *(content[name] for name in ("digits", "iterations", "status")),
-    )
-    _check_domains(orbit)
-    if not _solves(orbit):
-        raise InputError(
-            f"not a solution of {kernels.name} to {orbit.digits} digits with the kernels that are"
-            f" installed (its derivation {content['derivation']}, here {_derivation(kernels)})"
-        )
-    return orbit
-
-
-def _derivation(kernels: OrbitKernels) -> str:
-    return str(kernels.system.module.DERIVATION)
-
-
-def _check_names(kernels: OrbitKernels, content: Mapping[str, Any]) -> None:
-    known = sorted([*kernels.parameter_names, *kernels.unknowns])
-    found = sorted([*content["given"], *content["unknowns"]])
-    opened = [p.name for p in kernels.open_parameters]
-    if found != known or len(content["unknowns"]) != len(kernels.unknowns):
-        raise InputError(
-            f"{kernels.name} has {', '.join(known)}, the file has {', '.join(found) or 'nothing'}"
-        )
-    for name in content["opened"]:
-        if name not in opened:
-            raise unknown_name("open parameter", name, opened)
-
-
-def check_counts(content: Mapping[str, Any]) -> None:
-    """Refuse an arithmetic, or counts of bits, digits and iterations, that no orbit has."""
-    double = content["arithmetic"] == "double"
-    allowed = {
-        "bits": (_DOUBLE_BITS, _DOUBLE_BITS if double else _MOST_BITS),
-        "digits": (0, DOUBLE if double else MOST_DIGITS),
-        "iterations": (0, math.inf),
-        "status": (CONVERGED, CONVERGED),
-    }
-    if content["arithmetic"] not in ("double", "mpmath"):
-        raise InputError(f"arithmetic is {content['arithmetic']!r}, neither 'double' nor 'mpmath'")
-    for name, (least, most) in allowed.items():
-        if not least <= content[name] <= most:
-            raise InputError(f"{name} is {content[name]}, which no saved orbit has")
-
-
-def given_value(name: str, text: str) -> Value:
-    """A given value as it was written."""
-    try:
-        return parse(text) if len(text) <= LONGEST_TEXT else as_value(Fraction(text))
-    except (ValueError, ZeroDivisionError) as problem:
-        raise InputError(f"{name}: {problem}") from None
-
-
-def read_number(name: str, text: str, bits: int | None) -> Any:
-    """The double, or the mpmath number of so many bits, nearest to a decimal text."""
-    try:
-        decimal = Decimal(text)
-    except InvalidOperation:
-        raise InputError(f"{name} is not a decimal number") from None
-    if not decimal.is_finite():
-        raise InputError(f"{name} is {text}, not a finite number")
-    if decimal and not _LEAST_EXPONENT <= decimal.adjusted() < _LARGEST_EXPONENT:
-        raise InputError(f"{name} is too large or too small")
-    if bits is None:
-        return float(text)
-    from mpmath import MPContext, libmp
-
-    context = MPContext()
-    context.prec = bits
-    return context.make_mpf(libmp.from_rational(*decimal.as_integer_ratio(), bits, "n"))
-
-
-def _check_domains(orbit: Orbit) -> None:
-    kernels = orbit.kernels
-    values = {**orbit.values, **orbit.opened}
-    for table in (*kernels.parameters, *kernels.open_parameters, *kernels.other_parameters):
-        if table.name in values and not in_domain(table, float(values[table.name])):
-            raise InputError(f"{table.name} is outside its domain")
-    for name, duration in orbit.dwell_times.items():
-        if not duration >= 0:
-            raise InputError(f"dwell time {name} is negative")
-
-
-def _solves(orbit: Orbit) -> bool:
-    """Whether the equations hold as well as the digits of the unknowns allow.
-
-    An error of 10^-digits max(1, |x|) in each number x moves an equation by at most the sum
-    of these, times the absolute values of its derivatives.
-    """
-    rough = replace(orbit, unknowns={n: float(x) for n, x in orbit.unknowns.items()})
-    names = (*orbit.kernels.unknowns, *orbit.kernels.parameter_names)
-    scale = np.array([max(1.0, abs(rough.values[name])) for name in names])
-    unit = 10**orbit.digits
-    try:
-        with np.errstate(all="ignore"):
-            derivatives = np.hstack(
-                [rough.evaluate("jacobian"), rough.evaluate("parameter_jacobian", moved=True)]
-            )
-            bounds = [float(bound) for bound in _SLACK * np.abs(derivatives) @ scale]
-            sizes = [abs(r) * unit for r in orbit.evaluate("residual")]
-    except ArithmeticError:
-        return False
-    return all(math.isfinite(b) and s <= b for s, b in zip(sizes, bounds, strict=True))
+    by_tables = isinstance(content, dict) and content.get("format") == TABLE_ORBIT.name
+    (TABLE_ORBIT if by_tables else KERNEL_ORBIT).check(content)
+    return (table_orbit if by_tables else kernel_orbit)(content, folder)

@@ -10,7 +10,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import Form, naming
 from nonsmooth.runtime.explore.finding.sweep import Sweep
-from nonsmooth.runtime.present.files.orbits import given_value
+from nonsmooth.runtime.present.files.orbit_numbers import given_value
 
 __all__ = ["load_sweep", "save_sweep"]
 

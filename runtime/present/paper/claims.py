@@ -6,7 +6,7 @@ import numpy as np
 
 from nonsmooth.runtime.explore.intervals import Interval, admissible_intervals, singular_values
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.solve import solve_derived as solve
+from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.paper.records import Finding, Table
 
 __all__ = [
@@ -169,7 +169,7 @@ def _without_saltation(orbit: Orbit) -> np.ndarray:
     spectrum, _ = kernels.spectrum(parameters)
     product = np.eye(len(kernels.table["states"]))
     for (configuration, _, _), time, reset in zip(
-        kernels.table["phases"], orbit.dwell_times.values(), kernels.table["resets"], strict=True
+        kernels.table["phases"], orbit.dwell_times, kernels.table["resets"], strict=True
     ):
         kernel = f"flow_{configuration.replace('-', '_')}"
         arguments = (parameters, spectrum, float(time))

@@ -13,7 +13,6 @@ from nonsmooth.runtime.core.rational_functions import Quotient
 from nonsmooth.runtime.core.taylor_models import middle_of
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.piecewise import system_parameters
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
@@ -114,14 +113,14 @@ class Region:
 
         return near
 
-    def statement(self, orbit: Orbit | ComposedOrbit) -> tuple[dict[str, Any], dict[str, Any]]:
+    def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing as a file states them.
 
         Over the box's parameters and those that were given for the orbit.
         """
         subject, given = self.subject, given_of(orbit)
         names = (*self.names, *(name for name in given if name not in self.names))
-        kernels = orbit.kernels if isinstance(orbit, Orbit) else None
+        kernels = orbit.problem.kernels
         declared = orbit_declaration(
             subject.kernels, kernels, self.cycle, names, subject.start_names, subject.dwell_names
         )
@@ -131,14 +130,12 @@ class Region:
         return declared, closing_json(self.closing, self.cycle, names, variables, period)
 
 
-def given_of(orbit: Orbit | ComposedOrbit) -> dict[str, Value]:
+def given_of(orbit: Orbit) -> dict[str, Value]:
     """All that was given for an orbit."""
     return {**orbit.given, **orbit.opened}
 
 
-def checked_box(
-    orbit: Orbit | ComposedOrbit, box: Mapping[str, tuple[object, object]]
-) -> dict[str, Interval]:
+def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[str, Interval]:
     """The box with exact ends.
 
     Raises
@@ -147,7 +144,7 @@ def checked_box(
         For an orbit that has not converged, names that were not given for it, ends that are
         not rational or in the wrong order, or a box without the orbit's own parameters.
     """
-    if not isinstance(orbit, Orbit | ComposedOrbit):
+    if not isinstance(orbit, Orbit):
         raise InputError(f"{orbit!r} is no orbit, such as solve gives")
     check_converged(orbit)
     given = given_of(orbit)
@@ -174,9 +171,7 @@ def checked_box(
     return found
 
 
-def with_open_ones(
-    orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]
-) -> tuple[Orbit | ComposedOrbit, tuple[str, ...]]:
+def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tuple[str, ...]]:
     """The orbit with values of parameters that it leaves open, large enough for all of a box.
 
     Bounds are those at the orbit and, where it is found there, in the corners: nothing is
@@ -191,13 +186,13 @@ def with_open_ones(
     """
     corners = [dict(zip(box, point, strict=True)) for point in product(*box.values())]
     chosen: dict[str, Value] = {}
-    if isinstance(orbit, Orbit):
+    if orbit.problem.kernels is not None:
         bounds: dict[str, float] = {}
-        points: list[Orbit | ComposedOrbit] = [orbit]
+        points: list[Orbit] = [orbit]
         if chosen_of(orbit):
             given = given_of(orbit)
             points += [
-                solve(orbit.name, {**given, **corner}, orbit.unknowns, throw=False)
+                solve(orbit.kernels, {**given, **corner}, orbit.unknowns, throw=False)
                 for corner in corners
             ]
         for point in points:
@@ -215,7 +210,7 @@ def with_open_ones(
     return orbit, tuple(chosen)
 
 
-def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Region:
+def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
     """The region of an orbit and a box that holds its parameters.
 
     Raises
@@ -232,7 +227,7 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
         raise NotCovered(str(problem)) from None
 
 
-def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, Interval]) -> Region:
+def _region(orbit: Orbit, subject: Subject, box: Mapping[str, Interval]) -> Region:
     numbers, at = _numbers(orbit, subject, tuple(box))
     constants, entries = entries_over(box, numbers)
     period = entries.pop(PERIOD, None)
@@ -251,11 +246,11 @@ def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, In
 
 
 def _numbers(
-    orbit: Orbit | ComposedOrbit, subject: Subject, names: Sequence[str]
+    orbit: Orbit, subject: Subject, names: Sequence[str]
 ) -> tuple[Callable[[Mapping[str, Value]], dict[str, Value]], list[Fraction]]:
     """Parameters of the system and the period at a point, and the orbit's own point."""
     given = given_of(orbit)
-    derived = orbit if isinstance(orbit, Orbit) else None
+    derived = None if orbit.problem.kernels is None else orbit
     fixed = given if derived is None else {**given, **chosen_of(derived)}
     own = PERIOD_NAME if derived is None else period_name(derived.kernels)
 

@@ -14,7 +14,7 @@ from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.parameters import resolve
 from nonsmooth.runtime.model.piecewise import system_parameters
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.named import unknowns_of
+from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.proof.counting.dwell_box import Side, sides_of
 from nonsmooth.runtime.proof.counting.problems import (

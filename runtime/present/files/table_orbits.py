@@ -1,4 +1,4 @@
-"""Composed orbits in files, as the others: every digit, a checksum, and equations that hold.
+"""Orbits by the tables of their system in files: dwell time and start of each phase.
 
 A phase's start, its dwell time and the next phase's start are compared one phase at a time:
 an orbit that is read has to be one of the system that is there.
@@ -6,7 +6,6 @@ an orbit that is read has to be one of the system that is there.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -17,16 +16,24 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import Form
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, system_parameters
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
-from nonsmooth.runtime.orbits.orbit import DOUBLE
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.routes import with_routes_at
+from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
+from nonsmooth.runtime.present.files.orbit_numbers import (
+    bits_of,
+    check_counts,
+    check_texts,
+    given_value,
+    number_text,
+    read_number,
+)
 from nonsmooth.runtime.shooting.shooting_map import numbers_in
 from nonsmooth.runtime.shooting.symmetry import symmetry_of
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = ["COMPOSED", "composed_content", "composed_orbit", "save_composed"]
+__all__ = ["TABLE_ORBIT", "table_entries", "table_orbit"]
 
-COMPOSED = Form(
+TABLE_ORBIT = Form(
     "nonsmooth composed orbit",
     "saved orbit",
     {
@@ -52,34 +59,10 @@ _SLACK = 100  # times the error that the stated digits allow
 _MOST_MISSED = 1e-9  # the solver's residual, in units of the data
 
 
-def save_composed(orbit: ComposedOrbit, path: str | os.PathLike[str]) -> None:
-    """Write an orbit to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    orbit : ComposedOrbit
-        A converged one; floats and mpmath numbers come back as they are.
-    path : str or path
-        A JSON file; its folder has to exist.
-
-    Raises
-    ------
-    InputError
-        If the orbit has not converged or the file cannot be written.
-    """
-    COMPOSED.write(path, _entries(orbit))
-
-
-def composed_content(orbit: ComposedOrbit) -> dict[str, Any]:
-    """What is in an orbit's file; InputError if it has not converged."""
-    return COMPOSED.content(_entries(orbit))
-
-
-def _entries(orbit: ComposedOrbit) -> dict[str, Any]:
-    from nonsmooth.runtime.present.files.orbits import bits_of, number_text
-
-    if not orbit.converged:
-        raise InputError(f"{orbit.name} is not saved: {orbit.message}")
+def table_entries(orbit: Orbit) -> dict[str, Any]:
+    """What is in an orbit's file, of one that was solved with its system's tables."""
+    problem = orbit.problem
+    assert isinstance(problem, TableProblem)
     dwell, states = orbit.dwell_times.tolist(), orbit.states.tolist()
     bits = max(map(bits_of, (*dwell, *(x for row in states for x in row), orbit.residual)))
     phases = [
@@ -92,14 +75,14 @@ def _entries(orbit: ComposedOrbit) -> dict[str, Any]:
         for (configuration, boundary), time, row in zip(orbit.itinerary, dwell, states, strict=True)
     ]
     return {
-        "system": orbit.system,
-        "label": orbit.label or "",
-        "derivation": _derivation(orbit.kernels),
+        "system": orbit.system.name,
+        "label": problem.label or "",
+        "derivation": _derivation(orbit.system),
         "parameters": {name: value.text for name, value in orbit.parameters.items()},
         "period": "" if orbit.given_period is None else orbit.given_period.text,
         "symmetry": [] if orbit.symmetry is None else orbit.symmetry.matrix.tolist(),
         "phases": phases,
-        "names": list(orbit.names),
+        "names": list(problem.names),
         "arithmetic": "mpmath" if orbit.precise else "double",
         "bits": bits,
         "residual": number_text(orbit.residual, bits),
@@ -109,7 +92,7 @@ def _entries(orbit: ComposedOrbit) -> dict[str, Any]:
     }
 
 
-def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
+def table_orbit(content: Mapping[str, Any], folder: Path) -> Orbit:
     """The orbit that the entries of a file in a folder, of the right types, describe.
 
     Raises
@@ -117,13 +100,6 @@ def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
     InputError
         If the system is not there, or what the file holds is no orbit of it.
     """
-    from nonsmooth.runtime.present.files.orbits import (
-        check_counts,
-        check_texts,
-        given_value,
-        read_number,
-    )
-
     check_texts(content, "parameters")
     kernels = load_system(content["system"], folder)
     check_counts(content)
@@ -145,21 +121,17 @@ def composed_orbit(content: Mapping[str, Any], folder: Path) -> ComposedOrbit:
     itinerary = tuple((str(phase["configuration"]), str(phase["boundary"])) for phase in phases)
     point = piecewise(kernels, parameters)
     kernels = with_routes_at(kernels, point, itinerary, np.array(dwell), np.array(states))
-    orbit = ComposedOrbit(
-        kernels.name,
-        itinerary,
+    label = content["label"] or None
+    orbit = orbit_of(
+        TableProblem(kernels, itinerary, symmetry, label, tuple(names)),
         parameters,
+        given_value("period", content["period"]) if content["period"] else None,
         np.array(dwell, dtype=kind),
         np.array(states, dtype=kind),
-        given_value("period", content["period"]) if content["period"] else None,
         read_number("residual", content["residual"], bits),
         content["digits"],
         content["iterations"],
         content["status"],
-        kernels,
-        symmetry,
-        content["label"] or None,
-        tuple(names),
     )
     if symmetry is not None and len(phases) % symmetry.order:
         raise InputError("its phases are no multiple of those that the symmetry closes")
@@ -190,19 +162,20 @@ def _phases(entries: list[Any]) -> list[dict[str, Any]]:
     return entries
 
 
-def _solves(orbit: ComposedOrbit) -> bool:
+def _solves(orbit: Orbit) -> bool:
     """Whether each phase ends on its boundary, and the next begins where its reset leads.
 
     An error of 10^-digits max(1, |x|) in each number x moves these by at most the sum of
     these errors times the absolute values of the derivatives.
     """
-    numbers, cycle, lib = numbers_in(orbit.piecewise), orbit.cycle, orbit.arithmetic.mp
+    tables, lib = orbit.tables, orbit.arithmetic.mp
+    numbers, cycle = numbers_in(tables.piecewise), tables.cycle
     unit = lib.mpf(10) ** -orbit.digits if orbit.precise else 10.0**-DOUBLE
     missed = 2 * abs(orbit.residual)
     size = orbit.states.shape[1]
-    flows = orbit.passage.flows
+    flows = tables.passage.flows
     following = np.roll(orbit.states, -1, axis=0)
-    projection = projection_along(orbit.translations)
+    projection = projection_along(tables.translations)
     for place, (start, end_start) in enumerate(zip(orbit.states, following, strict=True)):
         flow, row = flows[place], numbers.rows[cycle.rows[place]]
         reset = numbers.resets[cycle.transitions[place].reset]
