@@ -124,21 +124,22 @@ def _ordinary(
     names = list(kernels.reduced)
     guess = np.array([start[name] for name in names])
     tried = ["the reference point's guess" if searching else "the guess"]
-    first = _orbit(kernels, point, solve_reduced(kernels, parameters, guess))
+    first = _orbit(kernels, point, parameters, solve_reduced(kernels, parameters, guess))
     if not names:
         return first, ["the explicit solution"]
-    if not searching or _good(first):
+    if not searching or _good(first, parameters):
         return first, tried
     tried.append(f"continuation in {CONTINUATION_STEPS} steps")
     followed = _followed(kernels, point, parameters, guess)
-    if _good(followed):
+    if _good(followed, parameters):
         return followed, tried
     tried.append(f"{len(_grid(kernels)) ** len(names)} starts")
     candidates = search(kernels, parameters)
     if len(candidates):
         places = [kernels.unknowns.index(name) for name in names]
-        best = _orbit(kernels, point, solve_reduced(kernels, parameters, candidates[0][places]))
-        if _good(best) or not (first.converged or followed.converged):
+        solved = solve_reduced(kernels, parameters, candidates[0][places])
+        best = _orbit(kernels, point, parameters, solved)
+        if _good(best, parameters) or not (first.converged or followed.converged):
             return best, tried
     return (first if first.converged else followed), tried
 
@@ -155,7 +156,8 @@ def _followed(
         solved = solve_reduced(
             kernels, _between(begin, parameters, fraction), solved.unknowns[places]
         )
-    return _orbit(kernels, point, solve_reduced(kernels, parameters, solved.unknowns[places]))
+    solved = solve_reduced(kernels, parameters, solved.unknowns[places])
+    return _orbit(kernels, point, parameters, solved)
 
 
 def _between(begin: np.ndarray, end: np.ndarray, fraction: float) -> np.ndarray:
@@ -165,31 +167,28 @@ def _between(begin: np.ndarray, end: np.ndarray, fraction: float) -> np.ndarray:
     return np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
 
 
-def _good(orbit: Orbit) -> bool:
+def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
     """Whether an orbit has converged and may be a motion of the real system."""
     if not orbit.converged:
         return False
-    kernels = orbit.kernels
-    point = np.array([[float(orbit.values[name]) for name in kernels.parameter_names]])
-    unknowns = np.array([[orbit.values[name] for name in kernels.unknowns]])
-    allowed, bounds = admissible_points(kernels, point, unknowns)
+    kernels, unknowns = orbit.kernels, np.array([[*orbit.unknowns.values()]])
+    allowed, bounds = admissible_points(kernels, parameters[None], unknowns)
     least = zip(kernels.open_parameters, bounds[0], strict=True)
     return bool(allowed[0]) and all(
         float(orbit.opened[p.name]) > bound for p, bound in least if p.name in orbit.opened
     )
 
 
-def _orbit(kernels: OrbitKernels, point: Point, solved: Any) -> Orbit:
+def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: Any) -> Orbit:
     """Record of a reduced solution, with the residual of the full equations."""
-    unknowns = {n: float(x) for n, x in zip(kernels.unknowns, solved.unknowns, strict=True)}
+    unknowns = dict(zip(kernels.unknowns, solved.unknowns.tolist(), strict=True))
     status = int(solved.status)
     residual, digits = float(solved.residual), 0
     tables = {p.name: p for p in kernels.other_parameters}
     if not all(in_domain(tables[name], unknowns[name]) for name in kernels.solved_for):
         status = OUTSIDE
     if status == CONVERGED:
-        values = {**{name: float(v) for name, v in point.values.items()}, **unknowns}
-        residual, error = _quality(kernels, values)
+        residual, error = _quality(kernels, np.concatenate([solved.unknowns, parameters]))
         digits = _digits(error)
     return Orbit(
         KernelProblem(kernels),
@@ -203,12 +202,14 @@ def _orbit(kernels: OrbitKernels, point: Point, solved: Any) -> Orbit:
     )
 
 
-def _quality(kernels: OrbitKernels, values: dict[str, float]) -> tuple[float, float]:
-    """Residual of the full equations, and a bound on the error of the unknowns by J^-1."""
-    names, count = (*kernels.unknowns, *kernels.parameter_names), len(kernels.unknowns)
-    x = np.array([values[name] for name in names])
+def _quality(kernels: OrbitKernels, x: np.ndarray) -> tuple[float, float]:
+    """Residual of the full equations, and a bound on the error of the unknowns by J^-1.
+
+    At unknowns, then parameters (n + p,).
+    """
     residual, _ = equations_at(kernels, x)
-    return float(np.abs(residual).max()), error_bound(kernels, x, list(range(count)))
+    places = list(range(len(kernels.unknowns)))
+    return float(np.abs(residual).max()), error_bound(kernels, x, places)
 
 
 def _digits(error: float) -> int:

@@ -111,7 +111,7 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     assert event.time is not None
     assert abs(function(event.time)) < 1e-11
     assert abs(function.derivative()(event.time)) < 1e-6
-    assert maximum(function, float(at.dwell_times["tau"])).value < 1e-9
+    assert maximum(function, at.values["tau"]).value < 1e-9
     limits = admissible_intervals("dry-friction/symmetric", "V", 0.5, 0.8, points=200)
     assert min(abs(event.value - interval.lower) for interval in limits) < 1e-9
     before, behind = math.floor(event.place), math.ceil(event.place)

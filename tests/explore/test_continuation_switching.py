@@ -169,7 +169,7 @@ def test_a_doubled_orbit_ends_where_another_one_grazes() -> None:
     w = float(known.given["w"])
     dwell = twice.unknowns[:, :4]
     near = [np.interp(w, twice.parameter_values, column) for column in dwell.T]
-    again = nonsmooth.solve(known.kernels, known.parameters, near, itinerary=twice.orbit.itinerary)
+    again = nonsmooth.solve(known.system, known.parameters, near, itinerary=twice.orbit.itinerary)
     np.testing.assert_allclose(
         np.sort(again.dwell_times), np.sort(list(known.dwell_times)), atol=1e-9
     )

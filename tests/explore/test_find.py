@@ -156,9 +156,10 @@ def test_a_doubled_orbit_is_the_same_from_either_turn(monkeypatch):
     orbit = SimpleNamespace(
         itinerary=turn * 2,
         dwell_times=np.array([1, 2, 1.5, 2.5]),
-        states_up_to_shift=states,
         period=7.0,
-        cycle=SimpleNamespace(uninterrupted=False),
+        tables=SimpleNamespace(
+            states_up_to_shift=states, cycle=SimpleNamespace(uninterrupted=False)
+        ),
     )
     monkeypatch.setattr(primitive, "orbit_scale", lambda orbit: np.ones(4))
     _same = primitive.same_orbit

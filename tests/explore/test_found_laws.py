@@ -248,7 +248,8 @@ def test_a_velocity_that_is_zero_by_declaration_is_no_return():
 
     place = [boundary for _, boundary in entry.itinerary].index("ground-reaches-belt")
     now = entry.orbit
-    down = next(k for k in range(2) if now.piecewise.fields[now.cycle.configurations[k]][1, -1] > 0)
+    fields, passed = now.tables.piecewise.fields, now.tables.cycle.configurations
+    down = next(k for k in range(2) if fields[passed[k]][1, -1] > 0)
     x, _, c, s = now.states[down]
     assert place in (0, 1)
     end, when = half((x, np.arctan2(s, c) / 1.1))

@@ -62,7 +62,7 @@ def test_along_the_branch_a_sweep_gives_the_orbit(place):
     assert branch.converged.all()
     sizes = np.abs(branch.multipliers).max(axis=-1)
     assert (sizes < 0.999).any()
-    for row, states, size in zip(diagram.samples, branch.states, sizes, strict=True):
+    for row, states, size in zip(diagram.samples, branch.starts, sizes, strict=True):
         taken = row[np.isfinite(row)]
         assert taken.size == 10  # one in four transitions
         if size < 0.99:

@@ -204,7 +204,7 @@ def test_forced_orbits_over_frequency_and_force() -> None:
     for w in ("2.58", "2.6", "2.62"):
         values = {"w": w, "F": "0.7", "c": "0.1"}
         orbit = ns.solve(
-            impacts().kernels, values, [2 * math.pi / 2.6], itinerary=impacts().itinerary
+            impacts().system, values, [2 * math.pi / 2.6], itinerary=impacts().itinerary
         )
         trace = found.enclosures["trace"]
         assert trace.lower <= orbit.trace <= trace.upper

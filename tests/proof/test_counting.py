@@ -192,7 +192,7 @@ def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
     orbits = solve_itineraries(kernels_of("dry-friction"), TWO, values, starts)
     reached = orbits.dwell_times[orbits.status == CONVERGED]
     inside = (reached[:, 0] >= 3) & (reached <= (7, 6)).all(axis=1) & (reached > 1e-6).all(axis=1)
-    small = np.abs(orbits.states[orbits.status == CONVERGED][:, 0]).max(axis=-1) < 90
+    small = np.abs(orbits.starts[orbits.status == CONVERGED][:, 0]).max(axis=-1) < 90
     distances = np.abs(reached[inside & small][:, None] - found).max(axis=-1)
     assert distances.min(axis=1).max() < 1e-6
     assert distances.min(axis=0).max() < 1e-6

@@ -13,7 +13,7 @@ from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
-from nonsmooth.runtime.core.result_files import naming, parsed
+from nonsmooth.runtime.core.result_files import Form, naming, parsed
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.kernel_orbits import (
     KERNEL_ORBIT,
@@ -40,20 +40,23 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
     InputError
         If the orbit has not converged or the file cannot be written.
     """
-    form = TABLE_ORBIT if orbit.problem.kernels is None else KERNEL_ORBIT
-    form.write(path, _entries(orbit))
+    form, entries = _entries(orbit)
+    form.write(path, entries)
 
 
 def orbit_content(orbit: Orbit) -> dict[str, Any]:
     """What is in an orbit's file; InputError if it has not converged."""
-    form = TABLE_ORBIT if orbit.problem.kernels is None else KERNEL_ORBIT
-    return form.content(_entries(orbit))
+    form, entries = _entries(orbit)
+    return form.content(entries)
 
 
-def _entries(orbit: Orbit) -> dict[str, Any]:
+def _entries(orbit: Orbit) -> tuple[Form, dict[str, Any]]:
+    """Format and entries of an orbit's file."""
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
-    return (table_entries if orbit.problem.kernels is None else kernel_entries)(orbit)
+    if orbit.problem.kernels is None:
+        return TABLE_ORBIT, table_entries(orbit)
+    return KERNEL_ORBIT, kernel_entries(orbit)
 
 
 def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:

@@ -99,7 +99,7 @@ def rigid_limit(rigid: Orbit) -> Finding:
 
 def symmetric_portraits(symmetric: Orbit) -> Finding:
     """Whether both phase portraits of the symmetric orbit are symmetric, and its stability."""
-    motion, tau = symmetric.motion(), float(symmetric.dwell_times["tau"])
+    motion, tau = symmetric.motion(), float(symmetric.values["tau"])
     times = np.linspace(0, motion.period, 2001)
     there, mirrored = motion(times), motion(tau - times)
     defects = [np.abs(there[:, i] + sign * mirrored[:, i]).max() for i, sign in enumerate((1, 1))]

@@ -251,7 +251,7 @@ def _turn(orbit: Orbit, last: float | None = None) -> np.ndarray:
     kernels: OrbitKernels = orbit.kernels
     parameters = [float(orbit.values[name]) for name in kernels.parameter_names]
     spectrum, _ = kernels.spectrum(parameters)
-    times = orbit.dwell_times.tolist()
+    times = orbit.dwell_times.astype(float).tolist()
     if last is not None:
         times[-1] = last
     product = np.eye(4)
