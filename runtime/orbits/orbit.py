@@ -161,7 +161,8 @@ class Orbit:
     @cached_property
     def dwell_times(self) -> np.ndarray:
         """Duration (p,) of each phase: floats, or mpmath numbers."""
-        times = self.problem.dwell_times(self.values)
+        unknown = all(name in self.unknowns for name in self.dwell_time_names)
+        times = self.problem.dwell_times(self.unknowns if unknown else self.values)
         return np.array(times, dtype=object if self.precise else float)
 
     @property

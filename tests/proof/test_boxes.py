@@ -65,7 +65,7 @@ def test_enclosures_hold_the_refined_values_of_every_point(speed: int, eta: int)
     orbit = ns.refine(ns.solve(STICK, {name: str(value) for name, value in point.items()}), 100)
     tile = paper().tile_at(point)
     for name, number in (("trace", orbit.trace), ("period", orbit.period),
-                         *orbit.dwell_times.items()):  # fmt: skip
+                         *zip(orbit.dwell_time_names, orbit.dwell_times, strict=True)):  # fmt: skip
         for enclosures in (tile.enclosures, paper().enclosures):
             assert enclosures[name].ball.contains(exact_ball(number))
 

@@ -63,7 +63,7 @@ def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
     sharp = ns.refine(orbit, int(bits * 0.302) + 30)
     assert holds(certificate.trace, sharp.trace)
     assert holds(certificate.enclosures["period"], sharp.period)
-    for label, time in sharp.dwell_times.items():
+    for label, time in zip(sharp.dwell_time_names, sharp.dwell_times, strict=True):
         assert holds(certificate.enclosures[label], time)
     nontrivial = [
         m for m in sharp.stability.multipliers if not m.trivial and (m.real or m.imaginary)
@@ -155,7 +155,7 @@ def test_enclosures_contain_the_refined_values(eta: int, speed: int) -> None:
     sharp = ns.refine(orbit, 100)
     assert certificate.claims["existence"] == "proved"
     assert holds(certificate.trace, sharp.trace)
-    for label, time in sharp.dwell_times.items():
+    for label, time in zip(sharp.dwell_time_names, sharp.dwell_times, strict=True):
         assert holds(certificate.enclosures[label], time)
     verdicts = {"stable": "proved", "unstable": "refuted"}
     assert certificate.claims["stability"] in (verdicts[orbit.stability.verdict], "undecided")

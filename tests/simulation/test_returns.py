@@ -78,7 +78,7 @@ def test_multipliers_of_the_built_in_orbits(name):
 @pytest.mark.parametrize("name", ["dry-friction/global-stick", "dry-friction/symmetric"])
 def test_jacobians_of_composed_orbits(name):
     data, itinerary = ORBITS[name]
-    guess = [float(t) for t in solve(name).dwell_times.values()]
+    guess = solve(name).dwell_times.tolist()
     for first in range(len(itinerary)):
         turned = itinerary[first:] + itinerary[:first]
         orbit = solve("dry-friction", data, guess[first:] + guess[:first], itinerary=turned)
