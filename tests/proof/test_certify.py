@@ -290,7 +290,7 @@ def test_margins_are_true() -> None:
     composed = ns.solve("dry-friction", values, dwell, itinerary=first.itinerary)
     certificate = ns.certify(composed)
     motion = composed.trajectory()
-    system = composed.piecewise
+    system = composed.tables.piecewise
     begins = np.concatenate([[0], np.cumsum(composed.dwell_times)])
     for margin in certificate.margins:
         place = margin["phase"] - 1
@@ -304,7 +304,7 @@ def test_margins_are_true() -> None:
         if margin["quantity"] == "distance":
             assert values_along.max() < -least
         elif margin["quantity"] == "speed":
-            end = composed.passage.ends[place]
+            end = composed.tables.passage.ends[place]
             rate = row[:-1] @ (system.fields[index][:, :-1] @ end + system.fields[index][:, -1])
             assert rate > least
             assert rate < 1.1 * least
