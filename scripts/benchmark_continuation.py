@@ -36,7 +36,7 @@ def branch(quick: bool) -> Iterator[Row]:
         f"symmetric: {len(several)} points and {len(several.events)} events",
         timed(lambda: nonsmooth.continue_orbit(symmetric, "V", (0.3, 1.3)), 1, runs),
     )
-    composed = nonsmooth.compose("dry-friction", DATA, PHASES, [1, 2, 1.5, 3.3])
+    composed = nonsmooth.solve("dry-friction", DATA, [1, 2, 1.5, 3.3], itinerary=PHASES)
     same = nonsmooth.continue_orbit(composed, "V", (0.8, 1.3))
     yield Row(
         f"global-stick composed: {len(same)} points",

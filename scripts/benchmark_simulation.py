@@ -12,10 +12,10 @@ from measuring import Row, interleaved
 from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Run
-from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, numbers_at, piecewise
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.compose import compose_many
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.shooting.cycle_newton import solve_cycle
 from nonsmooth.runtime.shooting.shooting_map import cycle_of
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
@@ -78,7 +78,7 @@ def composed(quick: bool) -> Iterator[Row]:
             solve_cycle(cycle, group.flat, dwell, None, free)
 
     def whole() -> object:
-        return compose_many("dry-friction", phases, values, guess, threads=1)
+        return solve_itineraries(kernels_of("dry-friction"), phases, values, guess, threads=1)
 
     works = {"engine": (engine, 20 * 256.0), "compose_many": (whole, float(count))}
     for label, seconds in interleaved(works, 5 if quick else 15).items():

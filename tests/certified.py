@@ -22,7 +22,7 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["FORCED", "forced", "kicked", "loop", "rooted", "struck", "struck_together"]
 
@@ -62,13 +62,13 @@ def kicked() -> SystemKernels:
     return load_system(system)
 
 
-def loop(**given: str) -> ComposedOrbit:
+def loop(**given: str) -> Orbit:
     """Its orbit, at k = 1, r = 1/2, a = 3 unless others are given."""
     values = {"k": "1", "r": "1/2", "a": "3", **given}
     size = 1 / (1 - float(sp.sympify(values["r"])))
     stiffness = float(sp.sympify(values["k"]))
     guess = [math.pi / math.sqrt(stiffness), math.pi / 2]
-    return ns.compose(kicked(), values, LOOP, guess, [0.0, size])
+    return ns.solve(kicked(), values, [*guess, *[0.0, size]], itinerary=LOOP)
 
 
 @cache
@@ -117,7 +117,7 @@ FORCED = {
 
 
 @cache
-def forced(name: str) -> ComposedOrbit:
+def forced(name: str) -> Orbit:
     """What a motion of a forced system comes to, as a periodic orbit."""
     kernels = load_system(FORCED[name])
     size = len(kernels.table["states"])
@@ -125,7 +125,7 @@ def forced(name: str) -> ComposedOrbit:
     start = [float(i in cosines) for i in range(size)]
     motion = ns.simulate(kernels, {}, start, until=600.0)
     found = ns.itinerary_of(motion)
-    return ns.compose(kernels, {}, found.itinerary, found.dwell_times, found.start)
+    return ns.solve(kernels, {}, itinerary=found)
 
 
 @cache
@@ -142,9 +142,9 @@ def struck(law: str | None = None) -> SystemKernels:
 
 
 @cache
-def struck_together(law: str | None = None, coupling: str = "0") -> ComposedOrbit:
+def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     """Its symmetric orbit, in which both masses are struck at one instant."""
     kernels, given = struck(law), {"c": coupling}
     motion = ns.simulate(kernels, given, [0, 0, 0.1, 0.1, 1, 0], transitions=200)
     found = ns.itinerary_of(motion)
-    return ns.compose(kernels, given, found.itinerary, found.dwell_times, found.start)
+    return ns.solve(kernels, given, itinerary=found)

@@ -131,7 +131,7 @@ class Declared:
         self.pieces = [
             Piece(phase, row, table, number(dwell), precise)
             for phase, row, table, dwell in zip(
-                self.itinerary.phases, boundaries, tables, orbit.dwell_times.values(), strict=True
+                self.itinerary.phases, boundaries, tables, orbit.dwell_times, strict=True
             )
         ]
         start = [*(number(x) for x in orbit.states[0]), number(1)]

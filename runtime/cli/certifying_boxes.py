@@ -21,7 +21,6 @@ from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 
@@ -126,7 +125,7 @@ def solved_in(
     fixed: Mapping[str, Value],
     box: Mapping[str, tuple[Value, Value]],
     near: Mapping[str, float] | None,
-) -> Orbit | ComposedOrbit:
+) -> Orbit:
     """The orbit in the middle of the box, or elsewhere in it if there is none."""
     from nonsmooth.runtime.orbits.solve import solve
 

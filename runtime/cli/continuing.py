@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Value
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.event import Event
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
     from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["follow"]
@@ -227,7 +226,7 @@ def _go_on(stopped: bool) -> None:
 
 
 def _branch(
-    orbit: Orbit | ComposedOrbit,
+    orbit: Orbit,
     name: str,
     interval: tuple[float, float],
     options: Mapping[str, Any],

@@ -15,11 +15,11 @@ from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Value
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 
 __all__ = [
     "counted",
@@ -37,7 +37,7 @@ _VERDICT_STYLES = {"stable": "green", "unstable": "red"}
 
 
 def show_report(
-    orbit: Orbit | ComposedOrbit,
+    orbit: Orbit,
     found: Mapping[str, Any],
     assigned: Mapping[str, Value],
     *,
@@ -47,7 +47,7 @@ def show_report(
 
     Parameters
     ----------
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
     found : mapping
         The orbit as JSON.
     assigned : mapping of str to Value
@@ -171,13 +171,12 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
         yield lambda share, count: progress.update(task, completed=share, count=count)
 
 
-def _unknowns(orbit: Orbit | ComposedOrbit, found: Mapping[str, Any]) -> dict[str, str]:
+def _unknowns(orbit: Orbit, found: Mapping[str, Any]) -> dict[str, str]:
     """Unknowns of an orbit; in place of a forcing's cosine and sine its phase at the start."""
     entries = dict(found["unknowns"])
-    if isinstance(orbit, Orbit):
-        return entries
+    forcing = structure_of(orbit.system).forcing if orbit.problem.kernels is None else ()
     start, names = orbit.states[0], list(entries)[-orbit.states.shape[1] :]
-    for number, (cosine, sine) in enumerate(orbit.piecewise.structure.forcing, 1):
+    for number, (cosine, sine) in enumerate(forcing, 1):
         for place in (cosine, sine):
             entries.pop(names[place], None)
         context = orbit.arithmetic.mp
@@ -187,25 +186,21 @@ def _unknowns(orbit: Orbit | ComposedOrbit, found: Mapping[str, Any]) -> dict[st
     return entries
 
 
-def _configurations(orbit: Orbit | ComposedOrbit) -> list[str]:
+def _configurations(orbit: Orbit) -> list[str]:
     """Configuration of each phase."""
-    if isinstance(orbit, Orbit):
-        return [phase[0] for phase in orbit.kernels.table["phases"]]
     return [configuration for configuration, _ in orbit.itinerary]
 
 
 def _sources(
-    orbit: Orbit | ComposedOrbit, found: Mapping[str, Any], assigned: Mapping[str, Value]
+    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value]
 ) -> Iterator[tuple[str, str, str]]:
     """Give name and text of each given parameter, and where it is from."""
     for name, value in assigned.items():
         yield name, str(value), ""
-    if not isinstance(orbit, Orbit):
-        for name, value in orbit.parameters.items():
+    if orbit.problem.kernels is None:
+        for name, value in orbit.given.items():
             if name not in assigned:
-                yield name, str(value), "default"
-        if orbit.given_period is not None and "period" not in assigned:
-            yield "period", str(orbit.given_period), "given"
+                yield name, str(value), "given" if name == PERIOD else "default"
         return
     defaults = default_parameters(orbit.kernels)
     for name, value in {**orbit.given, **orbit.opened}.items():

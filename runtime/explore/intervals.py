@@ -11,9 +11,9 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
+from nonsmooth.runtime.orbits.kernel_problem import STATUS
+from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.orbit import STATUS
-from nonsmooth.runtime.orbits.solve import solve_derived as solve
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 
 __all__ = ["Interval", "admissible_intervals", "singular_values"]
@@ -178,7 +178,7 @@ def _bisected(
 
 def _failure(kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, value: float) -> str:
     """What fails at a point that is not admissible."""
-    orbit = solve(kernels.address, {**others, parameter: value}, throw=False)
+    orbit = solve_kernels(kernels, {**others, parameter: value}, throw=False)
     if orbit.status == SINGULAR:
         return "the equations are singular"
     if orbit.status != CONVERGED:

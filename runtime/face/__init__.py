@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.locus import Locus
     from nonsmooth.runtime.explore.finding.find import Found, find_orbits
     from nonsmooth.runtime.explore.finding.sweep import Sweep, sweep
-    from nonsmooth.runtime.orbits.compose import ComposedOrbit, compose, compose_many
     from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -67,7 +66,6 @@ __all__ = [
     "Census",
     "Certificate",
     "Check",
-    "ComposedOrbit",
     "Event",
     "EventCertificate",
     "Found",
@@ -93,8 +91,6 @@ __all__ = [
     "certify_event",
     "chart",
     "check_certificate",
-    "compose",
-    "compose_many",
     "continue_event",
     "continue_orbit",
     "find_orbits",
@@ -128,7 +124,6 @@ _HOMES = {
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
     "Branch": "explore.continuation.branch",
-    "ComposedOrbit": "orbits.compose",
     "Event": "explore.continuation.event",
     "EventCertificate": "proof.events.event_certificate",
     "Found": "explore.finding.find",
@@ -140,7 +135,7 @@ _HOMES = {
     "NoConvergence": "core.errors",
     "NonsmoothError": "core.errors",
     "Orbit": "orbits.orbit",
-    "Orbits": "orbits.many",
+    "Orbits": "orbits.orbits",
     "PoincareMap": "simulation.returns",
     "Proof": "proof.motion.motion_proof",
     "Recurrence": "simulation.last_cycle",
@@ -153,8 +148,6 @@ _HOMES = {
     "certify_all": "proof.counting.certify_all",
     "check_certificate": "present.checking.check_file",
     "chart": "explore.charting.chart",
-    "compose": "orbits.compose",
-    "compose_many": "orbits.compose",
     "continue_event": "explore.continuation.continue_event",
     "continue_orbit": "explore.continuation.continue_orbit",
     "find_orbits": "explore.finding.find",
@@ -186,7 +179,6 @@ _HOMES = {
 register(
     "nonsmooth.runtime",
     {
-        "composed_json": "present.composed_report",
         "draw_box": "present.pictures.proven_maps",
         "draw_branch": "present.pictures.branches",
         "draw_locus": "present.pictures.branches",
@@ -194,14 +186,12 @@ register(
         "orbit_html": "present.notebook",
         "orbit_json": "present.report",
         "orbit_latex": "present.notebook",
-        "plot_composed": "present.pictures.composed",
         "plot_orbit": "present.pictures.plot",
         "plot_trajectory": "present.pictures.scenes",
         "save_box": "present.files.box_certificates",
         "save_branch": "present.files.branches",
         "save_census": "present.files.censuses",
         "save_certificate": "present.files.certificates",
-        "save_composed": "present.files.composed_orbits",
         "save_events": "present.files.event_certificates",
         "save_found": "present.files.found",
         "save_locus": "present.files.loci",

@@ -110,7 +110,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     """Check all boundaries along all phases of an orbit, in double precision."""
     kernels = orbit.kernels
     phases = kernels.table["phases"]
-    dwell = [float(time) for time in orbit.dwell_times.values()]
+    dwell = orbit.dwell_times.astype(float).tolist()
     at_once = [name in kernels.table["vanishing"] for name in kernels.dwell_times]
     starts = np.concatenate([[0.0], np.cumsum(dwell)])
     violations: list[Violation] = []

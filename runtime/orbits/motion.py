@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.problem import OrbitProblem
 
 __all__ = ["Motion", "Samples", "orbit_motion"]
 
@@ -48,14 +47,16 @@ class Motion:
 
     Attributes
     ----------
-    name : str
-        ``system/orbit``.
+    problem : OrbitProblem
+        Whose kernels or tables give the flows.
     parameters : array (p,)
         Of the equations.
     starts : array (phases, N)
         State at the start of each phase.
     breaks : array (phases + 1,)
         Start, transitions in between, and end of a period: 0 first, the period last.
+    shift : array (N,)
+        By which a period moves the states: zero, but along translations of the system.
 
     Examples
     --------
@@ -69,34 +70,31 @@ class Motion:
     'stick-slip'
     """
 
-    name: str
+    problem: OrbitProblem
     parameters: np.ndarray
     starts: np.ndarray
     breaks: np.ndarray
+    shift: np.ndarray
 
     @property
-    def kernels(self) -> OrbitKernels:
-        """Kernels of the orbit."""
-        return load_orbit(self.name)
+    def name(self) -> str:
+        """Name of the orbit."""
+        return self.problem.name
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the states: positions, then velocities."""
-        return tuple(self.kernels.table["states"])
+        return self.problem.state_names
 
     @property
     def configurations(self) -> tuple[str, ...]:
         """Configuration of each phase."""
-        return tuple(configuration for configuration, _, _ in self.kernels.table["phases"])
+        return tuple(configuration for configuration, _ in self.problem.itinerary)
 
     @property
     def period(self) -> float:
         """Sum of the dwell times."""
         return float(self.breaks[-1])
-
-    @cached_property
-    def _spectrum(self) -> Any:
-        return self.kernels.spectrum(self.parameters)[0]
 
     def __call__(self, times: Any) -> np.ndarray:
         """State at each of the times.
@@ -120,6 +118,9 @@ class Motion:
         for phase in np.unique(phases):
             here = phases == phase
             states[here] = self._flow(int(phase), within[here] - self.breaks[phase])
+        if self.shift.any():
+            turns = np.floor(np.asarray(times, dtype=float) / self.period)
+            states += turns[..., None] * self.shift
         return states
 
     def phase(self, times: Any) -> Any:
@@ -188,7 +189,7 @@ class Motion:
         shifts = np.cumsum([0.0, *[self.period] * (periods - 1)])
         return Samples(
             (shifts[:, None] + once).ravel(),
-            np.tile(np.concatenate(states), (periods, 1)),
+            np.concatenate([np.concatenate(states) + k * self.shift for k in range(periods)]),
             np.tile(np.concatenate(phases), periods),
         )
 
@@ -205,9 +206,7 @@ class Motion:
         return np.searchsorted(self.breaks[1:-1], within, side="right")
 
     def _flow(self, phase: int, since: np.ndarray) -> np.ndarray:
-        kernel = f"flow_{self.configurations[phase].replace('-', '_')}"
-        arrays = (self.parameters, self._spectrum, since, self.starts[phase])
-        return np.asarray(self.kernels.evaluate(kernel, *arrays))
+        return self.problem.flow(self.parameters, phase, since, self.starts[phase])
 
 
 def orbit_motion(orbit: Orbit) -> Motion:
@@ -220,11 +219,10 @@ def orbit_motion(orbit: Orbit) -> Motion:
     """
     if not orbit.converged:
         raise InputError(f"{orbit.name} has no motion: {orbit.message}")
-    states = np.array([[float(x) for x in row] for row in orbit.states])
-    dwell = [float(time) for time in orbit.dwell_times.values()]
     return Motion(
-        orbit.name,
+        orbit.problem,
         np.array([float(x) for x in orbit.parameters.values()]),
-        states[:-1],
-        np.concatenate([[0.0], np.cumsum(dwell)]),
+        orbit.states.astype(float),
+        np.concatenate([[0.0], np.cumsum(orbit.dwell_times.astype(float))]),
+        np.array([float(by) for by in orbit.shift.values()]),
     )

@@ -3,78 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
-from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.shooting.newton import (
-    CONVERGED,
-    INVALID,
-    NEGATIVE,
-    OUTSIDE,
-    SINGULAR,
-    STALLED,
-)
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.shooting.multipliers import Stability
+from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.symmetry import Symmetry
+from nonsmooth.runtime.simulation.simulate import checked_count
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import os
 
     from nonsmooth.runtime.orbits.admissible import Admissibility
+    from nonsmooth.runtime.orbits.kernel_problem import Sensitivity
     from nonsmooth.runtime.orbits.motion import Motion
-    from nonsmooth.runtime.orbits.stability import Stability
+    from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
+    from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
-__all__ = ["STATUS", "Orbit", "Sensitivity"]
+__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit"]
 
 DOUBLE = 15  # decimal digits up to which doubles serve
 GUARD = 15  # decimal digits carried beyond those asked for
-
-STATUS = {
-    CONVERGED: "converged",
-    STALLED: "not converged: give a guess nearer to the orbit, or none and let it be searched",
-    INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
-    NEGATIVE: "a dwell time is not positive: no motion has this itinerary here;"
-    " change the parameters or search without a guess",
-    OUTSIDE: "a parameter that was solved for is outside its domain: no such system exists;"
-    " change what is given",
-    SINGULAR: "singular: at these parameters (a resonance) the equations do not determine an"
-    " orbit; there is none, or a whole family: change a parameter",
-}
-
-
-@dataclass(frozen=True)
-class Sensitivity:
-    """Derivatives by one parameter, the others kept: nondimensional.
-
-    Attributes
-    ----------
-    unknowns : dict of str to number
-    period, trace : number
-    """
-
-    unknowns: dict[str, Any]
-    period: Any
-    trace: Any
+PERIOD = "period"  # under which name it is given
 
 
 @dataclass(frozen=True)
 class Orbit:
-    """A periodic orbit, or what a solver reached when it found none.
+    """A periodic orbit of an itinerary, or what a solver reached when it found none.
 
     Attributes
     ----------
-    name : str
-        ``system/orbit``.
+    problem : OrbitProblem
+        The itinerary and the kernels or tables that it was solved with.
     given : dict of str to Value
-        What was given, exactly: parameters, and unknowns that were exchanged for them.
+        What was given, exactly: parameters, unknowns that were exchanged for them, and the
+        ``period`` where it singles out one of a family.
     unknowns : dict of str to number
-        What was solved for; floats, or mpmath numbers after `refine`. Nondimensional.
+        What was solved for; floats, or mpmath numbers after `refine`. Nondimensional, or in
+        the units of the declaration.
     opened : dict of str to Value
         Parameters that only admissibility depends on, as far as they are given.
     residual : number
@@ -83,10 +58,13 @@ class Orbit:
         Error of each unknown x is at most 10^-digits max(1, |x|).
     iterations : int
     status : int
-        Key of `STATUS`, whose text says what to do next.
+        A number of `nonsmooth.runtime.shooting.newton`: 0 converged; `message` says what to
+        do next.
+    starts : array (p, N) or None
+        State at the start of each phase, where the solver has found them all.
     """
 
-    name: str
+    problem: OrbitProblem
     given: Mapping[str, Value]
     unknowns: Mapping[str, Any]
     opened: Mapping[str, Value]
@@ -94,23 +72,63 @@ class Orbit:
     digits: int
     iterations: int
     status: int
+    starts: np.ndarray | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def name(self) -> str:
+        """Name of the orbit, or of its system and how many phases it has."""
+        return self.problem.name
+
+    @property
+    def system(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        return self.problem.system
 
     @property
     def kernels(self) -> OrbitKernels:
-        """Kernels of this orbit."""
-        return load_orbit(self.name)
+        """Kernels of the orbit's own equations.
+
+        Raises
+        ------
+        InputError
+            If there are none: it was solved with the tables of its system.
+        """
+        kernels = self.problem.kernels
+        if kernels is None:
+            raise InputError(f"{self.name} has no kernels: it is composed from its phases")
+        return kernels
+
+    @property
+    def itinerary(self) -> tuple[tuple[str, str], ...]:
+        """Configuration and boundary of each phase; boundaries reached together are ``a+b``."""
+        return self.problem.itinerary
+
+    @property
+    def symmetry(self) -> Symmetry | None:
+        """What closes the first part of the orbit, where it was solved for by that part."""
+        return self.problem.symmetry
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """Names of the states, in the coordinates of the equations."""
+        return self.problem.state_names
+
+    @property
+    def dwell_time_names(self) -> tuple[str, ...]:
+        """Name of each phase's dwell time."""
+        return self.problem.dwell_time_names
 
     @property
     def converged(self) -> bool:
-        """Whether this is an orbit at all."""
+        """Whether this is an orbit, and determined by its equations."""
         return self.status == CONVERGED
 
     @property
     def message(self) -> str:
         """What the status means and suggests."""
-        return STATUS[self.status]
+        return self.problem.message(self.status, timed=PERIOD in self.given)
 
-    @property
+    @cached_property
     def precise(self) -> bool:
         """Whether the numbers are mpmath's, as after `refine`."""
         return not all(isinstance(x, float) for x in self.unknowns.values())
@@ -131,128 +149,181 @@ class Orbit:
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """All parameters of the equations, in the kernels' order."""
-        return {name: self.values[name] for name in self.kernels.parameter_names}
+        """All parameters of the equations: exactly as given, or the number solved for."""
+        known = {**self.unknowns, **self.given}
+        return {table.name: known[table.name] for table in self.problem.parameters}
 
     @property
-    def dwell_times(self) -> dict[str, Any]:
-        """Duration of each phase; nondimensional."""
-        return self.kernels.durations(self.values)
+    def given_period(self) -> Value | None:
+        """What the dwell times had to sum up to, where that was given."""
+        return self.given.get(PERIOD)
+
+    @cached_property
+    def dwell_times(self) -> np.ndarray:
+        """Duration (p,) of each phase: floats, or mpmath numbers."""
+        unknown = all(name in self.unknowns for name in self.dwell_time_names)
+        times = self.problem.dwell_times(self.unknowns if unknown else self.values)
+        return np.array(times, dtype=object if self.precise else float)
 
     @property
     def period(self) -> Any:
-        """Sum of the dwell times; nondimensional."""
-        return sum(self.dwell_times.values())
+        """Sum of the dwell times."""
+        total = self.dwell_times.sum()
+        return total if self.precise else float(total)
 
     @cached_property
-    def states(self) -> Any:
-        """State at the start and behind each transition.
+    def evaluation(self) -> Evaluation:
+        """What the equations tell at this orbit."""
+        return self.problem.evaluation(self)
 
-        Array (phases + 1, N) of floats, or rows of mpmath numbers; in the coordinates of the
-        equations, nondimensional.
+    @property
+    def tables(self) -> TableEvaluation:
+        """What the tables of the system tell at this orbit: passage, cycle, translations, ....
+
+        Raises
+        ------
+        InputError
+            If it was solved with kernels of its own.
         """
-        return self.evaluate("states")
+        from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
-    @cached_property
+        found = self.evaluation
+        if not isinstance(found, TableEvaluation):
+            raise InputError(f"{self.name} was solved with kernels, not with its system's tables")
+        return found
+
+    @property
+    def states(self) -> np.ndarray:
+        """State (p, N) at the start of each phase, behind the transition before it.
+
+        Floats or mpmath numbers; in the coordinates of the equations.
+        """
+        return self.evaluation.states
+
+    @property
     def stability(self) -> Stability:
-        """Multipliers, trace and verdict."""
-        from nonsmooth.runtime.orbits.stability import assess_stability
+        """Multipliers, trace and verdict.
 
-        return assess_stability(self)
+        Where boundaries are reached together the multipliers are those of motions that go on
+        doing so, and the verdict is "undecided".
 
-    @cached_property
+        Raises
+        ------
+        InputError
+            If there is no orbit.
+        """
+        return self.evaluation.stability
+
+    @property
+    def part_stability(self) -> Stability:
+        """Multipliers of the map over one part, followed by the symmetry that closes it.
+
+        The orbit's are their powers, squares where the symmetry is of order two; at -1 a pair
+        of orbits without the symmetry branches off.
+
+        Raises
+        ------
+        InputError
+            If there is no orbit, or it was not solved for by a part.
+        """
+        return self.evaluation.part_stability
+
+    @property
     def admissibility(self) -> Admissibility:
-        """Whether the orbit is a motion of the real system."""
-        from nonsmooth.runtime.orbits.admissible import assess_admissibility
+        """Whether the orbit is a motion of the real system; in double precision.
 
-        return assess_admissibility(self)
-
-    @cached_property
-    def saltations(self) -> Any:
-        """Saltation matrix of each transition (Sec. 4).
-
-        A perturbation in front of the transition, times the matrix, is that behind it, to
-        first order at the same time. Array (phases, N, N) of floats, or a list of nested
-        lists of mpmath numbers.
+        Raises
+        ------
+        InputError
+            If there is no orbit, or a phase lasts too long for a guarantee.
         """
-        rows = self.evaluate("saltations")
-        size = len(self.kernels.table["states"])
-        if not self.precise:
-            return rows.reshape(-1, size, size)
-        return [rows[k : k + size] for k in range(0, len(rows), size)]
+        return self.evaluation.admissibility
 
-    @cached_property
-    def monodromy(self) -> Any:
-        """Monodromy matrix (N, N): the product of flows and saltation matrices over a period.
-
-        It maps the vector field at the start to itself; its other eigenvalues are the
-        multipliers.
-        """
-        return self.evaluate("monodromy")
+    @property
+    def multipliers(self) -> np.ndarray:
+        """Multipliers of the map on the section where the orbit starts (complex, or mpmath's)."""
+        found = self.stability.multipliers
+        number = self.arithmetic.mp.mpc if self.precise else complex
+        kind = object if self.precise else complex
+        return np.array([number(m.real, m.imaginary) for m in found], dtype=kind)
 
     @property
     def trace(self) -> Any:
         """Trace of the Poincare map's Jacobian."""
         return self.stability.trace
 
+    @property
+    def poincare_jacobian(self) -> np.ndarray:
+        """Derivative of the Poincare map by the start.
+
+        With kernels in the section's own coordinates. With tables (N, N) in all of them: both
+        times are those of the transition, it maps onto the tangent space of the section and has
+        a multiplier zero for each dimension that the section lacks.
+        """
+        return self.evaluation.poincare_jacobian
+
+    @property
+    def saltations(self) -> np.ndarray:
+        """Saltation matrix (p, N, N) of each transition (Sec. 4).
+
+        A perturbation in front of the transition, times the matrix, is that behind it, to
+        first order at the same time.
+        """
+        return self.evaluation.saltations
+
+    @property
+    def monodromy(self) -> np.ndarray:
+        """Monodromy matrix (N, N): the product of flows and saltation matrices over a period.
+
+        It maps the vector field at the start to itself; its other eigenvalues are the
+        multipliers.
+        """
+        return self.evaluation.monodromy
+
+    @property
+    def shift(self) -> dict[str, Any]:
+        """By how much each state is moved behind one period: zero but along translations."""
+        return self.evaluation.shift
+
     def evaluate(self, kernel: str, *, moved: bool = False) -> Any:
         """A kernel of this orbit at its own parameters and unknowns.
 
         With `moved` the kernel takes the spectrum's derivatives too. Floats give arrays,
         mpmath numbers nested lists.
-        """
-        kernels = self.kernels
-        parameters = [self.values[name] for name in kernels.parameter_names]
-        unknowns = [self.values[name] for name in kernels.unknowns]
-        if self.precise:
-            lib = self.arithmetic
-            spectrum, derivatives = kernels.spectrum(parameters, lib)
-            arrays = (parameters, spectrum, *([derivatives] if moved else []), unknowns)
-            return kernels.source(kernel)(*arrays, lib=lib)
-        spectrum, derivatives = kernels.spectrum(parameters)
-        arrays = (parameters, spectrum, *([derivatives] if moved else []), unknowns)
-        return kernels.evaluate(kernel, *arrays)
-
-    def sensitivity(self, parameter: str) -> Sensitivity:
-        """Derivatives of unknowns, period and trace by one given parameter.
-
-        By the implicit function theorem on the full equations, J du = -dF/dp, for the
-        choice of unknowns of this orbit.
 
         Raises
         ------
         InputError
-            If the parameter is not among those given.
+            If the orbit has no kernels.
         """
-        if parameter not in self.given:
-            raise unknown_name("given parameter", parameter, self.given)
-        kernels = self.kernels
-        names = [*kernels.unknowns, *kernels.parameter_names]
-        rows = [
-            [*by_unknowns, *by_parameters]
-            for by_unknowns, by_parameters in zip(
-                self.evaluate("jacobian"),
-                self.evaluate("parameter_jacobian", moved=True),
-                strict=True,
-            )
-        ]
-        places = [names.index(name) for name in self.unknowns]
-        column = names.index(parameter)
-        matrix = [[row[i] for i in places] for row in rows]
-        right = [-row[column] for row in rows]
-        solution = (
-            self.arithmetic.solve(matrix, right)
-            if self.precise
-            else [float(x) for x in np.linalg.solve(np.array(matrix), np.array(right))]
-        )
-        rates = dict(zip(self.unknowns, solution, strict=True)) | {parameter: 1}
-        gradient = self.evaluate("trace_gradient", moved=True)
-        slopes = dict(zip(names, gradient if self.precise else gradient.tolist(), strict=True))
-        return Sensitivity(
-            dict(zip(self.unknowns, solution, strict=True)),
-            sum(kernels.durations({**dict.fromkeys(names, 0), **rates}).values()),
-            sum(slopes[name] * rate for name, rate in rates.items()),
-        )
+        from nonsmooth.runtime.orbits.kernel_problem import evaluate
+
+        return evaluate(self, kernel, moved=moved)
+
+    def sensitivity(self, parameter: str) -> Sensitivity:
+        """Derivatives of unknowns, period and trace by one given parameter.
+
+        Raises
+        ------
+        InputError
+            If the parameter is not among those given, or the orbit has no kernels.
+        """
+        from nonsmooth.runtime.orbits.kernel_problem import sensitivity
+
+        return sensitivity(self, parameter)
+
+    def trajectory(self, periods: int = 1) -> Trajectory:
+        """The motion along the orbit, phase by phase as it was solved for.
+
+        An unstable orbit is not left, as it would be by a simulation from its start.
+
+        Raises
+        ------
+        InputError
+            If there is no orbit, for a count that is no positive integer, or an orbit with
+            kernels, which leaves physical parameters open: see `motion`.
+        """
+        return self.evaluation.trajectory(checked_count("periods", periods, 1))
 
     def to_json(self) -> dict[str, Any]:
         """The orbit as JSON: numbers as decimal strings with all their digits."""

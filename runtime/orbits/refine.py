@@ -10,55 +10,44 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, overload
+from typing import Any
 
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
 
-if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
-
-__all__ = ["MOST_DIGITS", "refine"]
+__all__ = ["MOST_DIGITS", "check_digits", "precisions", "refine", "refine_kernels"]
 
 MOST_DIGITS = 100_000
 _START_DIGITS = 15
 _MARGIN = 10  # decimals that the linear algebra of a step may lose
 
 
-@overload
-def refine(orbit: Orbit, digits: int, *, arithmetic: str = ...) -> Orbit: ...
-
-
-@overload
-def refine(orbit: ComposedOrbit, digits: int, *, arithmetic: str = ...) -> ComposedOrbit: ...
-
-
-def refine(
-    orbit: Orbit | ComposedOrbit, digits: int, *, arithmetic: str = "flint"
-) -> Orbit | ComposedOrbit:
+def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     """Refine an orbit to true decimal digits.
 
     Parameters
     ----------
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         A converged orbit; its parameters are taken exactly as they were given.
     digits : int
         The error of each unknown x will be at most 10^-digits max(1, |x|).
     arithmetic : {"flint", "mpmath"}
         Balls, whose digits are proved, or mpmath (on gmpy2 where that is installed), whose
-        digits are checked against twice the precision. A composed orbit takes mpmath.
+        digits are checked against twice the precision. An orbit without kernels of its own
+        takes mpmath.
 
     Returns
     -------
-    Orbit or ComposedOrbit
+    Orbit
         With mpmath numbers; its `residual` is the largest left-hand side of the equations.
 
     Raises
     ------
     InputError
-        For digits outside 1 ... 100000 or an orbit that has not converged.
+        For digits outside 1 ... 100000, an orbit that has not converged, or a symmetry that
+        holds in double precision only.
     NoConvergence
         If Newton's method leaves the orbit, as it does where the equations are singular.
 
@@ -69,27 +58,33 @@ def refine(
     >>> orbit.residual < 1e-39
     True
     """
-    if not isinstance(orbit, Orbit):
-        return orbit.refined(digits)
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
-        raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+    check_digits(digits)
     if not orbit.converged:
         raise InputError(f"{orbit.name} cannot be refined: {orbit.message}")
-    routes = {"flint": _with_balls, "mpmath": _with_mpmath}
-    if arithmetic not in routes:
+    if arithmetic not in ("flint", "mpmath"):
         raise InputError(f"arithmetic is {arithmetic!r}, neither 'flint' nor 'mpmath'")
-    unknowns, residual, iterations = routes[arithmetic](orbit, digits + GUARD)
+    return orbit.problem.refined(orbit, digits, arithmetic)
+
+
+def check_digits(digits: object) -> None:
+    """Refuse what is no number of digits."""
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
+        raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+
+
+def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
+    """Refine an orbit by the kernels of its own equations; as `refine`."""
+    route = _with_balls if arithmetic == "flint" else _with_mpmath
+    unknowns, residual, iterations = route(orbit, digits + GUARD)
     named = dict(zip(orbit.unknowns, unknowns, strict=True))
     return replace(orbit, unknowns=named, residual=residual, digits=digits, iterations=iterations)
 
 
-def _precisions(digits: int) -> list[int]:
+def precisions(digits: int, start: int) -> list[int]:
     """Decimals of the steps: doubling up to the last, from what doubles give."""
     steps = [digits]
-    while steps[-1] > _START_DIGITS:
+    while steps[-1] > start:
         steps.append(math.ceil(steps[-1] / 2) + 2)
-        if steps[-1] >= steps[-2]:
-            break
     return steps[::-1]
 
 
@@ -119,7 +114,7 @@ def _with_mpmath(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
     names = list(orbit.unknowns)
     x = [lib.mp.mpf(value) for value in orbit.unknowns.values()]
     # the last step, at twice the digits, corrects nothing that counts: the check
-    steps = [*_precisions(digits), 2 * digits]
+    steps = [*precisions(digits, _START_DIGITS), 2 * digits]
     correction = lib.mp.inf
     for count, precision in enumerate(steps, 1):
         with lib.working(precision + _MARGIN):
@@ -143,7 +138,7 @@ def _with_mpmath(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
 def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
     lib, names = Balls(), list(orbit.unknowns)
     x = [exact_ball(value) for value in orbit.unknowns.values()]
-    steps = _precisions(digits)
+    steps = precisions(digits, _START_DIGITS)
     for precision in steps:
         with lib.working(_bits(precision + _MARGIN)):
             residual, jacobian = _at(orbit, names, x, lib)

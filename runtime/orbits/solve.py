@@ -1,50 +1,39 @@
-"""One periodic orbit at one parameter point."""
+"""One periodic orbit at one parameter point: of an itinerary that is named, or that is given."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value, parse
-from nonsmooth.runtime.model.completion import Point, complete
-from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.model.parameters import in_domain
-from nonsmooth.runtime.orbits.admissible import admissible_points
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.shooting.newton import (
-    CONVERGED,
-    OUTSIDE,
-    Full,
-    equations_at,
-    error_bound,
-    solve_full,
-    solve_reduced,
-)
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
+from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
+from nonsmooth.runtime.orbits.declared_solve import solve_declared
+from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
+from nonsmooth.runtime.orbits.orbit import DOUBLE, PERIOD, Orbit
+from nonsmooth.runtime.orbits.refine import check_digits, refine
+from nonsmooth.runtime.orbits.table_solve import Symmetries, solve_itinerary
+from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
-if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+__all__ = ["Itinerary", "guess_along", "period_in", "solve"]
 
-__all__ = ["reference_guess", "search", "solve", "solve_derived"]
-
-CONTINUATION_STEPS = 24
-STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
-SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
+Itinerary = Sequence[tuple[str, str]] | Recurrence
 
 
 def solve(
-    orbit: str,
+    orbit: str | DeclaredOrbit | DeclaredSystem | OrbitKernels | SystemKernels,
     parameters: Mapping[str, object] | None = None,
-    guess: Sequence[float] | Mapping[str, float] | None = None,
+    guess: Sequence[float] | Mapping[str, float] | Any = None,
     *,
+    itinerary: Itinerary | None = None,
+    symmetry: Symmetries = None,
     unknown: Iterable[str] = (),
     given: Mapping[str, object] | None = None,
+    digits: int = DOUBLE,
     throw: bool = True,
-) -> Orbit | ComposedOrbit:
+) -> Orbit:
     """Find the periodic orbit of an itinerary.
 
     Without a guess it starts from the orbit's reference point; where that leads nowhere, or
@@ -53,347 +42,171 @@ def solve(
 
     Parameters
     ----------
-    orbit : str
+    orbit : str or Itinerary, or a system beside an `itinerary`
         ``system/orbit``, or a user's ``FILE.py:ORBIT``. One whose equations have no closed
         form is composed numerically from its phases. Of a file of orbits ``FILE.json:N``, the
-        N-th, counted from 1: its parameters are the defaults.
+        N-th, counted from 1: its parameters are the defaults. With an `itinerary` the name of
+        a system, or a System.
     parameters : mapping of str to number, text or Value, optional
         Those of the equations, or the physical ones in their place; absent ones take the
-        reference point's values. Nondimensional.
+        reference point's values. With an `itinerary` all physical parameters. Nondimensional,
+        or in the units of the declaration.
     guess : sequence or mapping of float, optional
-        Start of the unknowns, all in their order or some by name.
+        Start of the unknowns, all in their order or some by name. With an `itinerary` the dwell
+        times, one for each phase, or these and the state at the start of the first phase;
+        without that the state that fits the dwell times best is taken.
+    itinerary : sequence of (configuration, boundary), or Recurrence, optional
+        The phases of an orbit that has no name: cyclic, the last leads back to the first.
+        Boundaries that are reached together are ``"a+b"`` or a sequence of names: the first
+        one's switching condition is solved, and admissibility asks for the others'. The cycle
+        of a motion, as `itinerary_of` gives it, brings its own guess.
+    symmetry : mapping of state to text, or array (N, N), optional
+        Of an `itinerary`: a signed permutation of the states that maps motions to motions, such
+        as ``{"x": "-x", "v": "-v"}``. The itinerary is then that of the first part of the
+        orbit, half of it where the symmetry is its own inverse: the symmetry maps the state
+        behind its last transition to the start. The orbit that is returned is the whole one.
     unknown, given : names, and mapping of names to values
         Exchange: the parameters named in `unknown` are solved for, the unknowns named in
         `given` keep their values; as many of one as of the other. An orbit that is composed
-        takes none of them, but its ``period`` may be given.
+        takes none of them, but its ``period`` may be given: it singles out one of a family of
+        orbits, as there is where energy is kept.
+    digits : int
+        True decimal digits; above 15 as `refine` gives them.
     throw : bool
         Raise when there is no convergence; otherwise the orbit's `status` says it.
 
     Returns
     -------
-    Orbit or ComposedOrbit
+    Orbit
         In double precision; the iteration ends when a full Newton step is below
         1e-9 max(1, |x|), which leaves an error of rounding.
 
     Raises
     ------
     InputError
-        For wrong names or values, a guess of the wrong length, or an exchange that the
-        equations do not determine (its condition number is given).
+        For wrong names or values, a guess of the wrong length, an exchange that the equations
+        do not determine (its condition number is given), an itinerary that the system does not
+        allow, or what is no symmetry of it at these parameters.
     NoConvergence
-        If no orbit was found; the message says what was tried.
+        If no orbit was found, and the message says what was tried, or if it cannot be refined.
 
     Examples
     --------
-    >>> import nonsmooth as ns
-    >>> orbit = ns.solve("dry-friction/global-stick", {"V": "0.95"})
-    >>> orbit.converged, orbit.stability.verdict
-    (True, 'stable')
+    >>> solve("dry-friction/global-stick").stability.verdict
+    'stable'
+    >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> phases = [
+    ...     ("stick-stick", "first-breaks-forward"),
+    ...     ("slip-stick", "second-breaks-forward"),
+    ...     ("slip-slip", "first-reaches-belt"),
+    ...     ("stick-slip", "second-reaches-belt"),
+    ... ]
+    >>> orbit = solve("dry-friction", data, [1, 2, 1.5, 3.3], itinerary=phases)
+    >>> orbit.stability.verdict, orbit.admissibility.verdict
+    ('stable', True)
     """
-    kernels = load_orbit(orbit)
+    check_digits(digits)
     exchange: dict[str, Any] = {"unknown": tuple(unknown), "given": given}
-    if kernels.derived:
-        return solve_derived(orbit, parameters, guess, throw=throw, **exchange)
-    from nonsmooth.runtime.orbits.named import solve_declared
+    if itinerary is not None:
+        found = _composed(orbit, parameters, guess, itinerary, symmetry, throw=throw, **exchange)
+    elif symmetry is not None:
+        raise InputError("a symmetry closes an itinerary: give that, and the system")
+    else:
+        named: Any = orbit
+        kernels = named if isinstance(named, OrbitKernels) else load_orbit(named)
+        exchange |= {"throw": throw}
+        if kernels.derived:
+            label = orbit if isinstance(orbit, str) else ""
+            found = solve_kernels(kernels, parameters, guess, label=label, **exchange)
+        else:
+            found = solve_declared(kernels, parameters or {}, guess, **exchange)
+    return refine(found, digits) if digits > DOUBLE and found.converged else found
 
-    return solve_declared(kernels, parameters or {}, guess, throw=throw, **exchange)
 
-
-def solve_derived(
-    orbit: str,
-    parameters: Mapping[str, object] | None = None,
-    guess: Sequence[float] | Mapping[str, float] | None = None,
+def _composed(
+    system: Any,
+    parameters: Mapping[str, object] | None,
+    guess: Any,
+    itinerary: Itinerary,
+    symmetry: Symmetries,
     *,
-    unknown: Iterable[str] = (),
-    given: Mapping[str, object] | None = None,
-    throw: bool = True,
+    unknown: tuple[str, ...],
+    given: Mapping[str, object] | None,
+    throw: bool,
 ) -> Orbit:
-    """Find a periodic orbit that has kernels; as `solve`."""
-    kernels = load_orbit(orbit)
-    swapped, fixed = tuple(unknown), dict(given or {})
-    _check_exchange(kernels, swapped, fixed)
-    point = complete(kernels, parameters or {}, without=swapped)
-    start = _start(kernels, guess, swapped)
-    found, tried = (
-        _exchanged(kernels, point, swapped, _given(fixed), start)
-        if swapped
-        else _ordinary(kernels, point, start, searching=guess is None)
+    """Solve the itinerary of a system."""
+    kernels = kernels_of(system)
+    period = period_in(unknown, given)
+    phases, dwell, start = guess_along(kernels, itinerary, guess)
+    orbit = solve_itinerary(
+        kernels, parameters or {}, phases, dwell, start, period=period, symmetry=symmetry
     )
-    if throw and not found.converged:
-        searched = guess is None and not swapped and found.kernels.reduced
-        reason = "no orbit was found at these parameters" if searched else found.message
-        raise NoConvergence(f"{orbit}: {reason} (tried: {', '.join(tried)})")
-    return found
+    if throw and not orbit.converged:
+        raise NoConvergence(f"{orbit.name}: {orbit.message}")
+    return orbit
 
 
-def reference_guess(kernels: OrbitKernels) -> dict[str, float]:
-    """Values of the unknowns near the reference point.
+def period_in(unknown: Iterable[str], given: Mapping[str, object] | None) -> object:
+    """The period that is given for an itinerary, if it is; InputError for an exchange."""
+    exchanged = [*unknown, *(name for name in given or {} if name != PERIOD)]
+    if exchanged:
+        raise InputError(
+            f"an itinerary is composed from its phases: {', '.join(exchanged)} cannot be"
+            " exchanged, as in orbits whose equations are derived"
+        )
+    return (given or {}).get(PERIOD)
+
+
+def guess_along(
+    kernels: SystemKernels, itinerary: Itinerary, guess: Any
+) -> tuple[Sequence[tuple[str, str]], Any, Any]:
+    """Phases, and the guesses (..., p) of their dwell times and (..., N) of the start, if any.
 
     Raises
     ------
     InputError
-        If the orbit declares none.
+        If there is no guess, or one of the wrong length.
     """
-    reference = kernels.table["reference"]
-    if reference is None:
-        raise InputError(f"{kernels.name} declares no reference point: give a guess")
-    return {name: float(text) for name, text in reference["guess"].items()}
-
-
-def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
-    """All orbits that Newton's method reaches from a grid of starts, admissible ones first.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    parameters : array (p,)
-
-    Returns
-    -------
-    array (k, n)
-        Unknowns of the distinct orbits with positive dwell times.
-    """
-    starts = np.array(list(product(_grid(kernels), repeat=len(kernels.reduced))))
-    solved = solve_reduced(kernels, parameters, starts)
-    found = _distinct(solved.unknowns[solved.status == CONVERGED])
-    allowed, _ = admissible_points(
-        kernels, np.broadcast_to(parameters, (len(found), len(parameters))), found
-    )
-    return found[np.argsort(~allowed, kind="stable")]
-
-
-def _distinct(roots: np.ndarray) -> np.ndarray:
-    """The first of each cluster of roots, in their order."""
-    first = []
-    while len(roots):
-        first.append(roots[0])
-        apart = np.abs(roots - roots[0]) > 1e-7 * (1 + np.abs(roots[0]))
-        roots = roots[apart.any(axis=-1)]
-    return np.array(first).reshape(-1, roots.shape[-1])
-
-
-def _grid(kernels: OrbitKernels) -> np.ndarray:
-    """Starts of each reduced unknown: even, or geometric where there is one only."""
-    if len(kernels.reduced) == 1:
-        return np.geomspace(SHORTEST_DWELL, LONGEST_DWELL, STARTS_OF_ONE)
-    return np.linspace(0, LONGEST_DWELL, STARTS_PER_UNKNOWN + 1)[1:]
-
-
-def _ordinary(
-    kernels: OrbitKernels, point: Point, start: dict[str, float], *, searching: bool
-) -> tuple[Orbit, list[str]]:
-    """Solve for all unknowns on the reduced equations."""
-    parameters = np.array([float(v) for v in point.values.values()])
-    names = list(kernels.reduced)
-    guess = np.array([start[name] for name in names])
-    tried = ["the reference point's guess" if searching else "the guess"]
-    first = _orbit(kernels, point, solve_reduced(kernels, parameters, guess))
-    if not names:
-        return first, ["the explicit solution"]
-    if not searching or _good(first):
-        return first, tried
-    tried.append(f"continuation in {CONTINUATION_STEPS} steps")
-    followed = _followed(kernels, point, parameters, guess)
-    if _good(followed):
-        return followed, tried
-    tried.append(f"{len(_grid(kernels)) ** len(names)} starts")
-    candidates = search(kernels, parameters)
-    if len(candidates):
-        places = [kernels.unknowns.index(name) for name in names]
-        best = _orbit(kernels, point, solve_reduced(kernels, parameters, candidates[0][places]))
-        if _good(best) or not (first.converged or followed.converged):
-            return best, tried
-    return (first if first.converged else followed), tried
-
-
-def _followed(
-    kernels: OrbitKernels, point: Point, parameters: np.ndarray, guess: np.ndarray
-) -> Orbit:
-    """Carry the reference orbit to the parameters, in even steps of them or their logarithms."""
-    defaults = kernels.table["reference"]["parameters"]
-    begin = np.array([float(parse(defaults[name])) for name in kernels.parameter_names])
-    places = [kernels.unknowns.index(name) for name in kernels.reduced]
-    solved = solve_reduced(kernels, begin, guess)
-    for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
-        solved = solve_reduced(
-            kernels, _between(begin, parameters, fraction), solved.unknowns[places]
-        )
-    return _orbit(kernels, point, solve_reduced(kernels, parameters, solved.unknowns[places]))
-
-
-def _between(begin: np.ndarray, end: np.ndarray, fraction: float) -> np.ndarray:
-    """A point on the way: geometric where both ends are positive, else on a straight line."""
-    positive = (begin > 0) & (end > 0)
-    ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
-    return np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
-
-
-def _good(orbit: Orbit) -> bool:
-    """Whether an orbit has converged and may be a motion of the real system."""
-    if not orbit.converged:
-        return False
-    kernels = orbit.kernels
-    point = np.array([[float(orbit.values[name]) for name in kernels.parameter_names]])
-    unknowns = np.array([[orbit.values[name] for name in kernels.unknowns]])
-    allowed, bounds = admissible_points(kernels, point, unknowns)
-    least = zip(kernels.open_parameters, bounds[0], strict=True)
-    return bool(allowed[0]) and all(
-        float(orbit.opened[p.name]) > bound for p, bound in least if p.name in orbit.opened
-    )
-
-
-def _orbit(kernels: OrbitKernels, point: Point, solved: Any) -> Orbit:
-    """Record of a reduced solution, with the residual of the full equations."""
-    unknowns = {n: float(x) for n, x in zip(kernels.unknowns, solved.unknowns, strict=True)}
-    status = int(solved.status)
-    residual, digits = float(solved.residual), 0
-    tables = {p.name: p for p in kernels.other_parameters}
-    if not all(in_domain(tables[name], unknowns[name]) for name in kernels.solved_for):
-        status = OUTSIDE
-    if status == CONVERGED:
-        values = {**{name: float(v) for name, v in point.values.items()}, **unknowns}
-        residual, error = _quality(kernels, values)
-        digits = _digits(error)
-    return Orbit(
-        kernels.name,
-        point.values,
-        unknowns,
-        point.opened,
-        residual,
-        digits,
-        int(solved.iterations),
-        status,
-    )
-
-
-def _quality(kernels: OrbitKernels, values: dict[str, float]) -> tuple[float, float]:
-    """Residual of the full equations, and a bound on the error of the unknowns by J^-1."""
-    names, count = (*kernels.unknowns, *kernels.parameter_names), len(kernels.unknowns)
-    x = np.array([values[name] for name in names])
-    equations = equations_at(kernels, x)
-    error = error_bound(kernels, x, list(range(count)), equations)
-    return float(np.abs(equations[0]).max()), error
-
-
-def _digits(error: float) -> int:
-    if not math.isfinite(error):
-        return 0
-    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
-
-
-def _exchanged(
-    kernels: OrbitKernels,
-    point: Point,
-    swapped: tuple[str, ...],
-    fixed: dict[str, Value],
-    start: dict[str, float],
-) -> tuple[Orbit, list[str]]:
-    """Solve the full equations with parameters in place of unknowns.
-
-    From the guess; if that fails, the given values are approached in steps from an orbit at
-    the default values of what is now unknown.
-    """
-    defaults = kernels.table["reference"]["parameters"] if kernels.table["reference"] else {}
-    values = {name: float(parse(text)) for name, text in defaults.items()}
-    values |= {name: float(v) for name, v in point.values.items()} | start
-    target = {name: float(v) for name, v in fixed.items()}
-    solved_for = [n for n in kernels.unknowns if n not in fixed] + list(swapped)
-    tried = ["the guess"]
-    try:
-        found = solve_full(kernels, values | target, solved_for)
-        refusal = None
-    except InputError as error:
-        found, refusal = None, error
-    if found is None or found.status != CONVERGED:
-        tried.append(f"{CONTINUATION_STEPS} steps to the given values")
-        found = _approached(kernels, values, target, solved_for) or found
-    if found is None:
-        assert refusal is not None
-        raise refusal
-    tables = {p.name: p for p in kernels.parameters}
-    if found.status == CONVERGED and not all(
-        in_domain(tables[name], found.values[name]) for name in swapped
-    ):
-        found = found._replace(status=OUTSIDE)
-    unknowns = {name: found.values[name] for name in solved_for}
-    orbit = Orbit(
-        kernels.name,
-        {**point.values, **fixed},
-        unknowns,
-        point.opened,
-        found.residual,
-        _digits(found.error),
-        found.iterations,
-        found.status,
-    )
-    return orbit, tried
-
-
-def _approached(
-    kernels: OrbitKernels,
-    values: dict[str, float],
-    target: dict[str, float],
-    solved_for: Sequence[str],
-) -> Full | None:
-    base = solve_full(kernels, values, list(kernels.unknowns))
-    if base.status != CONVERGED:
-        return None
-    found = base
-    for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
-        here = {n: base.values[n] + fraction * (t - base.values[n]) for n, t in target.items()}
-        try:
-            found = solve_full(kernels, found.values | here, solved_for)
-        except InputError:
-            return None
-    return found
-
-
-def _start(
-    kernels: OrbitKernels,
-    guess: Sequence[float] | Mapping[str, float] | None,
-    swapped: Sequence[str],
-) -> dict[str, float]:
-    """A value for every unknown, and for exchanged parameters if given, to start from."""
+    phases: Sequence[Any] = itinerary
+    if isinstance(itinerary, Recurrence):
+        phases = itinerary.itinerary
+        if guess is None:
+            guess = np.concatenate([itinerary.dwell_times, itinerary.start])
+    if isinstance(phases, str) or not isinstance(phases, Sequence):
+        raise InputError("an itinerary is a sequence of (configuration, boundary)")
+    if not phases:
+        raise InputError("an itinerary of no phase")
     if guess is None:
-        return reference_guess(kernels)
+        raise InputError("an itinerary takes a guess: the dwell time of each phase")
+    states = kernels.table["states"]
+    count, size = len(phases), len(states)
     if isinstance(guess, Mapping):
-        variables = [*kernels.unknowns, *swapped]
-        for name in guess:
-            if name not in variables:
-                raise unknown_name("variable", name, variables)
-        named = {name: float(as_value(value)) for name, value in guess.items()}
-        return reference_guess(kernels) | named
-    if len(guess) != len(kernels.unknowns):
+        guess = _in_order(guess, count, states)
+    try:
+        width = np.atleast_1d(np.asarray(guess, dtype=float)).shape[-1]
+    except (TypeError, ValueError):
+        raise InputError("the guess holds something else than real numbers") from None
+    if width not in (count, count + size):
         raise InputError(
-            f"the guess has {len(guess)} values, {kernels.name} has {len(kernels.unknowns)}"
-            f" unknowns: {', '.join(kernels.unknowns)}"
+            f"the guess has {width} values: it takes {count}, a dwell time for each phase,"
+            f" or {count + size}, these and the start: {', '.join(states)}"
         )
-    return {n: float(as_value(x)) for n, x in zip(kernels.unknowns, guess, strict=True)}
+    if width == count:
+        return phases, guess, None
+    if np.ndim(guess) == 1:
+        return phases, list(guess[:count]), list(guess[count:])
+    return phases, np.asarray(guess)[..., :count], np.asarray(guess)[..., count:]
 
 
-def _check_exchange(
-    kernels: OrbitKernels, swapped: tuple[str, ...], fixed: Mapping[str, object]
-) -> None:
-    for name in swapped:
-        if name not in kernels.parameter_names:
-            raise unknown_name("parameter to solve for", name, kernels.parameter_names)
-    for name in fixed:
-        if name not in kernels.unknowns:
-            raise unknown_name("variable", name, kernels.unknowns)
-    if len(set(swapped)) != len(swapped):
-        raise InputError(f"a parameter is named twice among the unknown: {', '.join(swapped)}")
-    if len(swapped) != len(fixed):
-        raise InputError(
-            f"to be solved for: {', '.join(swapped) or 'no parameter'}; given in place:"
-            f" {', '.join(fixed) or 'no unknown'}: as many of one as of the other are needed"
-        )
-
-
-def _given(fixed: Mapping[str, object]) -> dict[str, Value]:
-    found = {}
-    for name, value in fixed.items():
-        try:
-            found[name] = as_value(value)
-        except InputError as error:
-            raise InputError(f"{name}: {error}") from None
-    return found
+def _in_order(guess: Mapping[str, Any], count: int, states: Sequence[str]) -> list[Any]:
+    """A guess by name, tau1 to taup and all states or none, in order."""
+    dwell = [f"tau{place + 1}" for place in range(count)]
+    for name in guess:
+        if name not in dwell and name not in states:
+            raise unknown_name("variable", name, [*dwell, *states])
+    if missing := [name for name in dwell if name not in guess]:
+        raise InputError(f"the guess has no {', '.join(missing)}")
+    start = [guess[name] for name in states if name in guess]
+    if start and len(start) < len(states):
+        raise InputError(f"the guess has some states only: it takes all, {', '.join(states)}")
+    return [*(guess[name] for name in dwell), *start]

@@ -3,53 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
-from nonsmooth.runtime.shooting.multipliers import Multiplier
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 
-__all__ = ["Stability", "assess_stability"]
-
-
-@dataclass(frozen=True)
-class Stability:
-    """Multipliers and verdict.
-
-    Attributes
-    ----------
-    multipliers : tuple of Multiplier
-        Of the map on the section; by decreasing absolute value.
-    trace : number
-        Of the same Jacobian.
-    rank : int
-        No more multipliers differ from zero, because the map passes through a section of
-        that dimension; with rank one |trace| < 1 decides.
-    margin : number
-        1 - the largest nontrivial |multiplier|; 1 - |trace| for rank one.
-    verdict : {"stable", "neutral", "unstable", "undecided"}
-        "stable" is the paper's "conditionally stable": with respect to perturbations that
-        keep the sequence of switches. "neutral": a conservative orbit whose nontrivial
-        multipliers lie on the unit circle. Undecided if the margin is within its own error,
-        or if a phase reaches the boundary that ends it with no speed beyond its error.
-    one_sided : str
-        On which side derivatives are taken, as "ta > 0", where the orbit is a border
-        collision; else empty.
-    """
-
-    multipliers: tuple[Multiplier, ...]
-    trace: Any
-    rank: int
-    margin: Any
-    verdict: str
-    one_sided: str
-
-    @property
-    def rank_one(self) -> bool:
-        """Whether the trace alone decides."""
-        return self.rank == 1
+__all__ = ["assess_stability"]
 
 
 def assess_stability(orbit: Orbit) -> Stability:
@@ -90,7 +51,7 @@ def _grazes(orbit: Orbit, error: Any) -> bool:
     """Whether a phase's exit boundary may be reached tangentially: there no map has a slope."""
     kernels, lib = orbit.kernels, orbit.arithmetic.mp if orbit.precise else np
     coefficients, frequencies = (list(a) for a in orbit.evaluate("boundary_functions"))
-    dwell, terms = list(orbit.dwell_times.values()), kernels.table["terms"]
+    dwell, terms = orbit.dwell_times.tolist(), kernels.table["terms"]
     row = 0
     for boundary in kernels.boundaries:
         phase = boundary.phase

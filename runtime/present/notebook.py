@@ -11,7 +11,6 @@ from nonsmooth.runtime.model.naming import itinerary_text, symbol
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.finding.find import Found
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
     from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["found_html", "orbit_html", "orbit_latex"]
@@ -25,7 +24,7 @@ def _complex(real: str, imaginary: str) -> str:
     return f"{real} {'-' if imaginary.startswith('-') else '+'} {imaginary.lstrip('-')} i"
 
 
-def orbit_html(orbit: Orbit | ComposedOrbit) -> str:
+def orbit_html(orbit: Orbit) -> str:
     """Show an orbit as a compact table, for a notebook."""
     given = [f"{name} = {value}" for name, value in {**orbit.given, **orbit.opened}.items()]
     if not orbit.converged:
@@ -60,7 +59,7 @@ def orbit_html(orbit: Orbit | ComposedOrbit) -> str:
     )
 
 
-def orbit_latex(orbit: Orbit | ComposedOrbit) -> str:
+def orbit_latex(orbit: Orbit) -> str:
     """Show the unknowns of an orbit as aligned equations, for a notebook."""
     if not orbit.converged:
         return rf"$$\text{{{orbit.name}: {orbit.message}}}$$"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.completion import default_parameters
@@ -16,57 +16,71 @@ from nonsmooth.runtime.model.kernels import (
     system_names,
 )
 from nonsmooth.runtime.orbits.orbit import Orbit
-
-if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.shooting.multipliers import Stability
 
 __all__ = ["admissibility_json", "orbit_json", "short", "systems_json"]
 
 
-def orbit_json(orbit: Orbit | ComposedOrbit, digits: int | None = None) -> dict[str, Any]:
+def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
     """An orbit with stability and admissibility; numbers as decimal strings.
 
     `unknowns` are what was solved for, `parameters` what was given, with three digits more
-    than the error bound 10^-digits max(1, |x|) needs.
+    than the error bound 10^-digits max(1, |x|) needs. The phases are told where the orbit has
+    no kernels, and so no list of its own.
 
     Parameters
     ----------
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
     digits : int, optional
         Fewer digits than the orbit has.
-    """
-    if not isinstance(orbit, Orbit):
-        from nonsmooth.runtime.present.composed_report import composed_json
 
-        return composed_json(orbit, digits)
+    Raises
+    ------
+    InputError
+        If there is no orbit.
+    """
     shown = orbit.digits if digits is None else min(digits, orbit.digits)
 
     def text(number: Any) -> str:
         return decimal_string(number, shown)
 
+    def multipliers(stability: Stability) -> list[dict[str, Any]]:
+        return [
+            {"re": text(m.real), "im": text(m.imaginary), "trivial": m.trivial}
+            for m in stability.multipliers
+        ]
+
     stability = orbit.stability
-    return {
+    shift = {name: text(orbit.shift[name]) for name in orbit.evaluation.free_states}
+    found = {
         "orbit": orbit.name,
         "parameters": {name: text(orbit.values[name]) for name in orbit.given}
-        | orbit.kernels.required
+        | dict(orbit.problem.required)
         | {name: text(float(value)) for name, value in orbit.opened.items()},
         "unknowns": {name: text(value) for name, value in orbit.unknowns.items()},
         "period": text(orbit.period),
+        **({"shift": shift} if shift else {}),
         "residual": short(orbit.residual),
         "digits": shown,
-        "multipliers": [
-            {"re": text(m.real), "im": text(m.imaginary), "trivial": m.trivial}
-            for m in stability.multipliers
-        ],
+        "multipliers": multipliers(stability),
         "trace": text(stability.trace),
         "margin": text(stability.margin),
         "stability": stability.verdict,
         **({"one_sided": stability.one_sided} if stability.one_sided else {}),
         **admissibility_json(orbit),
     }
+    if orbit.symmetry is not None:
+        found["part_multipliers"] = multipliers(orbit.part_stability)
+    if orbit.problem.kernels is None:
+        phases = zip(orbit.itinerary, orbit.dwell_time_names, strict=True)
+        found["phases"] = [
+            {"configuration": configuration, "boundary": boundary, "dwell_time": name}
+            for (configuration, boundary), name in phases
+        ]
+    return found
 
 
-def admissibility_json(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
+def admissibility_json(orbit: Orbit) -> dict[str, Any]:
     """Verdict, and what it rests on: violations, or bounds on the open parameters.
 
     Phases are counted from 1.
@@ -138,7 +152,7 @@ def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
 
 def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
     """An orbit without equations of its own: all parameters are given, the start is unknown."""
-    from nonsmooth.runtime.orbits.named import unknowns_of
+    from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 
     table, system = kernels.table, kernels.system
     reference = table["reference"] or {"parameters": {}}

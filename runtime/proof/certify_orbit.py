@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.admissibility import Judgement, Margin, judge
 from nonsmooth.runtime.proof.admissibility_conditions import plan_of
@@ -57,7 +56,7 @@ _ENOUGH = 128  # bits that do for admissibility, as a rule
 
 
 def certify(
-    orbit: Orbit | ComposedOrbit,
+    orbit: Orbit,
     bits: int = 128,
     *,
     begin: Callable[[str], object] = lambda step: None,
@@ -71,7 +70,7 @@ def certify(
 
     Parameters
     ----------
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         A converged one.
     bits : int
         The enclosures have about so many bits.
@@ -297,7 +296,7 @@ def _margin(margin: Margin) -> dict[str, Any]:
     }
 
 
-def _uncovered(orbit: Orbit | ComposedOrbit, bits: int, reason: str) -> Certificate:
+def _uncovered(orbit: Orbit, bits: int, reason: str) -> Certificate:
     """The certificate of an orbit that no proof can be about."""
     reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], NO_ORBIT)
     claims = dict.fromkeys(CLAIMS, "undecided")

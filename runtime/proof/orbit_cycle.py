@@ -18,7 +18,6 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.proof.closure import (
@@ -90,7 +89,7 @@ class Subject:
     dwell_names: tuple[str, ...]
 
 
-def subject_of(orbit: Orbit | ComposedOrbit) -> Subject:
+def subject_of(orbit: Orbit) -> Subject:
     """The subject of a proof about an orbit.
 
     Raises
@@ -104,31 +103,31 @@ def subject_of(orbit: Orbit | ComposedOrbit) -> Subject:
     return subject_near(orbit)
 
 
-def system_of(orbit: Orbit | ComposedOrbit) -> str:
+def system_of(orbit: Orbit) -> str:
     """Name of the system that it is an orbit of."""
-    return orbit.kernels.system.name if isinstance(orbit, Orbit) else orbit.kernels.name
+    return orbit.system.name
 
 
-def check_converged(orbit: Orbit | ComposedOrbit) -> None:
+def check_converged(orbit: Orbit) -> None:
     """Refuse what is no orbit."""
     if not orbit.converged:
         raise InputError(f"{orbit.name} cannot be certified: {orbit.message}")
 
 
-def subject_near(orbit: Orbit | ComposedOrbit) -> Subject:
+def subject_near(orbit: Orbit) -> Subject:
     """As `subject_of`, where the orbit's equations may be singular too."""
-    return _derived(orbit) if isinstance(orbit, Orbit) else _composed(orbit)
+    return _composed(orbit) if orbit.problem.kernels is None else _derived(orbit)
 
 
-def _composed(orbit: ComposedOrbit) -> Subject:
+def _composed(orbit: Orbit) -> Subject:
     names = tuple(orbit.unknowns)
     count = len(orbit.dwell_times)
     return Subject(
         orbit.name,
-        orbit.kernels,
-        dict(orbit.parameters),
+        orbit.system,
+        orbit.parameters,
         (),
-        cycle_of(structure_of(orbit.kernels), orbit.itinerary),
+        cycle_of(structure_of(orbit.system), orbit.itinerary),
         orbit.given_period,
         [exact_ball(x) for x in orbit.states[0].tolist()],
         [exact_ball(x) for x in orbit.dwell_times.tolist()],
@@ -154,7 +153,7 @@ def _derived(orbit: Orbit) -> Subject:
     values = point.values
     structure = structure_of(kernels.system)
     cycle = cycle_of(structure, [(c, b) for c, b, _ in kernels.table["phases"]])
-    dwell = list(orbit.dwell_times.values())
+    dwell = orbit.dwell_times.tolist()
     # closure and switching are linear in the start: these numbers are guesses, as all here
     flat = numbers_of(piecewise(kernels.system, values))[None]
     with np.errstate(all="ignore"):

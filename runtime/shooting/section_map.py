@@ -9,18 +9,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.shooting.cycle_newton import LEAST, sizes
-from nonsmooth.runtime.shooting.multipliers import Multiplier
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage
 from nonsmooth.runtime.shooting.translations import projection_along
 
 __all__ = [
-    "ComposedStability",
     "assess",
     "local_maps",
     "mechanical_states",
@@ -31,32 +29,6 @@ __all__ = [
 ]
 
 _RANK = 1e-9  # relative length below which a direction is none
-
-
-@dataclass(frozen=True)
-class ComposedStability:
-    """Multipliers and verdict.
-
-    Attributes
-    ----------
-    multipliers : tuple of Multiplier
-        Of the map on the section where the orbit starts, by decreasing absolute value; those
-        that are zero because the orbit passes a smaller section are exact.
-    trace : number
-        Of the same map.
-    rank : int
-        No more multipliers differ from zero.
-    margin : number
-        1 - the largest nontrivial |multiplier|; 0 where the verdict is "neutral".
-    verdict : {"stable", "neutral", "unstable", "undecided"}
-        As `nonsmooth.runtime.orbits.stability.Stability`.
-    """
-
-    multipliers: tuple[Multiplier, ...]
-    trace: Any
-    rank: int
-    margin: Any
-    verdict: str
 
 
 def local_maps(cycle: Cycle, numbers: Numbers, now: Passage) -> list[Any]:
@@ -215,7 +187,7 @@ def assess(
     family: bool,
     lib: Any,
     error: Any,
-) -> ComposedStability:
+) -> Stability:
     """Multipliers and verdict of an orbit.
 
     Parameters
@@ -283,7 +255,7 @@ def assess(
     if _grazes(cycle, numbers, now, error):
         verdict = "undecided"
     margin = zero if verdict == "neutral" else margin
-    return ComposedStability(tuple(found), trace + shifts, rank + shifts, margin, verdict)
+    return Stability(tuple(found), trace + shifts, rank + shifts, margin, verdict)
 
 
 def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tuple[Any, Any]:

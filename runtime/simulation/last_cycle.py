@@ -22,7 +22,7 @@ _NEAR = 0.05  # relative difference of a cycle's duration from the period that w
 
 
 class Recurrence(NamedTuple):
-    """A cycle that a motion went through: ``compose(system, parameters, *recurrence)``.
+    """A cycle that a motion went through: ``solve(system, parameters, itinerary=recurrence)``.
 
     Attributes
     ----------
@@ -69,12 +69,12 @@ def itinerary_of(
 
     Examples
     --------
-    >>> from nonsmooth.runtime.orbits.compose import compose
+    >>> from nonsmooth.runtime.orbits.solve import solve
     >>> from nonsmooth.runtime.simulation.simulate import simulate
     >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
     >>> motion = simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
     >>> recurrence = itinerary_of(motion)
-    >>> compose("dry-friction", data, *recurrence).converged
+    >>> solve("dry-friction", data, itinerary=recurrence).converged
     True
     """
     if not 0 <= since <= trajectory.end:

@@ -39,7 +39,7 @@ SUBJECTS: dict[str, Callable[[], Any]] = {
     "kicked": loop,
     "crossed": lambda: loop(a="1"),
     "tangent": lambda: loop(a="2"),
-    "perturbed": lambda: replace(loop(), states=loop().states + 0.01),
+    "perturbed": lambda: replace(loop(), starts=loop().states + 0.01),
     "faint": lambda: loop(r="1e-30"),
     "forgetful": lambda: loop(r="0"),
     "irrational": lambda: loop(k="sqrt(2)"),

@@ -24,14 +24,14 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
 from tests.certified import loop
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
 
-def softly() -> ComposedOrbit:
+def softly() -> Orbit:
     """A forced mass at a soft stop, with amplitude and frequency as parameters."""
     amplitude, frequency = Parameter("F", "amplitude"), Parameter("W", "frequency")
     system = oscillator(
@@ -44,7 +44,7 @@ def softly() -> ComposedOrbit:
     cosine = kernels.table["states"].index(kernels.table["forcing"][0][0])
     start = [float(k == cosine) for k in range(len(kernels.table["states"]))]
     found = ns.itinerary_of(ns.simulate(kernels, data, start, until=300.0))
-    return ns.compose(kernels, data, found.itinerary, found.dwell_times, found.start)
+    return ns.solve(kernels, data, [*found.dwell_times, *found.start], itinerary=found.itinerary)
 
 
 Box = dict[str, tuple[object, object]]

@@ -77,7 +77,7 @@ def gated() -> Any:
 
 def limited(parameter: str, lower: float, upper: float) -> ns.Branch:
     given = {"r": "1/2", "fast": "3", "slow": "3", "gate": "1", parameter: str((lower + upper) / 2)}
-    orbit = ns.compose(gated(), given, LOOP, [np.pi, np.pi / 2], [0.0, 2.0])
+    orbit = ns.solve(gated(), given, [*[np.pi, np.pi / 2], *[0.0, 2.0]], itinerary=LOOP)
     return ns.continue_orbit(orbit, parameter, (lower, upper))
 
 

@@ -62,10 +62,10 @@ FILES: dict[str, Callable[[], Any]] = {
     "struck-together": lambda: ns.certify(struck_together()),
     "twice-forced": lambda: ns.certify(forced("twice")),
     "rooted": lambda: ns.certify(
-        ns.compose(rooted(), {"a": "9", "r": "1/2"}, LOOP, [3.1, 1.5], [0.0, 2.0])
+        ns.solve(rooted(), {"a": "9", "r": "1/2"}, [*[3.1, 1.5], *[0.0, 2.0]], itinerary=LOOP)
     ),
     "rooted-by-a-root": lambda: ns.certify(
-        ns.compose(rooted(), {"a": "8", "r": "1/2"}, LOOP, [3.1, 1.5], [0.0, 2.0])
+        ns.solve(rooted(), {"a": "8", "r": "1/2"}, [*[3.1, 1.5], *[0.0, 2.0]], itinerary=LOOP)
     ),
     "uncertain": lambda: ns.certify(ns.solve("dry-friction/solution-ii")),
     "map": lambda: ns.certify_box(ns.solve(STICK), {"V": ("0.99", "1.01"), "e1": ("3", "3.04")}),

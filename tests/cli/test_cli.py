@@ -25,7 +25,7 @@ from nonsmooth.derive.document.writers import latex
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
-from nonsmooth.runtime.orbits import solve, stability
+from nonsmooth.runtime.orbits import kernel_problem, solve
 from tests.places import CHECKOUT
 from tests.user_systems import declare
 
@@ -532,9 +532,11 @@ def test_parameters_without_an_orbit_are_1(command: str, arguments: str, part: s
 
 
 def test_undecided_is_1(monkeypatch: pytest.MonkeyPatch) -> None:
-    assess = stability.assess_stability
+    assess = kernel_problem.assess_stability
     monkeypatch.setattr(
-        stability, "assess_stability", lambda orbit: replace(assess(orbit), verdict="undecided")
+        kernel_problem,
+        "assess_stability",
+        lambda orbit: replace(assess(orbit), verdict="undecided"),
     )
     assert told("verify", ORBIT, code=1)["stability"] == "undecided"
     code, out, _ = run("verify", ORBIT, "--require", "stable")

@@ -162,7 +162,9 @@ def test_what_is_refused_is_named_by_its_path() -> None:
 
 def composed() -> Any:
     phases = [("free", "first-reaches-stop")]
-    return ns.compose("rigid-stop", TWO_MASSES | {"r": 1}, phases, [6.28], period="2*pi")
+    return ns.solve(
+        "rigid-stop", TWO_MASSES | {"r": 1}, [6.28], itinerary=phases, given={"period": "2*pi"}
+    )
 
 
 def found() -> Any:

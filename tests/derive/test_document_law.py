@@ -36,7 +36,7 @@ from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.views.centres import name_centres
 from nonsmooth.derive.document.views.closed_forms import closed_flows, without_numeric
 from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits import orbit as solved_orbits
 from tests.documents import GALLERY, document_of, names
 from tests.documents import declarations as all_declarations
 
@@ -113,7 +113,7 @@ def law_of(name: str) -> CycleLaw:
     itinerary = all_declarations()[name]
     assert isinstance(itinerary, Itinerary)
     solved = ns.solve(f"{GALLERY}/{name.replace('/', '.py:')}")
-    assert isinstance(solved, ComposedOrbit)
+    assert isinstance(solved, solved_orbits.Orbit)
     document, itinerary = describe_itinerary(itinerary), unfolded(itinerary)
     system = itinerary.presented_system
     spectrum, found = closed_flows(system, dict.fromkeys(p.configuration for p in itinerary.phases))

@@ -33,8 +33,8 @@ def stick(parameter: str = "V", lower: float = 0.8, upper: float = 1.3) -> Branc
     return nonsmooth.continue_orbit(nonsmooth.solve(STICK), parameter, (lower, upper))
 
 
-def composed() -> nonsmooth.ComposedOrbit:
-    return nonsmooth.compose("dry-friction", DATA, PHASES, [1, 2, 1.5, 3.3])
+def composed() -> nonsmooth.Orbit:
+    return nonsmooth.solve("dry-friction", DATA, [1, 2, 1.5, 3.3], itinerary=PHASES)
 
 
 @pytest.mark.parametrize(("parameter", "interval"), [("V", (0.8, 1.3)), ("eta", (0.5, 2.0))])
@@ -111,7 +111,7 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     assert event.time is not None
     assert abs(function(event.time)) < 1e-11
     assert abs(function.derivative()(event.time)) < 1e-6
-    assert maximum(function, float(at.dwell_times["tau"])).value < 1e-9
+    assert maximum(function, at.values["tau"]).value < 1e-9
     limits = admissible_intervals("dry-friction/symmetric", "V", 0.5, 0.8, points=200)
     assert min(abs(event.value - interval.lower) for interval in limits) < 1e-9
     before, behind = math.floor(event.place), math.ceil(event.place)
@@ -133,8 +133,12 @@ def test_flip_of_a_conservative_orbit() -> None:
 
 def test_period_as_the_parameter() -> None:
     data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
-    orbit = nonsmooth.compose(
-        "rigid-stop", data, [("free", "first-reaches-stop")], [6.28], period="2*pi"
+    orbit = nonsmooth.solve(
+        "rigid-stop",
+        data,
+        [6.28],
+        itinerary=[("free", "first-reaches-stop")],
+        given={"period": "2*pi"},
     )
     branch = nonsmooth.continue_orbit(orbit, "period", (5.1, 6.5))
     derived = nonsmooth.continue_orbit(nonsmooth.solve("rigid-stop/one-impact"), "T", (5.1, 6.5))

@@ -39,12 +39,12 @@ def system() -> System:
 
 
 @cache
-def orbit(sigma: float = 0, c: float = 0) -> nonsmooth.ComposedOrbit:
-    return nonsmooth.compose(
+def orbit(sigma: float = 0, c: float = 0) -> nonsmooth.Orbit:
+    return nonsmooth.solve(
         system(),
         {"r": R, "sigma": sigma, "w": W, "c": c},
-        [("free", "wall-reaches-stop")],
         [2 * math.pi / W],
+        itinerary=[("free", "wall-reaches-stop")],
     )
 
 
@@ -158,15 +158,18 @@ def stops() -> System:
 
 
 @cache
-def mirrored() -> nonsmooth.ComposedOrbit:
+def mirrored() -> nonsmooth.Orbit:
     """From one stop to the other, which its mirror image is."""
     data = {"r": 0.7, "w": 1.3, "f": 2}
     motion = nonsmooth.simulate(stops(), data, [0, 1, 1, 0], transitions=400)
     phases, dwell, start = nonsmooth.itinerary_of(motion)
-    return nonsmooth.compose(
-        stops(), data, phases[:1], dwell[:1].tolist(), start.tolist(),
+    return nonsmooth.solve(
+        stops(),
+        data,
+        [*dwell[:1].tolist(), *start.tolist()],
+        itinerary=phases[:1],
         symmetry={"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"},
-    )  # fmt: skip
+    )
 
 
 def test_symmetry_breaking_between_two_stops() -> None:

@@ -47,8 +47,11 @@ def pair(kind: str, d: float, step: float = 0.1) -> nonsmooth.Branch:
     k = int(near[np.argmin(abs(sigma[near] - place - START**2))])
     guess = branch().orbit_at(k)
     data = {"r": R, "w": W, "place": repr(float(place)), "q": START, "d": d}
-    orbit = nonsmooth.compose(
-        system(), data, guess.itinerary, guess.dwell_times.tolist(), guess.states[0].tolist()
+    orbit = nonsmooth.solve(
+        system(),
+        data,
+        [*guess.dwell_times.tolist(), *guess.states[0].tolist()],
+        itinerary=guess.itinerary,
     )
     return nonsmooth.continue_orbit(orbit, "q", (-0.25, 0.25), step=step)
 

@@ -76,8 +76,12 @@ def test_wrong_input() -> None:
     with pytest.raises(nonsmooth.InputError, match="is not in 3 to 4"):
         nonsmooth.continue_event(branch(), event, "w", (3, 4))
     data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
-    one = nonsmooth.compose(
-        "rigid-stop", data, [("free", "first-reaches-stop")], [6.28], period="2*pi"
+    one = nonsmooth.solve(
+        "rigid-stop",
+        data,
+        [6.28],
+        itinerary=[("free", "first-reaches-stop")],
+        given={"period": "2*pi"},
     )
     family = nonsmooth.continue_orbit(one, "period", (5.1, 6.5))
     with pytest.raises(nonsmooth.InputError, match="one of a family"):

@@ -60,7 +60,13 @@ def soft_stop() -> ns.Branch:
     )
     motion = ns.simulate(system, {"k": 6}, [0, 1.5], transitions=20)
     phases, dwell, start = ns.itinerary_of(motion)
-    orbit = ns.compose(system, {"k": 6}, phases, dwell, start, period=repr(float(dwell.sum())))
+    orbit = ns.solve(
+        system,
+        {"k": 6},
+        [*dwell, *start],
+        itinerary=phases,
+        given={"period": repr(float(dwell.sum()))},
+    )
     return ns.continue_orbit(orbit, "period", (4.2, 6.2), step=0.05)
 
 
@@ -115,7 +121,7 @@ def test_an_amplitude_where_a_phase_vanishes() -> None:
     """The last orbit of the branch has a phase that takes no time; its neighbours tell the rest."""
     data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
     motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
-    orbit = ns.compose("dry-friction", data, *ns.itinerary_of(motion))
+    orbit = ns.solve("dry-friction", data, itinerary=ns.itinerary_of(motion))
     branch = ns.continue_orbit(orbit, "ur1", (2.5, 4.1), points=40)
     assert abs(branch.unknowns[:, :4]).min() < 1e-12
     found = branch.quantity("amplitude_x1")

@@ -45,7 +45,7 @@ def test_a_doubled_orbit_is_that_of_a_simulation() -> None:
         start = orbit.states[0].astype(float) * np.array([1, 1.001, 1, 1])
         motion = nonsmooth.simulate(system(), orbit.parameters, start, "free", transitions=800)
         phases, dwell, begin = nonsmooth.itinerary_of(motion)
-        again = nonsmooth.compose(system(), orbit.parameters, phases, dwell, begin)
+        again = nonsmooth.solve(system(), orbit.parameters, [*dwell, *begin], itinerary=phases)
         np.testing.assert_allclose(
             np.sort(again.dwell_times), np.sort(orbit.dwell_times), atol=1e-9
         )
@@ -74,8 +74,11 @@ def test_a_cascade() -> None:
     assert orbit.period == pytest.approx(4 * branch().period[0], rel=1e-9)
     dwell = orbit.dwell_times
     assert min(abs(dwell[:2] - dwell[2:])) > 1e-5
-    again = nonsmooth.compose(
-        system(), orbit.parameters, orbit.itinerary, dwell.tolist(), orbit.states[0].tolist()
+    again = nonsmooth.solve(
+        system(),
+        orbit.parameters,
+        [*dwell.tolist(), *orbit.states[0].tolist()],
+        itinerary=orbit.itinerary,
     )
     np.testing.assert_allclose(again.dwell_times, dwell, atol=1e-12)
     four = nonsmooth.continue_orbit(orbit, "sigma", (-0.04, -0.02), step=0.05)
@@ -114,7 +117,7 @@ def test_a_lost_symmetry_is_that_of_a_simulation() -> None:
         start = orbit.states[0] * np.array([1, 1.001, 1, 1])
         motion = nonsmooth.simulate(stops(), orbit.parameters, start, transitions=800)
         phases, dwell, begin = nonsmooth.itinerary_of(motion)
-        again = nonsmooth.compose(stops(), orbit.parameters, phases, dwell, begin)
+        again = nonsmooth.solve(stops(), orbit.parameters, [*dwell, *begin], itinerary=phases)
         np.testing.assert_allclose(np.sort(again.dwell_times), np.sort([first, second]), atol=1e-9)
         checked += 1
     assert checked
@@ -165,9 +168,7 @@ def test_a_doubled_orbit_ends_where_another_one_grazes() -> None:
     w = float(known.given["w"])
     dwell = twice.unknowns[:, :4]
     near = [np.interp(w, twice.parameter_values, column) for column in dwell.T]
-    again = nonsmooth.compose(
-        known.kernels, known.parameters, twice.orbit.itinerary, near, period=None
-    )
+    again = nonsmooth.solve(known.system, known.parameters, near, itinerary=twice.orbit.itinerary)
     np.testing.assert_allclose(
         np.sort(again.dwell_times), np.sort(list(known.dwell_times)), atol=1e-9
     )

@@ -110,8 +110,8 @@ def found_at(system, data, n=12, **options):
 def stroboscopic(orbit, turns):
     """States at the beginning of each forcing period, the first one's phase being zero."""
     motion = orbit.trajectory(2)
-    _, sine = orbit.cycle.structure.forcing[0]
-    cosine = orbit.cycle.structure.forcing[0][0]
+    _, sine = orbit.tables.cycle.structure.forcing[0]
+    cosine = orbit.tables.cycle.structure.forcing[0][0]
     start = orbit.states[0]
     speed = 2 * np.pi * turns / orbit.period
     first = (-np.arctan2(start[sine], start[cosine]) % (2 * np.pi)) / speed
@@ -198,7 +198,7 @@ def test_multipliers_are_those_of_one_turn(seed):
     """By Liouville: damping shrinks areas by e^(-2 zeta T), each impact by r^2."""
     data, found = law(stopped, seed)
     for entry in found.orbits:
-        impacts = len(entry.itinerary) * (not entry.orbit.cycle.uninterrupted)
+        impacts = len(entry.itinerary) * (not entry.orbit.tables.cycle.uninterrupted)
         area = np.exp(-2 * data["zeta"] * entry.period) * data["r"] ** (2 * impacts)
         largest = np.abs(entry.orbit.multipliers).max()
         assert np.prod(entry.orbit.multipliers) == pytest.approx(area, abs=1e-9 * max(1, largest))
@@ -214,7 +214,7 @@ def test_more_digits_confirm_a_verdict(zeta):
     assert verdicts <= {"neutral" if zeta == "0" else "stable", "undecided"}
     assert (verdicts == {"undecided"}) == (zeta == "1e-14")
     for orbit in sorted(regular, key=lambda orbit: len(orbit.itinerary))[:3]:
-        truth = orbit.refined(40).stability
+        truth = ns.refine(orbit, 40).stability
         assert truth.verdict == ("neutral" if zeta == "0" else "stable")
         assert abs(truth.margin - orbit.stability.margin) < 1e-12
 
@@ -247,7 +247,8 @@ def test_a_velocity_that_is_zero_by_declaration_is_no_return():
 
     place = [boundary for _, boundary in entry.itinerary].index("ground-reaches-belt")
     now = entry.orbit
-    down = next(k for k in range(2) if now.piecewise.fields[now.cycle.configurations[k]][1, -1] > 0)
+    fields, passed = now.tables.piecewise.fields, now.tables.cycle.configurations
+    down = next(k for k in range(2) if fields[passed[k]][1, -1] > 0)
     x, _, c, s = now.states[down]
     assert place in (0, 1)
     end, when = half((x, np.arctan2(s, c) / 1.1))
@@ -286,7 +287,7 @@ def test_the_linear_response_is_an_orbit():
 
 def test_grazing_ends_it():
     data = {"zeta": "0.05", "Omega": "2.6", "gap": "0.3", "r": "0.8"}
-    orbit = ns.compose(stopped(), data, [("free", "forcing-phase")], [2 * np.pi / 2.6])
+    orbit = ns.solve(stopped(), data, [2 * np.pi / 2.6], itinerary=[("free", "forcing-phase")])
     branch = ns.continue_orbit(orbit, "Omega", (2, 2.7))
     assert {event.kind for event in branch.events} == {"grazing"}
     for event in branch.events:
@@ -302,10 +303,10 @@ def test_several_forcings_and_their_common_period():
     data = {"mu": "1/100", "F": 1, "w1": "3/2", "w2": 1}
     steady = stopped()
     with pytest.raises(InputError, match="no forcing"):
-        ns.compose(on_belt(), {"mu": 1, "c": 0, "V": 1}, [("slip", "forcing-phase")], [1])
+        ns.solve(on_belt(), {"mu": 1, "c": 0, "V": 1}, [1], itinerary=[("slip", "forcing-phase")])
     phases = [("free", "forcing-phase"), ("free", "stop-reaches-stop")]
     with pytest.raises(InputError, match="unknown boundary"):
-        ns.compose(steady, {"zeta": 0, "Omega": 2, "gap": 1, "r": 1}, phases, [1, 1])
+        ns.solve(steady, {"zeta": 0, "Omega": 2, "gap": 1, "r": 1}, [1, 1], itinerary=phases)
     found = found_at(rubbing(2), data, 6)
     assert {(3, 2)} == {entry.forcing_periods for entry in found.orbits if entry.starts}
     lost = found_at(rubbing(2), data | {"w2": "2**(1/2)"}, 6)
@@ -417,11 +418,11 @@ def test_files_and_words(tmp_path):
 def test_a_motion_without_contact_is_proved_and_checked(tmp_path):
     data = {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}
     phases = [("free", "forcing-phase")]
-    certificate = ns.certify(ns.compose(stopped(), data, phases, [2 * np.pi / 2.6]))
+    certificate = ns.certify(ns.solve(stopped(), data, [2 * np.pi / 2.6], itinerary=phases))
     assert set(certificate.claims.values()) == {"proved"}
     certificate.save(tmp_path / "proof.json")
     assert ns.check_certificate(tmp_path / "proof.json").claims == certificate.claims
-    beyond = ns.compose(stopped(), data | {"gap": "0.1"}, phases, [2 * np.pi / 2.6])
+    beyond = ns.solve(stopped(), data | {"gap": "0.1"}, [2 * np.pi / 2.6], itinerary=phases)
     assert ns.certify(beyond).claims["admissibility"] == "refuted"
 
 

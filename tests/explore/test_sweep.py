@@ -14,7 +14,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.sweep import basins, sweep
-from nonsmooth.runtime.orbits.compose import compose_many
+from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.simulation.simulate import simulate
 
 STICK = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
@@ -51,14 +52,17 @@ def swept(**changes):
 @pytest.mark.parametrize("place", range(4))
 def test_along_the_branch_a_sweep_gives_the_orbit(place):
     diagram = swept(configuration=ITINERARY[place][0])
-    branch = compose_many(
-        "dry-friction", ITINERARY, STICK | {"V": diagram.values}, [1.02, 2.0, 1.57, 3.28],
+    branch = solve_itineraries(
+        kernels_of("dry-friction"),
+        ITINERARY,
+        STICK | {"V": diagram.values},
+        [1.02, 2.0, 1.57, 3.28],
         multipliers=True,
-    )  # fmt: skip
+    )
     assert branch.converged.all()
     sizes = np.abs(branch.multipliers).max(axis=-1)
     assert (sizes < 0.999).any()
-    for row, states, size in zip(diagram.samples, branch.states, sizes, strict=True):
+    for row, states, size in zip(diagram.samples, branch.starts, sizes, strict=True):
         taken = row[np.isfinite(row)]
         assert taken.size == 10  # one in four transitions
         if size < 0.99:

@@ -16,7 +16,7 @@ from formulas.values import Reading, name_of
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
 from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits import orbit as solved_orbits
 
 __all__ = ["CycleLaw", "Orbit"]
 
@@ -29,7 +29,7 @@ SECTIONS = (
 class Orbit:
     """A periodic orbit that a solver found, made exact by Newton's method on exponentials."""
 
-    def __init__(self, cycle: Cycle, facts: Facts, solved: ComposedOrbit) -> None:
+    def __init__(self, cycle: Cycle, facts: Facts, solved: solved_orbits.Orbit) -> None:
         self.cycle, self.facts = cycle, facts
         self.phases = cycle.itinerary.phases
         self.passings = [cycle.passings[cycle.number(k) - 1] for k in range(1, cycle.count + 1)]

@@ -198,6 +198,7 @@ def test_a_composed_orbit(small: float, backend: str, monkeypatch: pytest.Monkey
     parameters = {"k": small, "b": 1, "c": 0, "w": 1.7, "s": 1e9}
     wanted = np.array([1 / small + 5 / (small - 1.7**2), 0, 1, 0])
     period = 2 * math.pi / 1.7
-    found = ns.compose(FORCED, parameters, [("free", "forcing-phase")], [period], wanted)
+    phases = [("free", "forcing-phase")]
+    found = ns.solve(FORCED, parameters, [period, *wanted], itinerary=phases)
     assert found.dwell_times[0] == pytest.approx(period, rel=1e-14)
     np.testing.assert_allclose(found.states[0], wanted, rtol=0, atol=1e-13 / small**2)

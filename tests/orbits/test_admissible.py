@@ -12,10 +12,12 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
+from nonsmooth.runtime.orbits.kernel_solve import search
 from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import search, solve
+from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.report import orbit_json
 
 ORBIT = "dry-friction/global-stick"
@@ -105,7 +107,7 @@ def record(point, unknowns):
     """An orbit of given numbers, without solving."""
     given = {n: as_value(float(v)) for n, v in zip(PARAMETERS, point, strict=True)}
     numbers = dict(zip(UNKNOWNS, map(float, unknowns), strict=True))
-    return Orbit(ORBIT, given, numbers, {}, 0.0, DOUBLE, 0, 0)
+    return Orbit(KernelProblem(load_orbit(ORBIT)), given, numbers, {}, 0.0, DOUBLE, 0, 0)
 
 
 def random_points(seed, count):
@@ -153,7 +155,7 @@ def test_violations_are_those_of_dense_sampling(roots):
         assert all(largest[key][0] > -1e-10 for key in found)  # none is invented
         assert (admissibility.verdict is False) == bool(found)
         seen |= expected
-        offsets = np.cumsum([0.0, *orbit.dwell_times.values()])
+        offsets = np.cumsum([0.0, *orbit.dwell_times])
         for key in expected:
             violation, (value, _) = found[key], largest[key]
             assert violation.configuration == CONFIGURATIONS[key[0]]

@@ -27,7 +27,7 @@ def records(name, points):
     for i in np.flatnonzero(many.converged):
         given = {n: as_value(float(a[i])) for n, a in points.items()}
         unknowns = {n: float(a[i]) for n, a in many.unknowns.items()}
-        yield Orbit(name, given, unknowns, {}, float(many.residual[i]), DOUBLE, 0, 0)
+        yield Orbit(many.problem, given, unknowns, {}, float(many.residual[i]), DOUBLE, 0, 0)
 
 
 def sampled(piece, start, duration, count):
@@ -77,7 +77,7 @@ def test_violations_are_those_of_dense_sampling(name):
         assert expected <= found.keys()
         assert all(largest[key] > -1e-10 for key in found)  # none is invented
         declared = Declared(orbit)
-        begins = np.cumsum([0.0, *orbit.dwell_times.values()])
+        begins = np.cumsum([0.0, *orbit.dwell_times])
         for key in expected:
             violation = found[key]
             piece, start, _ = declared.steps[key[0]]
@@ -122,7 +122,7 @@ def exact_value(orbit, violation):
     with mpmath.workdps(60):
         declared = Declared(sharp, precise=True)
         piece, start, _ = declared.steps[violation.phase]
-        begin = sum(list(sharp.dwell_times.values())[: violation.phase])
+        begin = sum(sharp.dwell_times.tolist()[: violation.phase])
         time = min(max(mpmath.mpf(violation.time) - begin, 0), piece.dwell)
         return float((piece.boundaries[violation.boundary] @ (piece.flow(time) @ start))[0])
 

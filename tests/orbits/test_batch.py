@@ -12,8 +12,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
+from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.orbit import STATUS
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.shooting.newton import CONVERGED, solve_reduced
 from tests.declared import random_points

@@ -3,14 +3,15 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.completion import parameter_points
-from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.compose import compose, compose_many
+from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.refine import refine
 from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.shooting import cycle_newton as composed_newton
 from nonsmooth.runtime.shooting.cycle_newton import solve_cycle, solve_in_python
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
@@ -54,7 +55,7 @@ needs_engine = pytest.mark.skipif(
 
 
 def stick(**changes):
-    return compose("dry-friction", STICK_DATA | changes, STICK, STICK_GUESS)
+    return solve("dry-friction", STICK_DATA | changes, STICK_GUESS, itinerary=STICK)
 
 
 def turned(sequence, first):
@@ -64,8 +65,10 @@ def turned(sequence, first):
 @pytest.mark.parametrize("first", range(4))
 def test_global_stick_from_every_phase(first):
     kernels = solve("dry-friction/global-stick")
-    orbit = compose("dry-friction", STICK_DATA, turned(STICK, first), turned(STICK_GUESS, first))
-    wanted = turned(list(kernels.dwell_times.values()), first)
+    orbit = solve(
+        "dry-friction", STICK_DATA, turned(STICK_GUESS, first), itinerary=turned(STICK, first)
+    )
+    wanted = turned(kernels.dwell_times.tolist(), first)
     assert orbit.converged
     np.testing.assert_allclose(orbit.dwell_times, wanted, rtol=0, atol=1e-13)
     assert orbit.trace == pytest.approx(TRACE, abs=1e-13)
@@ -82,11 +85,11 @@ def test_start_section_and_physical_coordinates():
     assert orbit.multipliers.shape == (2,)  # as the kernels': behind it both masses are stuck
     chi, us1, us2 = 0.5, 1.0, 1.0
     origin = [(us1 + us2) / (1 - chi), (chi * us1 + us2) / (chi * (1 - chi)), 0, 0]
-    np.testing.assert_allclose(orbit.states, kernels.states[:-1] + origin, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(orbit.states, kernels.states + origin, rtol=0, atol=1e-12)
 
 
 def test_symmetric_orbit():
-    orbit = compose("dry-friction", SYMMETRIC_DATA, SYMMETRIC, SYMMETRIC_GUESS)
+    orbit = solve("dry-friction", SYMMETRIC_DATA, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
     np.testing.assert_allclose(orbit.dwell_times, [2.65116656, 2.24481006], rtol=0, atol=1e-8)
     np.testing.assert_allclose(orbit.multipliers, [-1.44546317, -0.12198051], rtol=0, atol=1e-8)
     assert orbit.stability.verdict == "unstable"
@@ -94,8 +97,8 @@ def test_symmetric_orbit():
 
 
 def test_many_phases():
-    once = compose("dry-friction", SYMMETRIC_DATA, SYMMETRIC, SYMMETRIC_GUESS)
-    orbit = compose("dry-friction", SYMMETRIC_DATA, SYMMETRIC * 15, SYMMETRIC_GUESS * 15)
+    once = solve("dry-friction", SYMMETRIC_DATA, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
+    orbit = solve("dry-friction", SYMMETRIC_DATA, SYMMETRIC_GUESS * 15, itinerary=SYMMETRIC * 15)
     assert orbit.converged
     np.testing.assert_allclose(orbit.dwell_times, np.tile(once.dwell_times, 15), atol=1e-12)
     assert orbit.multipliers[0].real == pytest.approx(once.multipliers[0].real ** 15, rel=1e-11)
@@ -112,7 +115,7 @@ def test_admissibility_is_the_kernels():
         kernels = solve("dry-friction/global-stick", data, throw=False)
         if not kernels.converged:
             continue
-        orbit = compose("dry-friction", data, STICK, list(kernels.dwell_times.values()))
+        orbit = solve("dry-friction", data, kernels.dwell_times.tolist(), itinerary=STICK)
         assert orbit.trace == pytest.approx(kernels.trace, rel=1e-10, abs=1e-10)
         assert orbit.stability.verdict == kernels.stability.verdict
         assert orbit.admissibility.verdict == kernels.admissibility.verdict
@@ -126,15 +129,15 @@ def test_a_transition_that_the_conditions_refuse():
     # with us1 + us2 as small as that the second mass, at the belt, is torn off at once
     data = {"chi": 0.5, "eta": 1, "V": 1, "us1": 0.3, "us2": 0.3, "ur1": 3.3, "ur2": 0.7}
     kernels = solve("dry-friction/global-stick", data)
-    orbit = compose("dry-friction", data, STICK, list(kernels.dwell_times.values()))
+    orbit = solve("dry-friction", data, kernels.dwell_times.tolist(), itinerary=STICK)
     refused = [(v.phase, v.boundary) for v in orbit.admissibility.violations if v.excess == 0]
     assert refused == [(3, "second-reaches-belt")]
 
 
 def test_linearisation_against_finite_differences():
     orbit = stick()
-    numbers, cycle, step = numbers_in(orbit.piecewise), orbit.cycle, 1e-6
-    now = orbit.passage
+    numbers, cycle, step = numbers_in(orbit.tables.piecewise), orbit.tables.cycle, 1e-6
+    now = orbit.tables.passage
     for k, unit in enumerate(np.eye(4)):
         moved = []
         for sign in (1, -1):
@@ -156,7 +159,7 @@ def test_linearisation_against_finite_differences():
 
 def test_residual_is_removed_by_the_affine_part():
     orbit = stick()
-    numbers, cycle = numbers_in(orbit.piecewise), orbit.cycle
+    numbers, cycle = numbers_in(orbit.tables.piecewise), orbit.tables.cycle
     errors = []
     for size in (1e-3, 1e-4):
         dwell = orbit.dwell_times * (1 + size * np.array([1, -1, 0.5, 0.3]))
@@ -168,14 +171,16 @@ def test_residual_is_removed_by_the_affine_part():
 
 def test_monodromy_keeps_the_field_and_saltations_map_it():
     orbit = stick()
-    field = orbit.piecewise.fields[orbit.cycle.configurations[0]]
+    field = orbit.tables.piecewise.fields[orbit.tables.cycle.configurations[0]]
     speed = field[:, :-1] @ orbit.states[0] + field[:, -1]
     np.testing.assert_allclose(orbit.monodromy @ speed, speed, atol=1e-13)
     for place, jump in enumerate(orbit.saltations):
-        after = orbit.piecewise.fields[orbit.cycle.configurations[(place + 1) % 4]]
+        after = orbit.tables.piecewise.fields[orbit.tables.cycle.configurations[(place + 1) % 4]]
         state = orbit.states[(place + 1) % 4]
         np.testing.assert_allclose(
-            jump @ orbit.passage.fields[place], after[:, :-1] @ state + after[:, -1], atol=1e-12
+            jump @ orbit.tables.passage.fields[place],
+            after[:, :-1] @ state + after[:, -1],
+            atol=1e-12,
         )
     nonzero = np.linalg.eigvals(orbit.monodromy)
     assert min(abs(nonzero - TRACE)) < 1e-7
@@ -216,28 +221,32 @@ def test_compiled_as_in_python_with_a_period(monkeypatch):
     found = []
     for backend in ("c", "numpy"):
         monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
-        found.append(compose("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2, 4], period="2*pi"))
+        found.append(
+            solve(
+                "elastic-stop",
+                CHAIN | {"k3": 1},
+                [2, 4],
+                itinerary=CONTACT,
+                given={"period": "2*pi"},
+            )
+        )
     np.testing.assert_allclose(found[0].dwell_times, found[1].dwell_times, atol=1e-12)
     np.testing.assert_allclose(found[0].states, found[1].states, atol=1e-12)
 
 
 def test_many_points():
     eta = np.linspace(0.95, 1.05, 3)[:, None]
-    many = compose_many(
-        "dry-friction",
-        STICK,
-        STICK_DATA | {"eta": eta, "V": [0.98, 1.02]},
-        STICK_GUESS,
-        multipliers=True,
-    )
+    data = STICK_DATA | {"eta": eta, "V": [0.98, 1.02]}
+    many = solve_many("dry-friction", data, STICK_GUESS, itinerary=STICK, multipliers=True)
+    assert many.admissible.all()
     assert many.converged.all()
     assert many.dwell_times.shape == (3, 2, 4)
-    assert many.start.shape == (3, 2, 4)
+    assert many.starts.shape == (3, 2, 4, 4)
     assert many.multipliers.shape == (3, 2, 2)
     for i, j in np.ndindex(3, 2):
         one = stick(eta=eta[i, 0], V=[0.98, 1.02][j])
         np.testing.assert_allclose(many.dwell_times[i, j], one.dwell_times, atol=1e-12)
-        np.testing.assert_allclose(many.states[i, j], one.states, atol=1e-12)
+        np.testing.assert_allclose(many.starts[i, j], one.states, atol=1e-12)
         assert many.trace[i, j] == pytest.approx(one.trace, abs=1e-12)
         np.testing.assert_allclose(many.multipliers[i, j], one.multipliers, atol=1e-12)
         assert many.multipliers[i, j, 1] == 0
@@ -245,12 +254,14 @@ def test_many_points():
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_threads_and_chunks_change_nothing(threads, monkeypatch):
-    monkeypatch.setattr("nonsmooth.runtime.orbits.compose_many.CHUNK", 3)
+    monkeypatch.setattr("nonsmooth.runtime.orbits.table_many.CHUNK", 3)
     data = STICK_DATA | {"V": np.linspace(0.98, 1.02, 8)}
     start = stick().states[0]
-    many = compose_many("dry-friction", STICK, data, STICK_GUESS, start, threads=threads)
+    many = solve_itineraries(
+        kernels_of("dry-friction"), STICK, data, STICK_GUESS, start, threads=threads
+    )
     monkeypatch.undo()
-    whole = compose_many("dry-friction", STICK, data, STICK_GUESS, start)
+    whole = solve_itineraries(kernels_of("dry-friction"), STICK, data, STICK_GUESS, start)
     np.testing.assert_array_equal(many.dwell_times, whole.dwell_times)
     np.testing.assert_array_equal(many.trace, whole.trace)
 
@@ -258,18 +269,26 @@ def test_threads_and_chunks_change_nothing(threads, monkeypatch):
 @pytest.mark.parametrize("first", range(4))
 def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
     # the engine starts from another phase: an exact guess is exact there too
-    exact = compose("dry-friction", STICK_DATA, turned(STICK, first), turned(STICK_GUESS, first))
-    many = compose_many(
-        "dry-friction", turned(STICK, first), STICK_DATA, exact.dwell_times, exact.states[0]
+    exact = solve(
+        "dry-friction", STICK_DATA, turned(STICK_GUESS, first), itinerary=turned(STICK, first)
+    )
+    many = solve_itineraries(
+        kernels_of("dry-friction"),
+        turned(STICK, first),
+        STICK_DATA,
+        exact.dwell_times,
+        exact.states[0],
     )
     assert many.converged
     assert many.iterations == 1
 
 
 def test_no_points_and_lost_points():
-    none = compose_many("dry-friction", STICK, STICK_DATA | {"V": []}, STICK_GUESS)
+    none = solve_itineraries(kernels_of("dry-friction"), STICK, STICK_DATA | {"V": []}, STICK_GUESS)
     assert none.dwell_times.shape == (0, 4)
-    lost = compose_many("dry-friction", STICK, STICK_DATA | {"V": [-1, 1]}, STICK_GUESS)
+    lost = solve_itineraries(
+        kernels_of("dry-friction"), STICK, STICK_DATA | {"V": [-1, 1]}, STICK_GUESS
+    )
     assert lost.status.tolist() == [INVALID, CONVERGED]
     assert np.isnan(lost.dwell_times[0]).all()
     assert np.isnan(lost.trace[0])
@@ -277,9 +296,9 @@ def test_no_points_and_lost_points():
 
 
 def test_forty_digits():
-    orbit = compose("dry-friction", STICK_DATA, STICK, STICK_GUESS, digits=40)
+    orbit = solve("dry-friction", STICK_DATA, STICK_GUESS, itinerary=STICK, digits=40)
     kernels = refine(solve("dry-friction/global-stick"), 40)
-    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times.values(), strict=True):
+    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times, strict=True):
         assert abs(found - wanted) < 1e-40
     assert abs(orbit.trace - kernels.trace) < 1e-38
     assert orbit.multipliers[1] == 0
@@ -290,15 +309,20 @@ def test_forty_digits():
 
 @pytest.mark.parametrize("digits", [15, 40])
 def test_elastic_stop_of_given_period(digits):
-    orbit = compose(
-        "elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], digits=digits, period="2*pi"
+    orbit = solve(
+        "elastic-stop",
+        CHAIN | {"k3": 1},
+        [2.1, 4.2],
+        itinerary=CONTACT,
+        given={"period": "2*pi"},
+        digits=digits,
     )
     kernels = solve("elastic-stop/one-contact")
     kernels = kernels if digits == 15 else refine(kernels, digits)
     assert orbit.converged
-    assert orbit.family
+    assert orbit.tables.family
     limit = 10.0 ** -(13 if digits == 15 else 40)
-    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times.values(), strict=True):
+    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times, strict=True):
         assert abs(found - wanted) < limit
     for found, wanted in zip(orbit.states[0], kernels.states[0], strict=True):
         assert abs(found - wanted) < 10 * limit
@@ -309,7 +333,7 @@ def test_elastic_stop_of_given_period(digits):
 
 
 def test_rigid_stop_of_given_period():
-    orbit = compose("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], period="2*pi")
+    orbit = solve("rigid-stop", CHAIN | {"r": 1}, [6.2], itinerary=IMPACT, given={"period": "2*pi"})
     kernels = solve("rigid-stop/one-impact")
     assert orbit.converged
     np.testing.assert_allclose(orbit.states[0], kernels.states[0], atol=1e-13)
@@ -323,11 +347,11 @@ def test_rigid_stop_of_given_period():
     [("elastic-stop", {"k3": 1}, CONTACT, [2.1, 4.2]), ("rigid-stop", {"r": 1}, IMPACT, [6.2])],
 )
 def test_a_family_is_said_to_be_one(system, more, itinerary, guess):
-    orbit = compose(system, CHAIN | more, itinerary, guess, digits=40)
+    orbit = solve(system, CHAIN | more, guess, itinerary=itinerary, digits=40, throw=False)
     assert orbit.status == SINGULAR
     assert not orbit.converged
     assert "give its period" in orbit.message
-    assert orbit.family
+    assert orbit.tables.family
     assert orbit.residual < 1e-12  # a member of the family all the same
     assert orbit.stability.verdict == "neutral"
 
@@ -335,14 +359,20 @@ def test_a_family_is_said_to_be_one(system, more, itinerary, guess):
 def test_units_change_no_verdict():
     # a thousand times heavier and a million million times stiffer: time in other units
     data = {"m1": 1e3, "m2": 2e3, "k1": 1e15, "k2": 5e15, "k3": 1e15}
-    orbit = compose("elastic-stop", data, CONTACT, [2.1e-6, 4.2e-6], period=2e-6 * np.pi)
+    orbit = solve(
+        "elastic-stop", data, [2.1e-6, 4.2e-6], itinerary=CONTACT, given={"period": 2e-6 * np.pi}
+    )
     assert orbit.converged
     assert orbit.stability.verdict == "neutral"
-    assert compose("elastic-stop", data, CONTACT, [2.1e-6, 4.2e-6]).status == SINGULAR
+    free = solve("elastic-stop", data, [2.1e-6, 4.2e-6], itinerary=CONTACT, throw=False)
+    assert free.status == SINGULAR
 
 
 def test_a_period_that_no_orbit_has():
-    orbit = compose("dry-friction", STICK_DATA, STICK, STICK_GUESS, period=8)
+    problem = {"itinerary": STICK, "given": {"period": 8}}
+    with pytest.raises(NoConvergence, match="period"):
+        solve("dry-friction", STICK_DATA, STICK_GUESS, **problem)
+    orbit = solve("dry-friction", STICK_DATA, STICK_GUESS, **problem, throw=False)
     assert orbit.status == STALLED
     assert "period" in orbit.message
     with pytest.raises(InputError, match="no orbit"):
@@ -352,7 +382,7 @@ def test_a_period_that_no_orbit_has():
 
 
 def test_a_phase_that_takes_no_time():
-    orbit = compose("dry-friction", STICK_DATA, STICK, [0.1] * 4, digits=40)
+    orbit = solve("dry-friction", STICK_DATA, [0.1] * 4, itinerary=STICK, digits=40, throw=False)
     assert orbit.status == NEGATIVE
     assert not orbit.precise
 
@@ -361,33 +391,41 @@ def test_a_phase_that_takes_no_time():
     ("changes", "match"),
     [
         ({"itinerary": []}, "no phase"),
-        ({"itinerary": [("stick-stick",)]}, "sequence of"),
+        ({"itinerary": [("stick-stick",)], "guess": [1]}, "sequence of"),
         ({"itinerary": 3}, "sequence of"),
-        ({"itinerary": [STICK[0], STICK[2]]}, "no transition from stick-stick to slip-slip"),
-        ({"itinerary": [("stik", "first-breaks-forward")]}, "unknown configuration"),
-        ({"itinerary": [("stick-stick", "first-reaches-belt")]}, "unknown boundary"),
-        ({"system": "dry-frictoin"}, "dry-friction"),
+        (
+            {"itinerary": [STICK[0], STICK[2]], "guess": [1, 1]},
+            "no transition from stick-stick to slip-slip",
+        ),
+        ({"itinerary": [("stik", "first-breaks-forward")], "guess": [1]}, "unknown configuration"),
+        ({"itinerary": [("stick-stick", "first-reaches-belt")], "guess": [1]}, "unknown boundary"),
+        ({"orbit": "dry-frictoin"}, "dry-friction"),
         ({"parameters": {"chi": 0.5}}, "needs a value"),
         ({"parameters": STICK_DATA | {"chi": 2}}, "chi"),
-        ({"guess_dwell_times": [1, 2, 3]}, "3 given, 4 needed"),
-        ({"guess_dwell_times": [1, 2, 3, float("nan")]}, "finite"),
-        ({"guess_dwell_times": [1, 2, 3, -1]}, "positive"),
-        ({"guess_dwell_times": "four"}, "real numbers"),
-        ({"guess_state": [1, 2]}, "2 given, 4 needed"),
-        ({"guess_state": [1, 2, 3, float("inf")]}, "finite"),
+        ({"guess": None}, "takes a guess"),
+        ({"guess": [1, 2, 3]}, "3 values: it takes 4"),
+        ({"guess": [1, 2, 3, float("nan")]}, "finite"),
+        ({"guess": [1, 2, 3, -1]}, "positive"),
+        ({"guess": "four"}, "real numbers"),
+        ({"guess": {"tau1": 1, "tau2": 2, "tau3": 1}}, "no tau4"),
+        ({"guess": {"tau": 1}}, "unknown variable"),
+        ({"guess": [*STICK_GUESS, 1, 2]}, "6 values: it takes 4"),
+        ({"guess": [*STICK_GUESS, 1, 2, 3, float("inf")]}, "finite"),
         ({"digits": 0}, "digits"),
-        ({"period": -1}, "period"),
+        ({"given": {"period": -1}}, "period"),
+        ({"given": {"tau1": 1}}, "exchanged"),
+        ({"unknown": ["V"]}, "exchanged"),
     ],
 )
 def test_bad_input(changes, match):
     arguments = {
-        "system": "dry-friction",
+        "orbit": "dry-friction",
         "parameters": STICK_DATA,
         "itinerary": STICK,
-        "guess_dwell_times": STICK_GUESS,
+        "guess": STICK_GUESS,
     }
     with pytest.raises(InputError, match=match):
-        compose(**(arguments | changes))
+        solve(**(arguments | changes))
 
 
 @pytest.mark.parametrize(
@@ -397,20 +435,20 @@ def test_bad_input(changes, match):
         ({"parameters": STICK_DATA | {"W": [1, 2]}}, "unknown parameter"),
         ({"parameters": STICK_DATA | {"V": ["a"]}}, "V"),
         ({"parameters": {}}, "needs a value"),
-        ({"guess_dwell_times": np.ones((3, 4))}, "broadcast"),
+        ({"guess": np.ones((3, 4))}, "broadcast"),
         ({"threads": 0}, "threads"),
-        ({"period": -1.0}, "period"),
+        ({"given": {"period": -1.0}}, "period"),
     ],
 )
 def test_bad_input_of_many(changes, match):
     arguments = {
-        "system": "dry-friction",
+        "orbit": "dry-friction",
         "parameters": STICK_DATA | {"V": [1.0, 1.01]},
         "itinerary": STICK,
-        "guess_dwell_times": STICK_GUESS,
+        "guess": STICK_GUESS,
     }
     with pytest.raises(InputError, match=match):
-        compose_many(**(arguments | changes))
+        solve_many(**(arguments | changes))
 
 
 @needs_engine

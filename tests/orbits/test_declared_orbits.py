@@ -16,7 +16,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.orbits import solve as solving
-from nonsmooth.runtime.present.files import composed_orbits as saved
+from nonsmooth.runtime.present.files import table_orbits as saved
 from tests.handmade import DATA, MIRROR, declared, two_stops
 
 NAME = declared().name  # two-stops and left-right
@@ -58,7 +58,7 @@ def run(*arguments: str) -> tuple[int, str, str]:
 
 def test_solve_composes() -> None:
     found = orbit()
-    assert isinstance(found, nonsmooth.ComposedOrbit)
+    assert isinstance(found, nonsmooth.Orbit)
     assert list(found.unknowns) == ["ta", "tb", "x0", "v0", "c0", "s0"]
     assert found.unknowns["ta"] == pytest.approx(np.pi / 1.7, abs=1e-13)
     assert found.unknowns["x0"] == pytest.approx(-0.5, abs=1e-13)
@@ -198,8 +198,8 @@ def test_notebooks_and_names() -> None:
     assert NAME in text
     assert "ta = 1.8479956" in text
     assert r"t_{a} &=" in orbit()._repr_latex_()
-    bare = nonsmooth.compose(
-        two_stops(), DATA, orbit().itinerary, orbit().dwell_times, orbit().states[0]
+    bare = nonsmooth.solve(
+        two_stops(), DATA, [*orbit().dwell_times, *orbit().states[0]], itinerary=orbit().itinerary
     )
     assert bare.name == "two-stops, 2 phases"
     assert list(bare.unknowns)[:3] == ["tau1", "tau2", "x0"]
@@ -210,14 +210,16 @@ def test_notebooks_and_names() -> None:
 
 
 def symmetric() -> Any:
-    return nonsmooth.compose(
-        two_stops(), DATA, [("free", "reaches-right")], [1.85], symmetry=MIRROR, digits=25
+    return nonsmooth.solve(
+        two_stops(), DATA, [1.85], itinerary=[("free", "reaches-right")], symmetry=MIRROR, digits=25
     )
 
 
 def timed() -> Any:
     phases = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
-    return nonsmooth.compose("elastic-stop", STIFF, phases, [2.1, 4.2], period="2*pi")
+    return nonsmooth.solve(
+        "elastic-stop", STIFF, [2.1, 4.2], itinerary=phases, given={"period": "2*pi"}
+    )
 
 
 @pytest.mark.parametrize("make", [orbit, lambda: orbit(40), symmetric, timed])
@@ -330,7 +332,7 @@ def test_what_is_drawn() -> None:
     pytest.importorskip("matplotlib")
     from matplotlib.figure import Figure
 
-    from nonsmooth.runtime.present.pictures.composed import composed_figure
+    from nonsmooth.runtime.present.pictures.plot import orbit_figure
 
     axes = Figure().subplots()
     orbit().plot("time", axes, periods=2)
@@ -340,12 +342,12 @@ def test_what_is_drawn() -> None:
     motion = orbit().trajectory(2)
     np.testing.assert_allclose(positions, motion(np.minimum(times, motion.end))[:, 0], atol=1e-9)
     assert "$d$" in {text.get_text() for text in axes.texts}
-    portrait = composed_figure(orbit(), "phase").axes[0]
+    portrait = orbit_figure(orbit(), "phase").axes[0]
     labels = {line.get_label() for line in portrait.lines}
     assert "($x$, $x'$)" in labels
     assert "start" not in labels
-    assert len(composed_figure(orbit(), "all").axes) == 5
-    circle = composed_figure(orbit(), "multipliers").axes[0]
+    assert len(orbit_figure(orbit(), "all").axes) == 5
+    circle = orbit_figure(orbit(), "multipliers").axes[0]
     (first, *_) = [line for line in circle.lines if "mu_{1}" in str(line.get_label())]
     assert complex(*(float(part[0]) for part in first.get_data())) == pytest.approx(
         complex(orbit().multipliers[0])

@@ -8,8 +8,9 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.simulation.starting import start_state
 
 ONE = [("free", "stop-reaches-stop")]
@@ -57,18 +58,18 @@ def test_the_forcing_starts_at_its_maximum_where_nothing_is_said() -> None:
 def test_an_orbit_is_where_the_motion_settles(guided: bool) -> None:
     motion = settled(impact(), DATA)
     period = np.diff(motion.times)[-1]
-    guess = motion.states[-1] if guided else None
-    orbit = ns.compose(impact(), DATA, ONE, [period], guess)
+    guess = motion.states[-1] if guided else ()
+    orbit = ns.solve(impact(), DATA, [period, *guess], itinerary=ONE)
     assert orbit.converged
     assert orbit.period == pytest.approx(np.pi, rel=1e-14)
     np.testing.assert_allclose(orbit.states[0], motion.states[-1], atol=1e-12)
     assert np.hypot(*orbit.states[0, 2:]) == pytest.approx(1, abs=1e-15)
     assert orbit.admissibility.verdict is True
-    assert not orbit.family
+    assert not orbit.tables.family
 
 
 def test_multipliers_are_those_of_the_simulated_stroboscopic_map() -> None:
-    orbit = ns.compose(impact(), DATA, ONE, [3.14])
+    orbit = ns.solve(impact(), DATA, [3.14], itinerary=ONE)
     # half a period behind the impact, where no event is near
     begin = orbit.trajectory()(orbit.period / 2)
 
@@ -93,12 +94,16 @@ def test_multipliers_are_those_of_the_simulated_stroboscopic_map() -> None:
 
 def test_many_points_as_one() -> None:
     speeds = np.array([1.95, 2.0, 2.05])
-    found = ns.compose_many(
-        impact(), ONE, {**DATA, "Omega": speeds, "zeta": 0.05, "r": 0.8}, [3.14], multipliers=True
+    found = solve_itineraries(
+        kernels_of(impact()),
+        ONE,
+        {**DATA, "Omega": speeds, "zeta": 0.05, "r": 0.8},
+        [3.14],
+        multipliers=True,
     )
     assert found.converged.all()
     for k, speed in enumerate(speeds):
-        one = ns.compose(impact(), DATA | {"Omega": speed}, ONE, [2 * np.pi / speed])
+        one = ns.solve(impact(), DATA | {"Omega": speed}, [2 * np.pi / speed], itinerary=ONE)
         np.testing.assert_allclose(found.dwell_times[k], one.dwell_times, rtol=1e-13)
         np.testing.assert_allclose(
             np.sort_complex(found.multipliers[k]), np.sort_complex(one.multipliers), atol=1e-11
@@ -110,13 +115,13 @@ def test_frequencies_keep_the_phase_they_began_with() -> None:
     """At 2 Omega the second forcing is at c = 1 whenever the first is."""
     system = impact(0.5)
     motion = settled(system, DATA)
-    orbit = ns.compose(system, DATA, ONE, [np.diff(motion.times)[-1]])
+    orbit = ns.solve(system, DATA, [np.diff(motion.times)[-1]], itinerary=ONE)
     np.testing.assert_allclose(orbit.states[0], motion.states[-1], atol=1e-11)
     c, s, second, other = orbit.states[0, 2:]
     assert second == pytest.approx(c * c - s * s, abs=1e-13)
     assert other == pytest.approx(2 * c * s, abs=1e-13)
     assert len(orbit.multipliers) == 2
-    precise = ns.compose(system, DATA, ONE, [np.diff(motion.times)[-1]], digits=40)
+    precise = ns.solve(system, DATA, [np.diff(motion.times)[-1]], itinerary=ONE, digits=40)
     c, s, second, other = precise.states[0, 2:]
     assert abs(second - (c * c - s * s)) < 1e-38
     assert abs(precise.period - precise.arithmetic.mp.pi) < 1e-38
@@ -133,8 +138,8 @@ def test_both_attractors_are_found() -> None:
 
 @pytest.mark.parametrize("digits", [30, 90])
 def test_any_number_of_digits(digits: int) -> None:
-    orbit = ns.compose(impact(), DATA, ONE, [3.14], digits=digits)
-    more = ns.compose(impact(), DATA, ONE, [3.14], digits=digits + 20)
+    orbit = ns.solve(impact(), DATA, [3.14], itinerary=ONE, digits=digits)
+    more = ns.solve(impact(), DATA, [3.14], itinerary=ONE, digits=digits + 20)
     for one, other in zip(orbit.states.ravel(), more.states.ravel(), strict=True):
         assert abs(one - other) <= 10.0**-digits
     assert abs(orbit.period - orbit.arithmetic.mp.pi) <= 10.0**-digits
@@ -142,7 +147,7 @@ def test_any_number_of_digits(digits: int) -> None:
 
 def test_the_start_of_an_orbit_is_one_of_a_motion() -> None:
     """At a stop at zero a position is 1e-29: it has no size of its own."""
-    orbit = ns.compose(impact(), DATA, ONE, [3.14])
+    orbit = ns.solve(impact(), DATA, [3.14], itinerary=ONE)
     for position in (orbit.states[0, 0], 1e-25, -1e-25):
         start = [position, *orbit.states[0, 1:]]
         motion = ns.simulate(impact(), DATA, start, transitions=3)

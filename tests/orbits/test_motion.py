@@ -1,5 +1,6 @@
 """The motion along an orbit, against integration of the phases' vector fields."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -150,7 +151,7 @@ def test_samples_show_the_impact_before_and_behind() -> None:
 def test_phases_and_configurations(motion: Motion) -> None:
     assert motion.names == ("z1", "z2", "v1", "v2")
     assert motion.configurations == ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
-    assert_allclose(np.diff(motion.breaks), list(orbit().dwell_times.values()), atol=1e-15)
+    assert_allclose(np.diff(motion.breaks), orbit().dwell_times.tolist(), atol=1e-15)
     assert motion.breaks[0] == 0
     assert motion.period == motion.breaks[-1] == pytest.approx(orbit().period)
     # at a transition the phase that begins is meant
@@ -189,7 +190,7 @@ def test_few_samples_keep_starts_and_ends(motion: Motion) -> None:
 def test_samples_show_a_jump_before_and_behind(motion: Motion) -> None:
     starts = motion.starts.copy()
     starts[2, 2] += 1
-    jumping = Motion(motion.name, motion.parameters, starts, motion.breaks)
+    jumping = replace(motion, starts=starts)
     samples = jumping.sample(50)
     (place,) = np.flatnonzero((np.diff(samples.times) == 0) & (samples.phases[:-1] == 1))
     before, behind = samples.states[place : place + 2]

@@ -23,6 +23,7 @@ from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
 from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.proof.closure import exact_translations
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
@@ -73,13 +74,13 @@ GEARED = oscillator(
 @cache
 def sled() -> Any:
     motion = ns.simulate(SLED, PULLED, [0, 1, 0, 0.4], transitions=40)
-    return ns.compose(SLED, PULLED, *ns.itinerary_of(motion))
+    return ns.solve(SLED, PULLED, itinerary=ns.itinerary_of(motion))
 
 
 @cache
 def capsule() -> Any:
     motion = ns.simulate(CAPSULE, SHAKEN, [0, 0, 0, 0, 1, 0], transitions=800)
-    return ns.compose(CAPSULE, SHAKEN, *ns.itinerary_of(motion))
+    return ns.solve(CAPSULE, SHAKEN, itinerary=ns.itinerary_of(motion))
 
 
 @cache
@@ -146,7 +147,7 @@ def test_a_pulled_sled_is_den_hartogs_mass_on_a_belt():
     assert second.real == pytest.approx(math.exp(-period), rel=1e-10)
     assert orbit.trace == pytest.approx(1 + math.exp(-period))
     assert (orbit.stability.verdict, orbit.admissibility.verdict) == ("stable", True)
-    precise = orbit.refined(40)
+    precise = ns.refine(orbit, 40)
     assert abs(precise.shift["x"] - precise.period / 2) < 1e-38
 
 
@@ -154,7 +155,7 @@ def test_where_the_guess_lies_along_the_direction_does_not_matter():
     orbit = gear()
     data = {name: value.text for name, value in orbit.parameters.items()}
     moved = orbit.states[0] + [7, 7, 0, 0, 0, 0]
-    again = ns.compose(GEAR, data, orbit.itinerary, orbit.dwell_times * 1.001, moved)
+    again = ns.solve(GEAR, data, [*orbit.dwell_times * 1.001, *moved], itinerary=orbit.itinerary)
     np.testing.assert_allclose(again.dwell_times, orbit.dwell_times, rtol=1e-10)
     np.testing.assert_allclose(again.states[0], orbit.states[0], atol=1e-9)
     assert again.states[0, 0] == 0
@@ -262,8 +263,8 @@ def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outco
 def test_many_points_at_once_give_the_same():
     orbit = gear()
     data = {name: float(value) for name, value in orbit.parameters.items()}
-    many = ns.compose_many(
-        GEAR,
+    many = solve_itineraries(
+        kernels_of(GEAR),
         orbit.itinerary,
         {**data, "M": [0.3, 0.31]},
         orbit.dwell_times,
@@ -285,7 +286,7 @@ def test_a_branch_of_them_is_followed():
 
 def test_they_are_saved_and_solved_again(tmp_path):
     path = tmp_path / "gear.json"
-    gear().refined(30).save(path)
+    ns.refine(gear(), 30).save(path)
     again = ns.load(path)
     assert abs(again.shift["x1"] - 8 * math.pi) < 1e-14
     moved = ns.solve(str(path), {"M": "0.32"})
@@ -328,9 +329,9 @@ def test_a_symmetry_closes_half_of_a_motion_on_open_ground():
     data = {name: SHAKEN[name] for name in ("A", "w", "u", "k", "c")}
     motion = ns.simulate(shaken, data, [0, 0, 0, 0, 1, 0], transitions=400)
     phases, dwell, start = ns.itinerary_of(motion)
-    whole = ns.compose(shaken, data, phases, dwell, start)
+    whole = ns.solve(shaken, data, [*dwell, *start], itinerary=phases)
     mirror = {name: f"-{name}" for name in ("x", "y", "v", "v_y", "c1", "s1")}
-    half = ns.compose(shaken, data, phases[:1], dwell[:1], start, symmetry=mirror)
+    half = ns.solve(shaken, data, [*dwell[:1], *start], itinerary=phases[:1], symmetry=mirror)
     assert whole.converged
     assert half.converged
     assert list(half.shift.values()) == pytest.approx([0] * 6, abs=1e-12)
@@ -348,7 +349,7 @@ def test_they_are_proved_and_proved_again(tmp_path, orbit):
     certificate = ns.certify(found, 96)
     assert set(certificate.claims.values()) == {"proved"}
     assert (
-        certificate.trace.contains(repr(float(found.refined(25).trace)))
+        certificate.trace.contains(repr(float(ns.refine(found, 25).trace)))
         or abs(float(certificate.trace.mid) - float(found.trace)) < 1e-9
     )
     path = tmp_path / "proof.json"

@@ -26,6 +26,7 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.solve import solve
@@ -340,10 +341,9 @@ def test_the_contact_orbit_is_the_admissible_root_of_an_independent_scan() -> No
         (root,) = admissible
         orbit = solve(ELASTIC, {"k3": stop})
         assert_allclose(list(orbit.unknowns.values()), root, atol=1e-9)
-        assert orbit.dwell_times == {
-            "tau": orbit.unknowns["tau"],
-            "tau1": orbit.values["T"] - orbit.unknowns["tau"],
-        }
+        tau, whole = orbit.unknowns["tau"], orbit.values["T"]
+        assert orbit.dwell_time_names == ("tau", "tau1")
+        assert orbit.dwell_times.tolist() == [tau, whole - tau]
         assert orbit.period == pytest.approx(2 * np.pi, rel=1e-15)
 
 
@@ -351,7 +351,7 @@ def test_the_reversal_of_each_phase() -> None:
     """At the end of contact x is back and v reversed: the paper's rule, with its dot."""
     for orbit in (solve(ELASTIC), *softened()[::4]):
         y, u, w = (orbit.unknowns[n] for n in "yuw")
-        assert_allclose(orbit.states, [[1, y, u, w], [1, y, -u, -w], [1, y, u, w]], atol=1e-9)
+        assert_allclose(orbit.states, [[1, y, u, w], [1, y, -u, -w]], atol=1e-9)
         middle = orbit.motion()(orbit.unknowns["tau"] / 2)
         assert_allclose(middle[2:], 0, atol=1e-9 * orbit.values["k3"] ** 0.5)
         assert middle[0] > 1
@@ -469,7 +469,7 @@ def test_the_printed_stiffness_matrix_has_no_contact_orbit(printed: bool) -> Non
         vector = [root[n] for n in ("y", "u", "w", "tau")]
         verdicts.append(is_contact_orbit(DATA, corner, DATA["k3"], vector))
         given = {n: as_value(v) for n, v in DATA.items()}
-        record = Orbit(ELASTIC, given, root, {}, 0.0, DOUBLE, 0, 0)
+        record = Orbit(KernelProblem(load_orbit(ELASTIC)), given, root, {}, 0.0, DOUBLE, 0, 0)
         declared = Declared(record, itinerary=itinerary)
         assert abs((declared.steps[0][0].normal @ declared.steps[0][2]).item()) < 1e-9
     assert verdicts == ([False, False] if printed else [True])

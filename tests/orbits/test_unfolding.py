@@ -24,7 +24,8 @@ from nonsmooth.derive.document.describe import describe_itinerary
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
 
 HALF = [("free-free", "right-reaches-stop", "T")]
 DATA = Reference({"r": "0.7"}, {"T": "2.6"})
@@ -159,7 +160,9 @@ def test_a_declaration_in_numbers_alone() -> None:
     (entry,) = found.orbits
     # the rest oscillates below the velocity of the belt
     assert entry.share + found.share(Outcome.FAMILY) == 1
-    many = ns.compose_many(belt, entry.itinerary, {}, [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]])
+    many = solve_itineraries(
+        kernels_of(belt), entry.itinerary, {}, [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]]
+    )
     assert many.dwell_times.shape == (3, 2)
     np.testing.assert_allclose(many.period, entry.period, rtol=1e-12)
     runs = ns.simulate_many(belt, {}, np.zeros((4, 2)), transitions=9)

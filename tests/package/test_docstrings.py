@@ -22,12 +22,7 @@ import nonsmooth.derive
 
 ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "NoConvergence"}
 # they are being made one record and one function
-TO_BE_WRITTEN = {
-    "ComposedOrbit",
-    "Orbit",
-    "Orbits",
-    "compose_many",
-}
+TO_BE_WRITTEN = {"Orbit", "Orbits"}
 
 
 def public() -> Iterator[tuple[str, str, Any]]:

@@ -271,7 +271,7 @@ def test_at_a_period_doubling_the_multiplier_is_minus_one(n: int) -> None:
     behind = {"r": r, "w": w, "sigma": sigma + 0.01 / (w * w - 1)}
     begin = orbit.trajectory()(orbit.period / 2)
     motion = ns.simulate(page("impact_oscillator"), behind, begin, transitions=3000)
-    doubled = ns.compose(page("impact_oscillator"), behind, *ns.itinerary_of(motion))
+    doubled = ns.solve(page("impact_oscillator"), behind, itinerary=ns.itinerary_of(motion))
     assert doubled.stability.verdict == "stable"
     assert doubled.period == pytest.approx(2 * orbit.period, rel=1e-10)
     assert np.ptp(doubled.dwell_times) > 0.01 * orbit.period
@@ -429,7 +429,7 @@ def test_an_itinerary_of_three_masses_from_a_motion() -> None:
     rest = dict.fromkeys(("x1", "x2", "x3", "v1", "v2", "v3"), 0)
     motion = ns.simulate(page("three_masses"), CHAIN, rest, transitions=600)
     recurrence = ns.itinerary_of(motion)
-    orbit = ns.compose(page("three_masses"), CHAIN, *recurrence)
+    orbit = ns.solve(page("three_masses"), CHAIN, itinerary=recurrence)
     known = solved("three_masses", "two-each")
     assert sorted(orbit.itinerary) == sorted(known.itinerary)
     assert sorted(orbit.dwell_times) == pytest.approx(sorted(known.dwell_times), abs=1e-11)
@@ -446,10 +446,13 @@ def test_an_itinerary_of_three_masses_from_a_motion() -> None:
     # an impact multiplies areas by r^2, damping by exp(-trace t)
     area = 0.8**8 * math.exp(-0.05 * 6 * orbit.period)
     assert np.prod(orbit.multipliers) == pytest.approx(area, rel=1e-9)
-    half = ns.compose(
-        page("three_masses"), CHAIN, recurrence.itinerary[:2], recurrence.dwell_times[:2],
-        recurrence.start, symmetry={**TURNED, "c1": "-c1", "s1": "-s1"},
-    )  # fmt: skip
+    half = ns.solve(
+        page("three_masses"),
+        CHAIN,
+        [*recurrence.dwell_times[:2], *recurrence.start],
+        itinerary=recurrence.itinerary[:2],
+        symmetry={**TURNED, "c1": "-c1", "s1": "-s1"},
+    )
     assert half.itinerary == orbit.itinerary
     np.testing.assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
 
@@ -489,7 +492,7 @@ def test_two_belts_by_matrix_exponentials() -> None:
         motion = ns.simulate(
             page("two_belts"), orbit.given, orbit.trajectory()(0.1), transitions=40
         )
-        again = ns.compose(page("two_belts"), orbit.given, *ns.itinerary_of(motion))
+        again = ns.solve(page("two_belts"), orbit.given, itinerary=ns.itinerary_of(motion))
         assert again.period == pytest.approx(orbit.period, abs=1e-11)
 
 
@@ -541,7 +544,7 @@ def breaking(w: float, r: float, n: int = 1) -> float:
 def half_orbit(d: float, w: float = 1.5) -> Any:
     data = {"d": repr(d), "r": "0.8", "w": repr(w)}
     phases = [("free-free", "right-reaches-stop")]
-    return ns.compose(page("two_stops"), data, phases, [math.pi / w], symmetry=FORCED)
+    return ns.solve(page("two_stops"), data, [math.pi / w], itinerary=phases, symmetry=FORCED)
 
 
 @pytest.mark.parametrize("d", [0.45, 0.54, 0.6])
@@ -552,8 +555,11 @@ def test_the_symmetric_orbit_from_its_half(d: float) -> None:
     squares = sorted((m * m for m in eigenvalues(trace, 0.64)), key=lambda m: (m.real, m.imag))
     np.testing.assert_allclose(multipliers(orbit), squares, rtol=0, atol=1e-11)
     assert orbit.admissibility.verdict is True
-    whole = ns.compose(
-        page("two_stops"), orbit.given, orbit.itinerary, orbit.dwell_times, orbit.states[0]
+    whole = ns.solve(
+        page("two_stops"),
+        orbit.given,
+        [*orbit.dwell_times, *orbit.states[0]],
+        itinerary=orbit.itinerary,
     )
     np.testing.assert_allclose(whole.states, orbit.states, rtol=0, atol=1e-11)
 
@@ -595,10 +601,14 @@ def den_hartog(S: str, W: str, digits: int = 15) -> Any:
     w = float(Fraction(W))
     R = 1 / (1 - w * w)
     guess = [abs(R), 0, math.copysign(1, R), 0]
-    return ns.compose(
-        page("den_hartog"), {"S": S, "W": W}, [("slip", "ground-reaches-belt")], [math.pi / w],
-        guess, digits, symmetry=FORCED,
-    )  # fmt: skip
+    return ns.solve(
+        page("den_hartog"),
+        {"S": S, "W": W},
+        [*[math.pi / w], *guess],
+        itinerary=[("slip", "ground-reaches-belt")],
+        symmetry=FORCED,
+        digits=digits,
+    )
 
 
 @pytest.mark.parametrize(("S", "W"), [("0.2", "0.6"), ("0.1", "0.7"), ("0.3", "1.4"), ("0.2", "2")])
@@ -631,10 +641,13 @@ def test_den_hartogs_oscillator_at_half_its_frequency() -> None:
 def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
     orbit = solved("jenkins", "yielding-both-ways")
     slide, turn = orbit.dwell_times[:2]
-    half = ns.compose(
-        page("jenkins"), orbit.given, orbit.itinerary[:2], [slide, turn], orbit.states[0],
+    half = ns.solve(
+        page("jenkins"),
+        orbit.given,
+        [*[slide, turn], *orbit.states[0]],
+        itinerary=orbit.itinerary[:2],
         symmetry={**FORCED, "s_joint": "-s_joint"},
-    )  # fmt: skip
+    )
     np.testing.assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
     amplitude = -orbit.states[0, 0]
     # work of the forcing: F x' cos(w t), of the damper: 2 zeta x'^2

@@ -39,8 +39,12 @@ def test_saved_and_read(tmp_path: Path) -> None:
 
 def test_composed_branch_saved_and_read(tmp_path: Path) -> None:
     data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
-    orbit = nonsmooth.compose(
-        "rigid-stop", data, [("free", "first-reaches-stop")], [6.28], period="2*pi"
+    orbit = nonsmooth.solve(
+        "rigid-stop",
+        data,
+        [6.28],
+        itinerary=[("free", "first-reaches-stop")],
+        given={"period": "2*pi"},
     )
     found = nonsmooth.continue_orbit(orbit, "period", (6.0, 6.5), step=0.1)
     found.save(tmp_path / "branch.json")

@@ -36,7 +36,7 @@ def test_without_contact_a_strobe_shows_the_closed_form(phase: float, tmp_path: 
 
 def test_a_strobe_shows_one_point_of_an_orbit_of_the_forcings_period() -> None:
     orbit = ns.solve(f"{PAGE}:one-period", {"w": "2.4"})
-    start = dict(zip(orbit.names[1:], orbit.states[0], strict=False))
+    start = dict(zip([*orbit.unknowns][1:], orbit.states[0], strict=True))
     begin = {name.removesuffix("0"): value for name, value in start.items()}
     diagram = sweep(
         PAGE, {"r": "0.8", "sigma": 0}, "w", [2.4], begin, state="v", phase=2.0,

@@ -19,15 +19,14 @@ from nonsmooth.runtime.cli.options import Kind
 from nonsmooth.runtime.core.errors import InputError, MissingExtra
 from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.model.naming import symbol
-from nonsmooth.runtime.orbits.stability import Stability
+from nonsmooth.runtime.present.pictures.panels import PANELS
 from nonsmooth.runtime.present.pictures.plot import (
     KINDS,
-    PANELS,
     orbit_figure,
     plot_orbit,
     save_figure,
 )
-from nonsmooth.runtime.shooting.multipliers import Multiplier
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -258,7 +257,7 @@ def test_multipliers_stand_in_the_unit_circle() -> None:
 def test_multipliers_outside_the_circle_and_trivial_ones() -> None:
     found = replace(orbit())
     multipliers = (Multiplier(1.7, 2.4), Multiplier(1.7, -2.4), Multiplier(1.0, 0.0, True))
-    vars(found)["stability"] = Stability(multipliers, 4.4, 3, -1.94, "unstable", "")
+    vars(found.evaluation)["stability"] = Stability(multipliers, 4.4, 3, -1.94, "unstable", "")
     (axes,) = axes_of()
     found.plot("multipliers", axes)
     assert legend(axes) == [

@@ -60,8 +60,11 @@ def test_each_found_orbit_is_solved_at_its_own_parameters():
 
 def test_parameters_are_changed_by_name():
     orbit = ns.solve("found.json:2", {"d": "0.48"})
-    composed = ns.compose(
-        "gear.py", {**DATA, "d": "0.48"}, orbit.itinerary, orbit.dwell_times, orbit.states[0]
+    composed = ns.solve(
+        "gear.py",
+        {**DATA, "d": "0.48"},
+        [*orbit.dwell_times, *orbit.states[0]],
+        itinerary=orbit.itinerary,
     )
     np.testing.assert_allclose(orbit.dwell_times, composed.dwell_times, rtol=1e-13)
     found = ns.load_found("found.json").orbits[1].orbit
@@ -105,7 +108,7 @@ def test_a_saved_derived_orbit_is_the_reference():
 def test_a_symmetric_orbit_is_saved_with_its_symmetry():
     turned = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}
     half = [("free-free", "right-reaches-stop")]
-    orbit = ns.compose("gear.py", {**DATA, "d": "0.6"}, half, [2.1], symmetry=turned)
+    orbit = ns.solve("gear.py", {**DATA, "d": "0.6"}, [2.1], itinerary=half, symmetry=turned)
     orbit.save("half.json")
     again = ns.solve("half.json", {"d": "0.61"})
     assert again.symmetry is not None
@@ -115,7 +118,9 @@ def test_a_symmetric_orbit_is_saved_with_its_symmetry():
 def test_a_timed_orbit_keeps_its_period():
     data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
     phases = [("free", "first-reaches-stop")]
-    ns.compose("rigid-stop", data, phases, [3.7], period="3.7").save("timed.json")
+    ns.solve("rigid-stop", data, [3.7], itinerary=phases, given={"period": "3.7"}).save(
+        "timed.json"
+    )
     assert ns.solve("timed.json").period == pytest.approx(3.7, abs=1e-13)
     assert ns.solve("timed.json", {"period": "3.8"}).period == pytest.approx(3.8, abs=1e-13)
 

@@ -65,7 +65,7 @@ def test_enclosures_hold_the_refined_values_of_every_point(speed: int, eta: int)
     orbit = ns.refine(ns.solve(STICK, {name: str(value) for name, value in point.items()}), 100)
     tile = paper().tile_at(point)
     for name, number in (("trace", orbit.trace), ("period", orbit.period),
-                         *orbit.dwell_times.items()):  # fmt: skip
+                         *zip(orbit.dwell_time_names, orbit.dwell_times, strict=True)):  # fmt: skip
         for enclosures in (tile.enclosures, paper().enclosures):
             assert enclosures[name].ball.contains(exact_ball(number))
 
@@ -176,7 +176,7 @@ def test_a_given_period_may_span_the_box() -> None:
 
 
 @cache
-def impacts() -> ns.ComposedOrbit:
+def impacts() -> ns.Orbit:
     """An impact in each period of the forcing."""
     w, size, c = sp.symbols("w F c")
     system = load_system(
@@ -187,11 +187,11 @@ def impacts() -> ns.ComposedOrbit:
                         Parameter("c", "damping")],
         )
     )  # fmt: skip
-    return ns.compose(
+    return ns.solve(
         system,
         {"w": "13/5", "F": "7/10", "c": "1/10"},
-        [("free", "wall-reaches-stop")],
         [2 * math.pi / 2.6],
+        itinerary=[("free", "wall-reaches-stop")],
     )
 
 
@@ -203,7 +203,9 @@ def test_forced_orbits_over_frequency_and_force() -> None:
     # Liouville: the product of the multipliers is r^2 e^(-c T), whatever the force is
     for w in ("2.58", "2.6", "2.62"):
         values = {"w": w, "F": "0.7", "c": "0.1"}
-        orbit = ns.compose(impacts().kernels, values, impacts().itinerary, [2 * math.pi / 2.6])
+        orbit = ns.solve(
+            impacts().system, values, [2 * math.pi / 2.6], itinerary=impacts().itinerary
+        )
         trace = found.enclosures["trace"]
         assert trace.lower <= orbit.trace <= trace.upper
 

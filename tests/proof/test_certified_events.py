@@ -99,8 +99,7 @@ def test_a_phase_that_vanishes(parameter: str, lower: float, upper: float) -> No
     # on the side of the orbit it grows with the distance, which tells where it was zero
     side = 1e-6 if parameter == "eta" else -1e-6
     near, far = (
-        ns.solve(STICK, {parameter: float(found.value) + k * side}).dwell_times["ta"]
-        for k in (1, 2)
+        ns.solve(STICK, {parameter: float(found.value) + k * side}).values["ta"] for k in (1, 2)
     )
     assert 0 < near < 1e-4
     assert far / near == pytest.approx(2, abs=1e-4)

@@ -63,7 +63,7 @@ def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
     sharp = ns.refine(orbit, int(bits * 0.302) + 30)
     assert holds(certificate.trace, sharp.trace)
     assert holds(certificate.enclosures["period"], sharp.period)
-    for label, time in sharp.dwell_times.items():
+    for label, time in zip(sharp.dwell_time_names, sharp.dwell_times, strict=True):
         assert holds(certificate.enclosures[label], time)
     nontrivial = [
         m for m in sharp.stability.multipliers if not m.trivial and (m.real or m.imaginary)
@@ -155,7 +155,7 @@ def test_enclosures_contain_the_refined_values(eta: int, speed: int) -> None:
     sharp = ns.refine(orbit, 100)
     assert certificate.claims["existence"] == "proved"
     assert holds(certificate.trace, sharp.trace)
-    for label, time in sharp.dwell_times.items():
+    for label, time in zip(sharp.dwell_time_names, sharp.dwell_times, strict=True):
         assert holds(certificate.enclosures[label], time)
     verdicts = {"stable": "proved", "unstable": "refuted"}
     assert certificate.claims["stability"] in (verdicts[orbit.stability.verdict], "undecided")
@@ -194,9 +194,13 @@ def test_enclosures_contain_closed_forms(left: int, root: Fraction, bits: int) -
 @pytest.mark.parametrize("size", [1e-4, 1e-3, 1e-2, 0.3])
 def test_perturbed_orbits_are_not_proved(size: float) -> None:
     orbit = loop()
+    dwell = orbit.dwell_time_names
     for moved in (
-        replace(orbit, dwell_times=orbit.dwell_times * (1 + size)),
-        replace(orbit, states=orbit.states + size),
+        replace(
+            orbit,
+            unknowns={n: x * (1 + size * (n in dwell)) for n, x in orbit.unknowns.items()},
+        ),
+        replace(orbit, starts=orbit.states + size),
     ):
         certificate = ns.certify(moved)
         assert certificate.claims["existence"] in ("refuted", "undecided")
@@ -282,11 +286,11 @@ def test_margins_are_true() -> None:
     orbit = ns.solve(STICK, {"us1": 1, "us2": 1})
     first = ns.certify(orbit)
     values = {name: value.text for name, value in first.parameters.items()}
-    dwell = list(orbit.dwell_times.values())
-    composed = ns.compose("dry-friction", values, first.itinerary, dwell)
+    dwell = orbit.dwell_times.tolist()
+    composed = ns.solve("dry-friction", values, dwell, itinerary=first.itinerary)
     certificate = ns.certify(composed)
     motion = composed.trajectory()
-    system = composed.piecewise
+    system = composed.tables.piecewise
     begins = np.concatenate([[0], np.cumsum(composed.dwell_times)])
     for margin in certificate.margins:
         place = margin["phase"] - 1
@@ -300,7 +304,7 @@ def test_margins_are_true() -> None:
         if margin["quantity"] == "distance":
             assert values_along.max() < -least
         elif margin["quantity"] == "speed":
-            end = composed.passage.ends[place]
+            end = composed.tables.passage.ends[place]
             rate = row[:-1] @ (system.fields[index][:, :-1] @ end + system.fields[index][:, -1])
             assert rate > least
             assert rate < 1.1 * least
@@ -383,7 +387,9 @@ def test_an_orbit_is_the_same_by_either_route() -> None:
     derived = ns.certify(ns.solve("elastic-stop/one-contact"))
     values = {name: value.text for name, value in derived.parameters.items()}
     dwell = [float(derived.enclosures[name]) for name in derived.dwell_names]
-    composed = ns.compose("elastic-stop", values, derived.itinerary, dwell, period="2*pi")
+    composed = ns.solve(
+        "elastic-stop", values, dwell, itinerary=derived.itinerary, given={"period": "2*pi"}
+    )
     certificate = ns.certify(composed)
     assert certificate.claims == derived.claims
     assert certificate.trace.ball.overlaps(derived.trace.ball)

@@ -23,8 +23,9 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
-from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.proof.counting.branch_and_prune import search
 from nonsmooth.runtime.proof.counting.contraction import (
     Linear,
@@ -176,7 +177,7 @@ def test_its_four_dwell_times_give_the_same_orbit() -> None:
     census = ns.certify_all("dry-friction", PAPER, box, itinerary=phases)
     assert census.decided
     orbit = ns.solve(STICK)
-    assert np.allclose(times(census), [list(orbit.dwell_times.values())], atol=1e-10)
+    assert np.allclose(times(census), [orbit.dwell_times.tolist()], atol=1e-10)
     assert census.admissible == 1
 
 
@@ -187,10 +188,10 @@ def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
     random = np.random.default_rng(3)
     starts = random.uniform((3, 0.01), (7, 6), size=(400, 2))
     values = {name: float(text) for name, text in PAPER.items()}
-    orbits = ns.compose_many("dry-friction", TWO, values, starts)
+    orbits = solve_itineraries(kernels_of("dry-friction"), TWO, values, starts)
     reached = orbits.dwell_times[orbits.status == CONVERGED]
     inside = (reached[:, 0] >= 3) & (reached <= (7, 6)).all(axis=1) & (reached > 1e-6).all(axis=1)
-    small = np.abs(orbits.states[orbits.status == CONVERGED][:, 0]).max(axis=-1) < 90
+    small = np.abs(orbits.starts[orbits.status == CONVERGED][:, 0]).max(axis=-1) < 90
     distances = np.abs(reached[inside & small][:, None] - found).max(axis=-1)
     assert distances.min(axis=1).max() < 1e-6
     assert distances.min(axis=0).max() < 1e-6
@@ -300,7 +301,7 @@ def test_conservative_orbits_are_counted_at_their_period() -> None:
     census = ns.certify_all("elastic-stop/one-contact", box={"tau": 10, "tau1": 10})
     orbit = ns.solve("elastic-stop/one-contact")
     assert census.decided
-    assert np.allclose(times(census), [list(map(float, orbit.dwell_times.values()))], atol=1e-10)
+    assert np.allclose(times(census), [list(map(float, orbit.dwell_times))], atol=1e-10)
     assert ns.certify_all("rigid-stop/one-impact", box={"T": 7}).admissible == 1
     assert ns.certify_all("rigid-stop/one-impact", box={"T": 6}).count == 0
 

@@ -372,7 +372,7 @@ def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path)
     file.write_text(SLIDING)
     motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
     itinerary, dwell, start = itinerary_of(motion)
-    orbit = ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist())
+    orbit = ns.solve(str(file), {}, [*dwell.tolist(), *start.tolist()], itinerary=itinerary)
     assert orbit.admissibility.verdict is True
     proof = ns.certify(orbit)
     assert set(proof.claims.values()) == {"proved"}
@@ -404,12 +404,11 @@ def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path
     file.write_text(SLIDING)
     motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
     itinerary, dwell, start = itinerary_of(motion)
-    whole = ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist())
+    whole = ns.solve(str(file), {}, [*dwell, *start], itinerary=itinerary)
     count = len(itinerary) // 2
     turned = {name: f"-{name}" for name in ("x1", "x2", "v1", "v2", "c1", "s1")}
-    half = ns.compose(
-        str(file), {}, itinerary[:count], dwell.tolist()[:count], start.tolist(), symmetry=turned
-    )
+    guess = [*dwell[:count], *start]
+    half = ns.solve(str(file), {}, guess, itinerary=itinerary[:count], symmetry=turned)
     assert half.itinerary == whole.itinerary
     assert half.admissibility.verdict is True
     np.testing.assert_allclose(half.states, whole.states, atol=1e-12)
@@ -428,7 +427,7 @@ def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path: Path) -> None:
     file.write_text(CRAWLING)
     motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
     itinerary, dwell, start = itinerary_of(motion)
-    proof = ns.certify(ns.compose(str(file), {}, itinerary, dwell.tolist(), start.tolist()))
+    proof = ns.certify(ns.solve(str(file), {}, [*dwell, *start], itinerary=itinerary))
     assert set(proof.claims.values()) == {"proved"}
     proof.save(tmp_path / "proof.json")
     content = json.loads((tmp_path / "proof.json").read_text())

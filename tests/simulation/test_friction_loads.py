@@ -347,7 +347,7 @@ def test_an_orbit_with_exhausted_friction_is_certified() -> None:
         ("exhausted-slip", "belt-recovers"),
         ("slip", "belt-reaches-belt"),
     )
-    orbit = ns.compose(system, {}, found.itinerary, found.dwell_times, found.start)
+    orbit = ns.solve(system, {}, [*found.dwell_times, *found.start], itinerary=found.itinerary)
     certificate = ns.certify(orbit)
     assert set(certificate.claims.values()) == {"proved"}
     # without friction: x'' + x'/20 + x = 0 from r = -5/3 to r = -5/3

@@ -72,7 +72,7 @@ def comes_back(motion: Trajectory) -> bool:
 
 def law(system: object, motion: Trajectory) -> list[float]:
     """Check exponents of a motion that settles against log|multiplier| / period; give these."""
-    orbit = ns.compose(system, motion.parameters, *ns.itinerary_of(motion))
+    orbit = ns.solve(system, motion.parameters, itinerary=ns.itinerary_of(motion))
     assert orbit.converged
     moduli = np.abs(orbit.multipliers)
     wanted = np.full(len(moduli), -np.inf)

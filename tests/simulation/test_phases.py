@@ -34,7 +34,7 @@ def two(phase: object = 0, second: object = 3, first: object = 0) -> System:
 def test_the_orbit_is_that_of_the_simulated_phase(phase: float) -> None:
     system = two(phase)
     motion = ns.simulate(system, {}, START, transitions=600)
-    orbit = ns.compose(system, {}, *ns.itinerary_of(motion))
+    orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
     assert orbit.converged
     np.testing.assert_allclose(orbit.states[0], motion.states[-1], atol=1e-10)
     other = ns.simulate(two(), {}, START, transitions=600)
@@ -58,12 +58,12 @@ def test_a_certificate_is_of_the_phase() -> None:
     """With a phase of rational cosine and sine the tables are exact."""
     system = two(sp.atan2(4, 3))
     motion = ns.simulate(system, {}, START, transitions=600)
-    orbit = ns.compose(system, {}, *ns.itinerary_of(motion))
+    orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
     certificate = ns.certify(orbit)
     assert certificate.claims["existence"] == "proved"
     # others are not decided, and never as if they were zero
     system = two(1)
-    orbit = ns.compose(system, {}, *ns.itinerary_of(ns.simulate(system, {}, START,
+    orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(ns.simulate(system, {}, START,
                                                                 transitions=600)))  # fmt: skip
     assert ns.certify(orbit).claims["existence"] == "undecided"
 

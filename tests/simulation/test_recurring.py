@@ -24,7 +24,7 @@ def test_the_stick_orbit_from_a_motion() -> None:
     found = nonsmooth.itinerary_of(
         nonsmooth.simulate("dry-friction", STICK, [0, 0, 0, 0], transitions=100)
     )
-    orbit = nonsmooth.compose("dry-friction", STICK, *found)
+    orbit = nonsmooth.solve("dry-friction", STICK, itinerary=found)
     known = nonsmooth.solve("dry-friction/global-stick")
     assert orbit.converged
     assert orbit.period == pytest.approx(known.period, abs=1e-12)
@@ -38,7 +38,7 @@ def test_more_than_twenty_impacts() -> None:
     found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
     count = len(found.itinerary)
     assert count >= 20
-    orbit = nonsmooth.compose(two_stops(), LONG, *found)
+    orbit = nonsmooth.solve(two_stops(), LONG, itinerary=found)
     assert orbit.converged
     assert orbit.admissibility.verdict is True
     assert orbit.stability.verdict == "stable"
@@ -46,7 +46,7 @@ def test_more_than_twenty_impacts() -> None:
     assert turns == pytest.approx(round(turns), abs=1e-10)
     # an impact multiplies areas by r^2, damping by exp(-2 zeta t)
     area = 0.8 ** (2 * count) * np.exp(-0.1 * orbit.period)
-    precise = orbit.refined(30)
+    precise = nonsmooth.refine(orbit, 30)
     product = np.prod(precise.multipliers)
     assert abs(product.real / area - 1) < 1e-10
     assert abs(product.imag / area) < 1e-10
@@ -57,7 +57,7 @@ def test_more_than_twenty_impacts() -> None:
 @pytest.mark.compiled
 def test_many_impacts_by_matrix_exponentials() -> None:
     found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
-    orbit = nonsmooth.compose(two_stops(), LONG, *found)
+    orbit = nonsmooth.solve(two_stops(), LONG, itinerary=found)
     field = np.array([[0, 1, 0, 0], [-1, -0.1, 1, 0], [0, 0, 0, -1.272], [0, 0, 1.272, 0]])
     following = np.roll(orbit.states, -1, axis=0)
     for (_, boundary), time, start, after in zip(
@@ -87,7 +87,7 @@ def test_about_a_period() -> None:
         except InputError:
             continue
         assert sum(found.dwell_times) == pytest.approx(turns * turn, rel=0.05)
-        orbit = nonsmooth.compose(two_stops(), data, *found)
+        orbit = nonsmooth.solve(two_stops(), data, itinerary=found)
         converged += orbit.converged and abs(orbit.period - turns * turn) < 1e-9
     assert converged
 
@@ -96,7 +96,7 @@ def test_boundaries_that_are_reached_together() -> None:
     both = nonsmooth.simulate(pair(), DATA, [0.1, 0.1, 0.3, 0.3, 1, 0], transitions=200)
     found = nonsmooth.itinerary_of(both)
     assert sorted(found.itinerary) == [("free", "left+down"), ("free", "right+up")]
-    orbit = nonsmooth.compose(pair(), DATA, *found)
+    orbit = nonsmooth.solve(pair(), DATA, itinerary=found)
     assert orbit.converged
     assert orbit.period == pytest.approx(2 * np.pi / 1.7, rel=1e-13)
 
@@ -106,13 +106,16 @@ def test_a_doubled_orbit_is_no_single_one() -> None:
     data = {**DATA, "Omega": "1.274"}
     doubled = nonsmooth.simulate(two_stops(), data, [0, 0.3, 1, 0], transitions=3000)
     found = nonsmooth.itinerary_of(doubled, since=0.9 * doubled.end)
-    orbit = nonsmooth.compose(two_stops(), data, *found)
+    orbit = nonsmooth.solve(two_stops(), data, itinerary=found)
     count = len(found.itinerary) // 2
     assert found.itinerary[:count] == found.itinerary[count:]
     assert not np.allclose(orbit.dwell_times[:count], orbit.dwell_times[count:], atol=1e-3)
     assert orbit.stability.verdict == "stable"
-    single = nonsmooth.compose(
-        two_stops(), data, found.itinerary[:count], found.dwell_times[:count], found.start
+    single = nonsmooth.solve(
+        two_stops(),
+        data,
+        [*found.dwell_times[:count], *found.start],
+        itinerary=found.itinerary[:count],
     )
     assert single.stability.verdict == "unstable"
     assert min(single.multipliers.real) < -1

@@ -6,7 +6,6 @@ import pytest
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.compose import compose
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.returns import poincare_map
@@ -69,7 +68,7 @@ def test_multipliers_of_the_built_in_orbits(name):
         mapped = poincare_map(system, data, section(itinerary, phase))
         found = mapped.next_return(states[phase])
         np.testing.assert_allclose(found.state, states[phase], rtol=0, atol=1e-11)
-        assert found.time == pytest.approx(sum(orbit.dwell_times.values()), abs=1e-11)
+        assert found.time == pytest.approx(sum(orbit.dwell_times), abs=1e-11)
         turned = [c for c, _ in itinerary[phase:] + itinerary[:phase]]
         assert found.configurations == tuple(turned)
         values = np.linalg.eigvals(mapped.jacobian(states[phase]))
@@ -79,10 +78,10 @@ def test_multipliers_of_the_built_in_orbits(name):
 @pytest.mark.parametrize("name", ["dry-friction/global-stick", "dry-friction/symmetric"])
 def test_jacobians_of_composed_orbits(name):
     data, itinerary = ORBITS[name]
-    guess = [float(t) for t in solve(name).dwell_times.values()]
+    guess = solve(name).dwell_times.tolist()
     for first in range(len(itinerary)):
         turned = itinerary[first:] + itinerary[:first]
-        orbit = compose("dry-friction", data, turned, guess[first:] + guess[:first])
+        orbit = solve("dry-friction", data, guess[first:] + guess[:first], itinerary=turned)
         mapped = poincare_map("dry-friction", data, section(turned))
         basis = mapped.basis
         np.testing.assert_allclose(basis.T @ basis, np.eye(basis.shape[1]), atol=1e-14)

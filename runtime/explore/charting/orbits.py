@@ -25,7 +25,7 @@ from nonsmooth.runtime.explore.charting.table_orbits import ComposedPoints, comp
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, load_orbit
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.orbits.orbit import STATUS
+from nonsmooth.runtime.orbits.kernel_problem import STATUS
 
 __all__ = ["OrbitProblem", "orbit_problem"]
 

@@ -15,7 +15,7 @@ from nonsmooth.runtime.model.engine_layout import layout_of
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise_at
-from nonsmooth.runtime.orbits.composed_admissible import assess_cycle
+from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, pass_through
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
 

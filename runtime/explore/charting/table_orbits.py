@@ -17,8 +17,8 @@ from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
-from nonsmooth.runtime.orbits.named import solve_declared, unknowns_of
+from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.cycle_newton import LEAST, sizes, solve_cycle
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
@@ -62,12 +62,12 @@ class ComposedPoints:
     Attributes
     ----------
     kernels : OrbitKernels
-    reference : ComposedOrbit
+    reference : Orbit
         At the reference point.
     """
 
     kernels: OrbitKernels
-    reference: ComposedOrbit
+    reference: Orbit
 
     @property
     def unknowns(self) -> tuple[str, ...]:
@@ -135,8 +135,8 @@ class ComposedPoints:
         if driven is not None:
             return 0, len(driven)
         reference = self.reference
-        numbers, now = numbers_in(reference.piecewise), reference.passage
-        maps = local_maps(reference.cycle, numbers, now)
+        numbers, now = numbers_in(reference.tables.piecewise), reference.tables.passage
+        maps = local_maps(reference.tables.cycle, numbers, now)
         return smallest_section(maps, sizes(now, reference.dwell_times))
 
     @cached_property
@@ -251,7 +251,7 @@ def composed_orbits(kernels: OrbitKernels) -> tuple[ComposedPoints, list[Paramet
         reference = solve_declared(kernels, {})
     except NoConvergence as problem:
         raise InputError(f"at its reference, where a chart starts: {problem}") from None
-    if len(reference.translations):
+    if len(reference.tables.translations):
         raise InputError(
             f"{kernels.name} is periodic up to a shift, which one point at a time knows"
         )

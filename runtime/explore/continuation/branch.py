@@ -17,7 +17,6 @@ from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
 from nonsmooth.runtime.explore.continuation.table_family import ComposedCurve
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -52,7 +51,7 @@ class Branch:
         Why the branch ends, at its beginning and at its end.
     start : int
         Which of the points it was followed from.
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         That point.
     """
 
@@ -74,7 +73,7 @@ class Branch:
     def __len__(self) -> int:
         return len(self.parameter_values)
 
-    def orbit_at(self, place: int | Event) -> Orbit | ComposedOrbit:
+    def orbit_at(self, place: int | Event) -> Orbit:
         """Give the orbit at a point of the branch, or at an event.
 
         Parameters
@@ -84,7 +83,7 @@ class Branch:
 
         Returns
         -------
-        Orbit or ComposedOrbit
+        Orbit
 
         Raises
         ------
@@ -97,7 +96,7 @@ class Branch:
             z = np.append(self.unknowns[place], self.parameter_values[place])
         else:
             raise InputError(f"the branch has {len(self)} points, no point {place}")
-        orbit: Orbit | ComposedOrbit = curve_of(self.orbit, self.parameter, 1.0).at(z)
+        orbit: Orbit = curve_of(self.orbit, self.parameter, 1.0).at(z)
         return orbit
 
     def _motion_at(self, place: int) -> Orbit | Trajectory:
@@ -105,13 +104,11 @@ class Branch:
         curve = curve_of(self.orbit, self.parameter, 1.0)
         if isinstance(curve, ComposedCurve):
             return curve.motion(np.append(self.unknowns[place], self.parameter_values[place]))
-        orbit = self.orbit_at(place)
-        assert isinstance(orbit, Orbit)
-        return orbit
+        return self.orbit_at(place)
 
     def next_itineraries(
         self, event: Event, parameters: Mapping[str, Any] | None = None
-    ) -> tuple[ComposedOrbit, ...]:
+    ) -> tuple[Orbit, ...]:
         """Find admissible orbits of other itineraries just beyond a border collision.
 
         Parameters of the system that the orbit leaves open may be given; else they are chosen.
@@ -125,7 +122,7 @@ class Branch:
 
         Returns
         -------
-        tuple of ComposedOrbit
+        tuple of Orbit
             None where no itinerary that was tried has an admissible orbit there.
 
         Raises
@@ -137,7 +134,7 @@ class Branch:
 
         return next_itineraries(self, event, parameters)
 
-    def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> ComposedOrbit:
+    def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> Orbit:
         """Find an orbit on the branch that meets this one at an event.
 
         At a flip the one of twice the period, at a symmetry-breaking one without the symmetry,
@@ -153,7 +150,7 @@ class Branch:
 
         Returns
         -------
-        ComposedOrbit
+        Orbit
             `continue_orbit` follows it.
 
         Raises

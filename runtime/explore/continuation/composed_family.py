@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.orbits.compose import compose
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters, physical_parameters
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -22,7 +22,7 @@ SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
 
 def composed_family(
     branch: Branch, place: int, beside: Mapping[str, Any] | None = None
-) -> tuple[ComposedOrbit, SystemAt]:
+) -> tuple[Orbit, SystemAt]:
     """The composed orbit at a point of a branch.
 
     And what gives the physical parameters, and the period if it is given, at other values of
@@ -36,7 +36,7 @@ def composed_family(
     """
     orbit = branch.orbit_at(place)
     name = branch.parameter
-    if isinstance(orbit, ComposedOrbit):
+    if orbit.problem.kernels is None:
         parameters, given = dict(orbit.parameters), orbit.given_period
 
         def composed_at(value: float) -> tuple[dict[str, Value], Value | None]:
@@ -58,8 +58,8 @@ def composed_family(
 
     here, period = derived_at(float(base.values[name]))
     phases = [tuple(phase[:2]) for phase in kernels.table["phases"]]
-    dwell = [float(time) for time in base.dwell_times.values()]
-    found = compose(kernels.system, here, phases, dwell, period=period)
+    dwell = base.dwell_times.astype(float).tolist()
+    found = solve_itinerary(kernels.system, here, phases, dwell, period=period)
     if not found.converged:
         raise InputError(f"{base.name}: {found.message}")
     return found, derived_at

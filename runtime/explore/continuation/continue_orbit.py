@@ -27,7 +27,6 @@ from nonsmooth.runtime.explore.continuation.stepping import (
     tangent_at,
     trace_both_ways,
 )
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
@@ -40,7 +39,7 @@ _NEUTRAL = 1e-10  # distance of a multiplier from the unit circle that is not de
 
 
 def continue_orbit(
-    orbit: Orbit | ComposedOrbit,
+    orbit: Orbit,
     parameter: str,
     interval: tuple[float, float],
     *,
@@ -57,7 +56,7 @@ def continue_orbit(
 
     Parameters
     ----------
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         A converged one.
     parameter : str
         One of the numbers that were given for it: a parameter, an unknown that was exchanged
@@ -127,9 +126,7 @@ def continue_orbit(
     raise Interrupted(_branch(curve, path))
 
 
-def _check_same(
-    orbit: Orbit | ComposedOrbit, parameter: str, limits: tuple[float, float], known: Branch
-) -> None:
+def _check_same(orbit: Orbit, parameter: str, limits: tuple[float, float], known: Branch) -> None:
     """Refuse to go on with a branch of another orbit, parameter or value."""
     if (known.name, known.parameter) != (orbit.name, parameter):
         raise InputError(f"the branch to resume is of {known.name} over {known.parameter}")
@@ -237,7 +234,7 @@ def _verdict(multipliers: np.ndarray, conservative: bool) -> str:
 def _checked(
     orbit: Any, parameter: str, interval: Any, step: float, points: int, stop: str | None
 ) -> tuple[float, float]:
-    if not isinstance(orbit, Orbit | ComposedOrbit):
+    if not isinstance(orbit, Orbit):
         raise InputError(f"{type(orbit).__name__} is no orbit, such as nonsmooth.solve gives")
     if orbit.status != CONVERGED:
         raise InputError(f"{orbit.name} cannot be followed: {orbit.message}")

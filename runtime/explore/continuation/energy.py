@@ -14,7 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, numbers_in
 
 __all__ = ["energy_of"]
@@ -23,7 +23,7 @@ _ZERO = 1e-10  # relative size of a singular value, or of a number, that is zero
 _KEPT = 1e-7  # relative difference of the energy at the starts of two phases
 
 
-def energy_of(orbit: ComposedOrbit) -> float:
+def energy_of(orbit: Orbit) -> float:
     """Energy of a conservative orbit.
 
     Its unit is that in which the first coordinate has the mass 1 (divide energies in other
@@ -35,8 +35,8 @@ def energy_of(orbit: ComposedOrbit) -> float:
     InputError
         If no energy is kept along the orbit.
     """
-    numbers = numbers_in(piecewise(orbit.kernels, orbit.parameters))
-    cycle, states = orbit.cycle, orbit.states.astype(float)
+    numbers = numbers_in(piecewise(orbit.system, orbit.parameters))
+    cycle, states = orbit.tables.cycle, orbit.states.astype(float)
     forms = _forms(cycle, numbers, states.shape[1])
     if forms is None:
         raise InputError(f"no energy is kept along {orbit.name}")

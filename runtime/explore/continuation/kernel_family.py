@@ -22,7 +22,7 @@ _SMALLEST = 0.05  # size of an unknown in units of the largest one, at least
 
 
 class DerivedCurve:
-    """An `Orbit` over one of the numbers that were given for it; see `Curve`."""
+    """An orbit with kernels over one of the numbers that were given for it; see `Curve`."""
 
     order = 1
     condition_places: tuple[int, ...] = ()

@@ -11,7 +11,6 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["Locus"]
@@ -38,7 +37,7 @@ class Locus:
         Why it ends on either side.
     start : int
         Which of the points it was followed from.
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         That the branch of the event was followed from.
     """
 
@@ -62,7 +61,7 @@ class Locus:
         kind = self.kind.replace("-", " ")
         return f"{kind}{' of ' * bool(self.boundary)}{self.boundary}: {self.name}"
 
-    def orbit_at(self, place: int) -> Orbit | ComposedOrbit:
+    def orbit_at(self, place: int) -> Orbit:
         """Give the orbit at a point of the curve.
 
         Parameters
@@ -72,7 +71,7 @@ class Locus:
 
         Returns
         -------
-        Orbit or ComposedOrbit
+        Orbit
 
         Raises
         ------
@@ -83,7 +82,7 @@ class Locus:
             raise InputError(f"the curve has {len(self)} points, no point {place}")
         first, second = self.values[place].tolist()
         curve = curve_of(self.orbit, self.parameters[0], 1.0).moved(self.parameters[1], second)
-        orbit: Orbit | ComposedOrbit = curve.at(np.append(self.unknowns[place], first))
+        orbit: Orbit = curve.at(np.append(self.unknowns[place], first))
         return orbit
 
     def plot(self, axes: Any = None) -> Any:

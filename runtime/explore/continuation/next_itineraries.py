@@ -20,8 +20,8 @@ from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.orbits.compose import compose
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.cycle_newton import solve_cycle
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of
@@ -46,7 +46,7 @@ _Phases = tuple[tuple[str, str], ...]
 
 def next_itineraries(
     branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
-) -> tuple[ComposedOrbit, ...]:
+) -> tuple[Orbit, ...]:
     """Admissible orbits of other itineraries just beyond a border collision.
 
     Parameters
@@ -59,7 +59,7 @@ def next_itineraries(
 
     Returns
     -------
-    tuple of ComposedOrbit
+    tuple of Orbit
         One for each itinerary, those on the side that the branch leaves first: each can be
         continued in its turn. Parameters that the orbit left open are those of its point
         beside the collision.
@@ -74,7 +74,7 @@ def next_itineraries(
     base, system_at = _neighbour(branch, event, parameters)
     span = float(np.ptp(branch.parameter_values)) or max(1.0, abs(event.value))
     side = _side(branch, event)
-    found: dict[_Phases, ComposedOrbit] = {}
+    found: dict[_Phases, Orbit] = {}
     own = _canonical(base.itinerary)
     ways = _candidates(base, event)
     for sign in (side, -side):
@@ -97,7 +97,7 @@ def next_itineraries(
 
 def _neighbour(
     branch: Branch, event: Event, chosen: Mapping[str, Any] | None
-) -> tuple[ComposedOrbit, SystemAt]:
+) -> tuple[Orbit, SystemAt]:
     """The composed orbit at the branch's point beside the event, admissible if there is one.
 
     And what gives the physical parameters, and the period if it is given, at other values.
@@ -132,35 +132,37 @@ class _Way(NamedTuple):
     phases: int
 
 
-def _first(base: ComposedOrbit, event: Event) -> tuple[int, int]:
+def _first(base: Orbit, event: Event) -> tuple[int, int]:
     """Phase from which the part is looked at, and how many it has."""
     symmetry = base.symmetry
     count = len(base.itinerary) // (1 if symmetry is None else symmetry.order)
     return 0 if symmetry is not None or event.phase is None else (event.phase - 1) % count, count
 
 
-def _candidates(base: ComposedOrbit, event: Event) -> list[_Way]:
+def _candidates(base: Orbit, event: Event) -> list[_Way]:
     """Other itineraries, by the ways through the transitions."""
     if event.phase is None:
         return []
     first, count = _first(base, event)
     phases = [base.itinerary[(first + k) % len(base.itinerary)] for k in range(count + 1)]
     found: dict[_Phases, _Way] = {}
-    for begin, end, way in _ways(base.cycle.structure, phases, (event.phase - first) % count):
+    for begin, end, way in _ways(
+        base.tables.cycle.structure, phases, (event.phase - first) % count
+    ):
         itinerary = (*phases[:begin], *way, *phases[end + 1 : count])
         found.setdefault(itinerary, _Way(itinerary, begin, end, len(way)))
     return list(found.values())[:_MOST_WAYS]
 
 
 def _composed(
-    base: ComposedOrbit,
+    base: Orbit,
     ways: Sequence[_Way],
     parameters: Mapping[str, Any],
     event: Event,
     period: Value | None,
-) -> Iterator[ComposedOrbit]:
+) -> Iterator[Orbit]:
     """Admissible orbits of these itineraries near the orbit."""
-    point, symmetry = piecewise(base.kernels, parameters), base.symmetry
+    point, symmetry = piecewise(base.system, parameters), base.symmetry
     first, count = _first(base, event)
     dwell = np.roll(base.dwell_times, -first)[:count].astype(float)
     state = base.states[first].astype(float)
@@ -183,8 +185,8 @@ def _composed(
         solved = _solved(part, numbers_of(closed), np.array(rows), state, length)
         if solved is None or not _near(solved[0].sum() * len(base.itinerary) / count, base):
             continue
-        orbit = compose(
-            base.kernels,
+        orbit = solve_itinerary(
+            base.system,
             parameters,
             way.itinerary,
             solved[0].tolist(),
@@ -266,14 +268,14 @@ def _splits(total: float, count: int, time: float | None) -> list[list[float]]:
     return found
 
 
-def _simulated(base: ComposedOrbit, parameters: Mapping[str, Any]) -> list[ComposedOrbit]:
+def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
     """Where a motion from the orbit's start settles, if it is periodic."""
     configuration = base.itinerary[0][0]
     start = base.states[0].astype(float).tolist()
     try:
-        motion = simulate(base.kernels, parameters, start, configuration, transitions=_TRANSITIONS)
+        motion = simulate(base.system, parameters, start, configuration, transitions=_TRANSITIONS)
         itinerary, dwell, begin = itinerary_of(motion)
-        orbit = compose(base.kernels, parameters, itinerary, dwell.tolist(), begin.tolist())
+        orbit = solve_itinerary(base.system, parameters, itinerary, dwell.tolist(), begin.tolist())
         if orbit.converged and orbit.admissibility.verdict is True:
             return [orbit]
     except InputError:  # no such motion, or it does not come back
@@ -281,7 +283,7 @@ def _simulated(base: ComposedOrbit, parameters: Mapping[str, Any]) -> list[Compo
     return []
 
 
-def _near(period: float, base: ComposedOrbit) -> bool:
+def _near(period: float, base: Orbit) -> bool:
     """Whether an orbit of such a period may be the same one at the collision."""
     return abs(period / float(base.period) - 1) < _NEAR
 

@@ -20,7 +20,7 @@ class Curve(Protocol):
 
     Attributes
     ----------
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         Where the branch begins.
     names : tuple of str
         Of the unknowns.

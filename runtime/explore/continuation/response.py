@@ -11,7 +11,6 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 if TYPE_CHECKING:
@@ -25,9 +24,9 @@ def is_forced(branch: Branch) -> bool:
     return bool(structure_of(system_of(branch.orbit)).forcing)
 
 
-def system_of(orbit: Orbit | ComposedOrbit) -> SystemKernels:
+def system_of(orbit: Orbit) -> SystemKernels:
     """Tables and kernels of an orbit's system."""
-    return orbit.kernels.system if isinstance(orbit, Orbit) else orbit.kernels
+    return orbit.system
 
 
 def forcing_frequencies(branch: Branch) -> np.ndarray | None:

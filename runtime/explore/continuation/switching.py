@@ -18,8 +18,8 @@ from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, com
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
 from nonsmooth.runtime.explore.continuation.table_family import PERIOD, ComposedCurve
-from nonsmooth.runtime.orbits.compose import compose
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ _OPEN = 1e-3  # largest singular value, relative, of a direction that is open
 
 def other_branch(
     branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
-) -> ComposedOrbit:
+) -> Orbit:
     """An orbit on the branch that meets this one at an event, close to it.
 
     At a flip it has twice the itinerary, and nearly twice the period; at a symmetry-breaking it
@@ -52,7 +52,7 @@ def other_branch(
 
     Returns
     -------
-    ComposedOrbit
+    Orbit
         `continue_orbit` follows it; an admissible one where one is found.
 
     Raises
@@ -67,7 +67,9 @@ def other_branch(
     base, system_at = composed_family(branch, _away(event), parameters)
     parameter = branch.parameter if branch.parameter in base.parameters else PERIOD
     if parameter == PERIOD and base.given_period is None:
-        raise InputError(f"{branch.parameter} is no parameter of {base.system}: follow one that is")
+        raise InputError(
+            f"{branch.parameter} is no parameter of {base.system.name}: follow one that is"
+        )
     curve = ComposedCurve(base, parameter, float(np.ptp(branch.parameter_values)) or 1.0)
     meeting = _meeting(branch, event, base, system_at)
     if event.kind == "branch-point":
@@ -102,25 +104,25 @@ def _away(event: Event) -> int:
     return before if event.place - before > 0.5 else before + 1
 
 
-def _meeting(branch: Branch, event: Event, base: ComposedOrbit, system_at: SystemAt) -> np.ndarray:
+def _meeting(branch: Branch, event: Event, base: Orbit, system_at: SystemAt) -> np.ndarray:
     """Where the branches meet, as an orbit composed at all physical parameters."""
     orbit = branch.orbit_at(event)
-    if isinstance(orbit, ComposedOrbit):
+    if orbit.problem.kernels is None:
         return np.array([*event.unknowns.values(), event.value])
     parameters, period = system_at(event.value)
-    dwell = [float(time) for time in orbit.dwell_times.values() if time > 0]
-    found = compose(base.kernels, parameters, base.itinerary, dwell, period=period)
+    dwell = [float(time) for time in orbit.dwell_times if time > 0]
+    found = solve_itinerary(base.system, parameters, base.itinerary, dwell, period=period)
     if not found.converged:
         raise InputError(f"{base.name} at {event.parameter} = {event.value:.10g}: {found.message}")
     value = float(found.period) if branch.parameter not in parameters else event.value
     return np.array([*found.dwell_times, *found.states[0], value])
 
 
-def _unfolded(base: ComposedOrbit, periods: int) -> ComposedOrbit:
+def _unfolded(base: Orbit, periods: int) -> Orbit:
     """The same orbit without its symmetry, passed through so many times."""
     period = base.given_period
-    return compose(
-        base.kernels,
+    return solve_itinerary(
+        base.system,
         base.parameters,
         base.itinerary * periods,
         np.tile(base.dwell_times.astype(float), periods).tolist(),
@@ -156,7 +158,7 @@ def _open_direction(curve: ComposedCurve, z: np.ndarray, along: np.ndarray) -> n
 
 def _beside(
     curve: ComposedCurve, start: np.ndarray, direction: np.ndarray, length: float
-) -> ComposedOrbit | None:
+) -> Orbit | None:
     """An orbit so far from the meeting point along a direction, if there is one."""
     guess = start + length * direction * curve.sizes
     found = correct(curve, guess, direction)

@@ -1,4 +1,4 @@
-"""Composed orbits as a family to be followed.
+"""Orbits by the tables of their system as a family to be followed.
 
 Unknowns are the dwell times and the state at the start; the equations are the switching
 conditions and closure. Flows are exponentials of the fields at a parameter with a tiny
@@ -27,10 +27,11 @@ from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.explore.continuation.phase_functions import conditions_of, phase_waves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
-from nonsmooth.runtime.orbits.compose import compose
-from nonsmooth.runtime.orbits.composed_admissible import assess_cycle
-from nonsmooth.runtime.orbits.composed_motion import motion_along
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.table_admissible import assess_cycle
+from nonsmooth.runtime.orbits.table_motion import motion_along
+from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.cycle_newton import sizes as sizes_along
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -45,22 +46,20 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["PERIOD", "ComposedCurve"]
 
-PERIOD = "period"
 _IMAGINARY = 1e-30  # of the parameter, in units of max(1, |it|)
 
 
 class ComposedCurve:
-    """A `ComposedOrbit` over one parameter, or over its period if that was given."""
+    """An orbit without kernels over one parameter, or over its period if that was given."""
 
-    def __init__(self, orbit: ComposedOrbit, parameter: str, length: float) -> None:
-        if len(orbit.cycle.structure.forcing) > 1:
+    def __init__(self, orbit: Orbit, parameter: str, length: float) -> None:
+        if len(orbit.tables.cycle.structure.forcing) > 1:
             raise InputError(f"{orbit.name} has several forcings: its branches are not followed")
-        kernels = orbit.kernels
         self.orbit, self.parameter = orbit, parameter
         self.order = 1 if orbit.symmetry is None else orbit.symmetry.order
-        self._parameters = [p.name for p in kernels.parameters]
+        self._parameters = [p.name for p in orbit.system.parameters]
         self._base = np.array([float(orbit.parameters[name]) for name in self._parameters])
-        closed, self._cycle = closing(orbit.piecewise, orbit.cycle, orbit.symmetry)
+        closed, self._cycle = closing(orbit.tables.piecewise, orbit.tables.cycle, orbit.symmetry)
         count = len(self._cycle)
         dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
         now = pass_through(self._cycle, numbers_in(closed), dwell, start, np)
@@ -74,12 +73,12 @@ class ComposedCurve:
         waits = np.full(count, dwell.sum())
         self.sizes = np.concatenate([waits, sizes_along(now, dwell), [length]])
         stability = orbit.stability if orbit.symmetry is None else orbit.part_stability
-        shifts = len(orbit.translations)
-        self._rank, self._family = stability.rank - shifts, orbit.family
-        self._trivial = shifts + orbit.family
+        shifts = len(orbit.tables.translations)
+        self._rank, self._family = stability.rank - shifts, orbit.tables.family
+        self._trivial = shifts + orbit.tables.family
         self._driven = mechanical_states(self._cycle)
         # a forcing, or no family, determines the period by itself
-        self._timed = orbit.given_period is not None and orbit.family
+        self._timed = orbit.given_period is not None and orbit.tables.family
         if parameter == PERIOD and not self._timed:
             raise InputError(f"{orbit.name}: the period is determined by the other parameters")
         self._known: tuple[bytes, list[tuple[np.ndarray, Cycle, Numbers]]] = (b"", [])
@@ -210,14 +209,14 @@ class ComposedCurve:
     def _admissible(self, z: np.ndarray) -> bool:
         if not (np.isfinite(z).all() and (self.dwell(z[None]) > 0).all()):
             return False
-        system = piecewise_at(self.orbit.kernels, self._point(z[-1]))
-        cycle = self.orbit.cycle.at(system.structure)
+        system = piecewise_at(self.orbit.system, self._point(z[-1]))
+        cycle = self.orbit.tables.cycle.at(system.structure)
         dwell, start = self._unknowns(z)
         times = np.tile(dwell, self.order)
         now = pass_through(cycle, numbers_in(system), times, start, np)
         return bool(assess_cycle(cycle, system, now, times).verdict)
 
-    def at(self, z: np.ndarray) -> ComposedOrbit:
+    def at(self, z: np.ndarray) -> Orbit:
         """See `Curve`."""
         orbit, symmetry = self.orbit, self.orbit.symmetry
         period = orbit.given_period
@@ -227,8 +226,8 @@ class ComposedCurve:
         else:
             values[self.parameter] = as_value(float(z[-1]))
         dwell, start = self._unknowns(z)
-        found = compose(
-            orbit.kernels,
+        found = solve_itinerary(
+            orbit.system,
             values,
             self._cycle.itinerary,
             dwell.tolist(),
@@ -236,12 +235,13 @@ class ComposedCurve:
             period=period,
             symmetry=None if symmetry is None else symmetry.matrix,
         )
-        return replace(found, label=orbit.label, names=orbit.names)
+        assert isinstance(orbit.problem, TableProblem)
+        return labelled(found, orbit.problem.label, orbit.problem.names)
 
     def motion(self, z: np.ndarray) -> Trajectory:
         """The motion at a point: a phase that vanishes there takes no time."""
-        system = piecewise_at(self.orbit.kernels, self._point(z[-1]))
-        cycle = self.orbit.cycle.at(system.structure)
+        system = piecewise_at(self.orbit.system, self._point(z[-1]))
+        cycle = self.orbit.tables.cycle.at(system.structure)
         dwell, start = self._unknowns(z)
         times = np.tile(np.maximum(dwell, 0.0), self.order)
         now = pass_through(cycle, numbers_in(system), times, start, np)
@@ -251,8 +251,7 @@ class ComposedCurve:
     def moved(self, name: str, value: float) -> ComposedCurve:
         """See `Curve`."""
         other = copy(self)
-        changed = {**self.orbit.parameters, name: as_value(value)}
-        other.orbit = replace(self.orbit, parameters=changed)
+        other.orbit = replace(self.orbit, given={**self.orbit.given, name: as_value(value)})
         other._base, other._known = self._base.copy(), (b"", [])
         other._base[self._parameters.index(name)] = value
         return other
@@ -275,18 +274,18 @@ class ComposedCurve:
         if self.parameter != PERIOD:
             point[self._parameters.index(self.parameter)] += 1j * tiny
         fields, rows, resets = (
-            np.array(self.orbit.kernels.source(name)(point, lib=FLOATS), dtype=complex)
+            np.array(self.orbit.system.source(name)(point, lib=FLOATS), dtype=complex)
             for name in ("fields", "rows", "resets")
         )
         resets = resets.reshape(-1, size, size + 1)
         fields, rows = fields.reshape(-1, size, size + 1), rows.reshape(-1, size + 1)
-        if self._cycle.structure is not self.orbit.cycle.structure:
+        if self._cycle.structure is not self.orbit.tables.cycle.structure:
             resets = self._closed_resets(fields, rows, resets)
         return fields, rows, resets
 
     def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
         """The resets, and the one behind which the part closes."""
-        orbit, cycle = self.orbit, self.orbit.cycle
+        orbit, cycle = self.orbit, self.orbit.tables.cycle
         matrix = closing_matrix(cycle.structure, fields, rows, resets, orbit.symmetry)
         last = resets[cycle.transitions[len(self._cycle) - 1].reset]
         found = last if matrix is None else matrix @ last
@@ -302,10 +301,10 @@ class ComposedCurve:
     def _grouped(self, values: list[float]) -> list[tuple[np.ndarray, Cycle, Numbers]]:
         points = np.stack([self._point(value) for value in values])
         found = []
-        for group in numbers_at(self.orbit.kernels, points):
+        for group in numbers_at(self.orbit.system, points):
             numbers = numbers_in(group.structure, group.flat)
             cycle = self._cycle
-            if cycle.structure is not self.orbit.cycle.structure:
+            if cycle.structure is not self.orbit.tables.cycle.structure:
                 arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
                 resets = np.stack([self._closed_resets(*each) for each in arrays])
                 numbers = numbers._replace(resets=resets)

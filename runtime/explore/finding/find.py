@@ -32,7 +32,7 @@ from nonsmooth.runtime.explore.finding.steady import Equilibrium
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.orbits.compose import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.recurrence import (
@@ -66,7 +66,7 @@ class FoundOrbit:
 
     Attributes
     ----------
-    orbit : ComposedOrbit
+    orbit : Orbit
         Over its primitive period; of one phase that ends with ``forcing-phase`` where it
         reaches no boundary.
     starts : int
@@ -76,7 +76,7 @@ class FoundOrbit:
         Place of the orbit before it whose mirror image it is; its own where it is its own.
     """
 
-    orbit: ComposedOrbit
+    orbit: Orbit
     starts: int
     share: float
     mirror: int | None = None
@@ -94,7 +94,7 @@ class FoundOrbit:
     @property
     def forcing_periods(self) -> tuple[int, ...]:
         """How many periods of each forcing it lasts; none without a forcing."""
-        system = self.orbit.piecewise
+        system = self.orbit.tables.piecewise
         speeds = [abs(float(system.fields[0, s, c])) for c, s in system.structure.forcing]
         return tuple(round(self.period * speed / (2 * np.pi)) for speed in speeds)
 
@@ -273,7 +273,7 @@ def find_orbits(
     starts, motions = _legal_starts(follow, point, limits, count, seed, length)
     attractors = attractors_of(kernels, point, ())
     labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
-    orbits: list[ComposedOrbit] = []
+    orbits: list[Orbit] = []
     symmetries: Sequence[Symmetry] = ()
 
     def found(*, complete: bool) -> Found:
@@ -286,7 +286,7 @@ def find_orbits(
         symmetries = mirrors(point)
         progress("solving the motions that recur")
         recurrent = _recurrent(motions, scales)
-        attracting: list[ComposedOrbit] = []
+        attracting: list[Orbit] = []
         _solve(kernels, point, [c for c, _ in recurrent.values()], symmetries, attracting)
         attracting = [
             o
@@ -316,7 +316,7 @@ def _solve(
     point: PiecewiseLinear,
     candidates: Iterable[Candidate],
     symmetries: Sequence[Symmetry],
-    orbits: list[ComposedOrbit],
+    orbits: list[Orbit],
 ) -> None:
     """Add the orbits near candidates, and their images under the system's symmetries."""
     for candidate in converging(kernels, point, candidates):
@@ -335,7 +335,7 @@ def _solve(
 def _found(
     point: PiecewiseLinear,
     attractors: Attractors,
-    orbits: Sequence[ComposedOrbit],
+    orbits: Sequence[Orbit],
     symmetries: Sequence[Symmetry],
     starts: np.ndarray,
     labels: np.ndarray,

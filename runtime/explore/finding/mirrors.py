@@ -11,7 +11,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.primitive import image_of, same_orbit
 from nonsmooth.runtime.explore.finding.steady import Equilibrium
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
 
 __all__ = ["mirror_places", "mirrors"]
@@ -37,7 +37,7 @@ def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
 
 
 def mirror_places(
-    entries: Sequence[ComposedOrbit | Equilibrium], symmetries: Sequence[Symmetry]
+    entries: Sequence[Orbit | Equilibrium], symmetries: Sequence[Symmetry]
 ) -> list[int | None]:
     """For each the place of the first one of which it is an image; None where there is none."""
     return [
@@ -53,12 +53,10 @@ def mirror_places(
     ]
 
 
-def _is_image(
-    entry: ComposedOrbit | Equilibrium, other: ComposedOrbit | Equilibrium, symmetry: Symmetry
-) -> bool:
-    if isinstance(entry, ComposedOrbit):
-        return isinstance(other, ComposedOrbit) and same_orbit(entry, image_of(other, symmetry))
-    if isinstance(other, ComposedOrbit):
+def _is_image(entry: Orbit | Equilibrium, other: Orbit | Equilibrium, symmetry: Symmetry) -> bool:
+    if isinstance(entry, Orbit):
+        return isinstance(other, Orbit) and same_orbit(entry, image_of(other, symmetry))
+    if isinstance(other, Orbit):
         return False
     size = np.abs(entry.state).max()
     return bool((np.abs(entry.state - symmetry.matrix @ other.state) <= 1e-9 * size).all())

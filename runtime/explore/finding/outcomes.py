@@ -21,7 +21,7 @@ from nonsmooth.runtime.explore.finding.stroboscope import stroboscopic_returns
 from nonsmooth.runtime.model.engine_run import LARGEST_STATE, Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import SINGULAR
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.recurrence import scales_of
@@ -84,18 +84,18 @@ class Attractors:
     ----------
     kernels : SystemKernels
     system : PiecewiseLinear
-    orbits : tuple of ComposedOrbit
+    orbits : tuple of Orbit
         What the forcing makes of a configuration that is not left is among them.
     equilibria : tuple of Equilibrium
-    responses : for each configuration a ComposedOrbit or None
+    responses : for each configuration a Orbit or None
         What the forcing makes of it, be it a motion of the system or not.
     """
 
     kernels: SystemKernels
     system: PiecewiseLinear
-    orbits: tuple[ComposedOrbit, ...]
+    orbits: tuple[Orbit, ...]
     equilibria: tuple[Equilibrium, ...]
-    responses: tuple[ComposedOrbit | None, ...]
+    responses: tuple[Orbit | None, ...]
 
     def labels(self, motions: Trajectories) -> np.ndarray:
         """Where motions (n,) lead: the place of an orbit, then of an equilibrium, or an Outcome.
@@ -138,7 +138,7 @@ class Attractors:
         """Label of what stays in a configuration for ever."""
         name = self.system.structure.configurations[configuration]
         for place, orbit in enumerate(self.orbits):
-            if orbit.cycle.uninterrupted and orbit.itinerary[0][0] == name:
+            if orbit.tables.cycle.uninterrupted and orbit.itinerary[0][0] == name:
                 return place
         for place, equilibrium in enumerate(self.equilibria):
             if equilibrium.configuration == name:
@@ -147,12 +147,12 @@ class Attractors:
 
 
 def attractors_of(
-    kernels: SystemKernels, system: PiecewiseLinear, orbits: Sequence[ComposedOrbit]
+    kernels: SystemKernels, system: PiecewiseLinear, orbits: Sequence[Orbit]
 ) -> Attractors:
     """Orbits that were found, with what stays in one configuration."""
     forced = responses(kernels, system)
     staying = [orbit for orbit in forced if orbit is not None and orbit.converged]
-    known = [orbit for orbit in orbits if not orbit.cycle.uninterrupted]
+    known = [orbit for orbit in orbits if not orbit.tables.cycle.uninterrupted]
     return Attractors(
         kernels,
         system,
@@ -216,7 +216,7 @@ def labels_of_ends(motions: Trajectories) -> np.ndarray:
     return labels
 
 
-def _arrivals(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndarray:
+def _arrivals(motions: Trajectories, orbits: Sequence[Orbit]) -> np.ndarray:
     """Where each motion ended that goes on from boundary to boundary, or was not simulated.
 
     An index of a stable orbit, ILLEGAL, DIVERGENT, or UNCLASSIFIED. The last two entries of the
@@ -226,14 +226,17 @@ def _arrivals(motions: Trajectories, orbits: Sequence[ComposedOrbit]) -> np.ndar
     labels = labels_of_ends(motions)
     nearest = np.full(len(labels), _ARRIVED)
     for index, orbit in enumerate(orbits):
-        if orbit.stability.verdict not in ("stable", "undecided") or orbit.cycle.uninterrupted:
+        if (
+            orbit.stability.verdict not in ("stable", "undecided")
+            or orbit.tables.cycle.uninterrupted
+        ):
             continue
-        scale, states = orbit_scale(orbit), orbit.states_up_to_shift
-        ends = up_to_shift(motions.last_states[:, -1], orbit.translations)
+        scale, states = orbit_scale(orbit), orbit.tables.states_up_to_shift
+        ends = up_to_shift(motions.last_states[:, -1], orbit.tables.translations)
         for phase, (name, _) in enumerate(orbit.itinerary):
             where = structure.configuration(name)
-            before = orbit.cycle.configurations[phase - 1]
-            mask = sum(1 << b for b in orbit.cycle.transitions[phase - 1].boundaries)
+            before = orbit.tables.cycle.configurations[phase - 1]
+            mask = sum(1 << b for b in orbit.tables.cycle.transitions[phase - 1].boundaries)
             here = (
                 (motions.last_configurations[:, -1] == where)
                 & (motions.last_configurations[:, -2] == before)
@@ -252,7 +255,7 @@ def quiet_outcomes(
     system: PiecewiseLinear,
     configuration: int,
     states: np.ndarray,
-    response: ComposedOrbit | None,
+    response: Orbit | None,
     steady: int | None,
 ) -> np.ndarray:
     """How motions go on that do not leave a configuration any more, by the modes of its flow.
@@ -263,7 +266,7 @@ def quiet_outcomes(
     ----------
     states : array (n, N)
         In which they entered it.
-    response : ComposedOrbit or None
+    response : Orbit or None
         What the forcing makes of the configuration.
     steady : int or None
         Label of the equilibrium or orbit in it, where one is listed.

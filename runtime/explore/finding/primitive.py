@@ -11,8 +11,9 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE
-from nonsmooth.runtime.orbits.compose import compose, compose_many
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.newton import SINGULAR
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.shooting.translations import up_to_shift
@@ -35,7 +36,7 @@ _TURNS, _MOST = 1e-9, 1e-4  # of the turns of one orbit: at least, or what its d
 
 def primitive_orbit(
     kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate
-) -> ComposedOrbit | None:
+) -> Orbit | None:
     """The admissible orbit near a candidate, over its primitive period; None if there is none."""
     orbit = _composed(kernels, point, candidate)
     if orbit is None or not orbit.converged or not (orbit.dwell_times > 0).all():
@@ -52,7 +53,7 @@ def in_a_family(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candi
     return orbit is not None and orbit.status == SINGULAR and bool((orbit.dwell_times > 0).all())
 
 
-def admissible(orbit: ComposedOrbit) -> bool:
+def admissible(orbit: Orbit) -> bool:
     """Whether an orbit is a motion of the system, and this can be told."""
     try:
         return orbit.admissibility.verdict is True
@@ -60,24 +61,24 @@ def admissible(orbit: ComposedOrbit) -> bool:
         return False
 
 
-def orbit_scale(orbit: ComposedOrbit) -> np.ndarray:
+def orbit_scale(orbit: Orbit) -> np.ndarray:
     """Scale (N,) of each state along an orbit."""
-    now = orbit.passage
-    states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.translations)
+    now = orbit.tables.passage
+    states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.tables.translations)
     before = [
-        np.append(start, 1.0) @ orbit.piecewise.fields[c].T
-        for start, c in zip(now.starts, orbit.cycle.configurations, strict=False)
+        np.append(start, 1.0) @ orbit.tables.piecewise.fields[c].T
+        for start, c in zip(now.starts, orbit.tables.cycle.configurations, strict=False)
     ]
     waits = orbit.dwell_times[:, None]
     return variation(
-        orbit.cycle.structure, states, np.concatenate([now.fields * waits, before * waits])
+        orbit.tables.cycle.structure, states, np.concatenate([now.fields * waits, before * waits])
     )
 
 
-def same_orbit(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
+def same_orbit(orbit: Orbit, other: Candidate | Orbit) -> bool:
     """Whether two cycles are one orbit; a doubled one begins at either of its turns."""
     start = other.state if isinstance(other, Candidate) else other.states[0]
-    if orbit.cycle.uninterrupted:  # one in each configuration, at whatever phase it begins
+    if orbit.tables.cycle.uninterrupted:  # one in each configuration, at whatever phase it begins
         return orbit.itinerary == other.itinerary
     if sorted(orbit.itinerary) != sorted(other.itinerary):
         return False
@@ -85,12 +86,12 @@ def same_orbit(orbit: ComposedOrbit, other: Candidate | ComposedOrbit) -> bool:
     return any(
         orbit.itinerary == other.itinerary[turn:] + other.itinerary[:turn]
         and (np.abs(orbit.dwell_times - np.roll(other.dwell_times, -turn)) <= near).all()
-        and (np.abs(orbit.states_up_to_shift[-turn] - start) <= scale).all()
+        and (np.abs(orbit.tables.states_up_to_shift[-turn] - start) <= scale).all()
         for turn in range(len(other.itinerary))
     )
 
 
-def add_orbit(orbits: list[ComposedOrbit], orbit: ComposedOrbit) -> None:
+def add_orbit(orbits: list[Orbit], orbit: Orbit) -> None:
     """Add an orbit that is not there yet."""
     if not any(same_orbit(known, orbit) for known in orbits):
         orbits.append(orbit)
@@ -109,7 +110,7 @@ def converging(
             groups[candidate.itinerary].append(candidate)
     for itinerary, group in groups.items():
         values = {name: np.full(len(group), float(v)) for name, v in point.parameters.items()}
-        found = compose_many(
+        found = solve_itineraries(
             kernels,
             itinerary,
             values,
@@ -118,7 +119,8 @@ def converging(
             threads=threads,
         )
         good = found.converged & (found.dwell_times > 0).all(axis=1)
-        states = found.states[good]
+        assert found.starts is not None
+        states = found.starts[good]
         if not len(states):
             continue
         entries = states.reshape(-1, states.shape[-1])
@@ -131,12 +133,12 @@ def converging(
                 yield Candidate(itinerary, dwell, state, 0.0)
 
 
-def image_of(orbit: ComposedOrbit, symmetry: Symmetry) -> Candidate:
+def image_of(orbit: Orbit, symmetry: Symmetry) -> Candidate:
     """The image of an orbit under a symmetry of its system."""
-    structure = orbit.cycle.structure
+    structure = orbit.tables.cycle.structure
     phases = []
     for configuration, transition in zip(
-        orbit.cycle.configurations, orbit.cycle.transitions, strict=True
+        orbit.tables.cycle.configurations, orbit.tables.cycle.transitions, strict=True
     ):
         image = symmetry.configurations[configuration]
         places = symmetry.boundaries[configuration]
@@ -152,13 +154,11 @@ def image_of(orbit: ComposedOrbit, symmetry: Symmetry) -> Candidate:
     )
 
 
-def _composed(
-    kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate
-) -> ComposedOrbit | None:
+def _composed(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate) -> Orbit | None:
     """What Newton's method reaches from a candidate, if that takes time in each of its phases."""
     if not (candidate.dwell_times > 0).all():
         return None
-    return compose(
+    return solve_itinerary(
         kernels,
         point.parameters,
         candidate.itinerary,
@@ -167,7 +167,7 @@ def _composed(
     )
 
 
-def _part(orbit: ComposedOrbit) -> Candidate | None:
+def _part(orbit: Orbit) -> Candidate | None:
     """The shortest part that an orbit repeats, in its phases, dwell times and states."""
     count = len(orbit.itinerary)
     near = min(max(_TURNS, 100 * 10.0**-orbit.digits), _MOST)
@@ -177,7 +177,7 @@ def _part(orbit: ComposedOrbit) -> Candidate | None:
         if rest or orbit.itinerary != orbit.itinerary[:length] * turns:
             continue
         dwell = orbit.dwell_times.reshape(turns, length)
-        states = orbit.states_up_to_shift.reshape(turns, length, -1)
+        states = orbit.tables.states_up_to_shift.reshape(turns, length, -1)
         if (np.abs(dwell - dwell[0]) <= near * orbit.period).all() and (
             np.abs(states - states[0]) <= near * scale
         ).all():

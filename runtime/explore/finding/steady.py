@@ -11,8 +11,8 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE
-from nonsmooth.runtime.orbits.compose import compose
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.starting import configurations_of, on_circles
 
 __all__ = ["Equilibrium", "equilibria", "forcing_turns", "responses"]
@@ -94,7 +94,7 @@ def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
     return None
 
 
-def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[ComposedOrbit | None]:
+def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | None]:
     """What the forcing makes of each configuration that is not left, as orbits to be judged.
 
     None throughout without a forcing, or where forcings have no common period.
@@ -106,7 +106,9 @@ def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[ComposedO
     period = 2 * np.pi * turns[0] / abs(float(system.fields[0, sine, cosine]))
     start = on_circles(system, np.zeros((1, len(structure.states))), np.zeros(1))[0]
     return [
-        compose(kernels, system.parameters, [(name, FORCING_PHASE)], [period], start.tolist())
+        solve_itinerary(
+            kernels, system.parameters, [(name, FORCING_PHASE)], [period], start.tolist()
+        )
         for name in structure.configurations
     ]
 

@@ -12,7 +12,7 @@ from nonsmooth.runtime.model.completion import left_open
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.named import whole_names
+from nonsmooth.runtime.orbits.declared_solve import whole_names
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.proof.contact_statement import kernels_with
 from nonsmooth.runtime.proof.orbit_cycle import period_name

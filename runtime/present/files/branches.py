@@ -16,12 +16,9 @@ from nonsmooth.runtime.core.json_codec import AnyComplex, AnyRow, Flags, Row
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.files.composed_orbits import composed_content
-from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_of
+from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 
-__all__ = ["load_branch", "orbit_entries", "save_branch"]
+__all__ = ["load_branch", "save_branch"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,7 +69,7 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
         events=branch.events,
         ends=branch.ends,
         start=branch.start,
-        orbit=(orbit_entries(branch.orbit),),
+        orbit=(orbit_content(branch.orbit),),
     )
     _BRANCH.write(path, entries)
 
@@ -108,7 +105,7 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
 
 
 def _branch(entries: BranchEntries, folder: Path) -> Branch:
-    orbit = orbit_of(entries.orbit[0], folder)
+    orbit = orbit_in(entries.orbit[0], folder)
     values, unknowns, period, multipliers, trace = entries.columns
     count, names = len(values), entries.unknown_names
     rows = (period, trace, entries.stability, entries.admissible)
@@ -130,8 +127,3 @@ def _branch(entries: BranchEntries, folder: Path) -> Branch:
         start=entries.start,
         orbit=orbit,
     )
-
-
-def orbit_entries(orbit: Orbit | ComposedOrbit) -> dict[str, Any]:
-    """Content of the file of an orbit of either kind."""
-    return composed_content(orbit) if isinstance(orbit, ComposedOrbit) else orbit_content(orbit)

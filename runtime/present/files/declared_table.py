@@ -1,10 +1,10 @@
-"""The table of a composed orbit, as a declaration of it would have it."""
+"""The table of an orbit without kernels, as a declaration of it would have it."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.symmetry import images_of
 
 __all__ = ["declared_table"]
@@ -19,7 +19,7 @@ _PERIOD = {
 }
 
 
-def declared_table(orbit: ComposedOrbit) -> dict[str, Any]:
+def declared_table(orbit: Orbit) -> dict[str, Any]:
     """Phases, names of the unknowns, what closes the orbit, and the orbit as the reference."""
     part = len(orbit.itinerary)
     symmetry = orbit.symmetry

@@ -12,7 +12,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import check_target, unwritable, write_file
 from nonsmooth.runtime.explore.finding.find import Found
 from nonsmooth.runtime.model.loading.declared import declaration_in
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.declared_table import declared_table
 
 __all__ = ["check_declaration", "write_itineraries"]
@@ -57,7 +57,7 @@ def write_itineraries(found: Found, path: Path) -> tuple[str, ...]:
         them.
     """
     check_declaration(found.system, path)
-    orbits = [e.orbit for e in found.orbits if isinstance(e.orbit, ComposedOrbit)]
+    orbits = [e.orbit for e in found.orbits if isinstance(e.orbit, Orbit)]
     if not orbits:
         raise InputError(f"no orbit with an itinerary was found: {path} stays as it is")
     known = [orbit.name for orbit in declaration_in(path).orbits]
@@ -77,7 +77,7 @@ def _free_names(known: Sequence[str], count: int) -> tuple[str, ...]:
     return tuple(f"{_STEM}-{last + k + 1}" for k in range(count))
 
 
-def _text(names: Sequence[str], orbits: Sequence[ComposedOrbit], more: bool) -> str:
+def _text(names: Sequence[str], orbits: Sequence[Orbit], more: bool) -> str:
     """Python source that declares itineraries, after those that are there."""
     entries = "".join(
         _entry(name, declared_table(orbit)) for name, orbit in zip(names, orbits, strict=True)

@@ -20,7 +20,7 @@ from nonsmooth.runtime.explore.finding.steady import equilibria
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.orbits.compose import compose
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
 __all__ = ["FOUND", "found_json", "load_found", "save_found"]
 
@@ -252,7 +252,7 @@ def _found(entries: FoundEntries, folder: Path) -> Found:
     for entry in entries.orbits:
         phases = [(phase.configuration, phase.boundary) for phase in entry.itinerary]
         dwell = [phase.dwell_time for phase in entry.itinerary]
-        orbit = compose(kernels, parameters, phases, dwell, list(entry.start.values()))
+        orbit = solve_itinerary(kernels, parameters, phases, dwell, list(entry.start.values()))
         same = np.allclose(orbit.dwell_times, dwell, rtol=_DIGITS_KEPT, atol=0)
         if not orbit.converged or not same:
             raise InputError(

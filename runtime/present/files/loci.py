@@ -12,8 +12,7 @@ from nonsmooth.runtime.core.json_codec import Row, one_of
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 from nonsmooth.runtime.explore.continuation.locus import Locus
-from nonsmooth.runtime.present.files.branches import orbit_entries
-from nonsmooth.runtime.present.files.orbits import orbit_of
+from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 
 __all__ = ["load_locus", "save_locus"]
 
@@ -50,7 +49,7 @@ def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
         If the file cannot be written.
     """
     own = {name: getattr(locus, name) for name in LocusEntries.__dataclass_fields__}
-    _LOCUS.write(path, LocusEntries(**{**own, "orbit": (orbit_entries(locus.orbit),)}))
+    _LOCUS.write(path, LocusEntries(**{**own, "orbit": (orbit_content(locus.orbit),)}))
 
 
 def load_locus(path: str | os.PathLike[str]) -> Locus:
@@ -85,7 +84,7 @@ def load_locus(path: str | os.PathLike[str]) -> Locus:
 
 
 def _locus(entries: LocusEntries, folder: Path) -> Locus:
-    orbit = orbit_of(entries.orbit[0], folder)
+    orbit = orbit_in(entries.orbit[0], folder)
     values = entries.values.reshape(-1, 2)
     unknowns = entries.unknowns.reshape(-1, len(entries.unknown_names))
     if len(unknowns) != len(values) or not 0 <= entries.start < len(values):

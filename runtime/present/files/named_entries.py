@@ -14,8 +14,8 @@ from typing import Any
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import format_in
 from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.present.files import found as finding
 from nonsmooth.runtime.present.files.declared_table import declared_table
 from nonsmooth.runtime.present.files.orbits import load_orbit_file
@@ -23,7 +23,7 @@ from nonsmooth.runtime.present.files.orbits import load_orbit_file
 __all__ = ["saved_kernels", "saved_orbit"]
 
 
-def saved_orbit(name: str, beside: Path | None = None) -> Orbit | ComposedOrbit:
+def saved_orbit(name: str, beside: Path | None = None) -> Orbit:
     """The orbit that a name ``FILE.json`` or ``FILE.json:N`` stands for.
 
     Parameters
@@ -64,9 +64,9 @@ def _place(name: str, beside: Path | None) -> tuple[Path, int | None]:
 def _kernels(path: Path, number: int | None, stamp: tuple[int, ...]) -> OrbitKernels:
     orbit = _orbit(path, number)
     address = str(path) if number is None else f"{path}:{number}"
-    if isinstance(orbit, ComposedOrbit):
-        saved = SavedTable(orbit.label or address, address, declared_table(orbit))
-        return OrbitKernels(orbit.kernels, "", saved)
+    if isinstance(orbit.problem, TableProblem):
+        saved = SavedTable(orbit.problem.label or address, address, declared_table(orbit))
+        return OrbitKernels(orbit.system, "", saved)
     kernels = orbit.kernels
     saved = SavedTable(kernels.name, address, {**kernels.table, "reference": _reference(orbit)})
     return OrbitKernels(kernels.system, kernels.orbit, saved)
@@ -85,7 +85,7 @@ def _reference(orbit: Orbit) -> dict[str, dict[str, str]]:
     }
 
 
-def _orbit(path: Path, number: int | None) -> Orbit | ComposedOrbit:
+def _orbit(path: Path, number: int | None) -> Orbit:
     if format_in(path) != finding.FOUND.name:
         if number not in (None, 1):
             raise InputError(f"{path.name} holds one orbit: there is no {path.name}:{number}")
@@ -100,7 +100,7 @@ def _orbit(path: Path, number: int | None) -> Orbit | ComposedOrbit:
     if not 1 <= place <= len(orbits):
         raise InputError(f"{path.name} holds no orbit {place}; there is {known}")
     found: Any = orbits[place - 1].orbit
-    if not isinstance(found, ComposedOrbit):
+    if not isinstance(found, Orbit):
         raise InputError(
             f"{path.name}:{place} has no itinerary: it meets no boundary, and nothing is solved for"
         )

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from nonsmooth.runtime.model.naming import symbol
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve_derived as solve
+from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.paper.claims import (
     admissible_periods,
     rigid_limit,

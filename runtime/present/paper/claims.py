@@ -6,7 +6,7 @@ import numpy as np
 
 from nonsmooth.runtime.explore.intervals import Interval, admissible_intervals, singular_values
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.solve import solve_derived as solve
+from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.paper.records import Finding, Table
 
 __all__ = [
@@ -99,7 +99,7 @@ def rigid_limit(rigid: Orbit) -> Finding:
 
 def symmetric_portraits(symmetric: Orbit) -> Finding:
     """Whether both phase portraits of the symmetric orbit are symmetric, and its stability."""
-    motion, tau = symmetric.motion(), float(symmetric.dwell_times["tau"])
+    motion, tau = symmetric.motion(), float(symmetric.values["tau"])
     times = np.linspace(0, motion.period, 2001)
     there, mirrored = motion(times), motion(tau - times)
     defects = [np.abs(there[:, i] + sign * mirrored[:, i]).max() for i, sign in enumerate((1, 1))]
@@ -169,7 +169,7 @@ def _without_saltation(orbit: Orbit) -> np.ndarray:
     spectrum, _ = kernels.spectrum(parameters)
     product = np.eye(len(kernels.table["states"]))
     for (configuration, _, _), time, reset in zip(
-        kernels.table["phases"], orbit.dwell_times.values(), kernels.table["resets"], strict=True
+        kernels.table["phases"], orbit.dwell_times, kernels.table["resets"], strict=True
     ):
         kernel = f"flow_{configuration.replace('-', '_')}"
         arguments = (parameters, spectrum, float(time))

@@ -9,7 +9,7 @@ import numpy as np
 
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.solve import solve_derived as solve
+from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.paper.contact import contact_orbits
 from nonsmooth.runtime.present.paper.records import Finding, Table
 
@@ -251,7 +251,7 @@ def _turn(orbit: Orbit, last: float | None = None) -> np.ndarray:
     kernels: OrbitKernels = orbit.kernels
     parameters = [float(orbit.values[name]) for name in kernels.parameter_names]
     spectrum, _ = kernels.spectrum(parameters)
-    times = [float(time) for time in orbit.dwell_times.values()]
+    times = orbit.dwell_times.astype(float).tolist()
     if last is not None:
         times[-1] = last
     product = np.eye(4)

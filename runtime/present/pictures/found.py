@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.find import Found, FoundOrbit
 from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.present.pictures.composed import composed_view
 from nonsmooth.runtime.present.pictures.drawing import check_picture
 from nonsmooth.runtime.present.pictures.motion_panels import draw_motion
+from nonsmooth.runtime.present.pictures.plot import orbit_view
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -59,7 +59,7 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
     grid = figure.add_gridspec(len(shown), len(kinds), width_ratios=widths)
     for row, entry in enumerate(shown):
         for column, one in enumerate(kinds):
-            view = composed_view(entry.orbit, one, periods, 600, None)
+            view = orbit_view(entry.orbit, periods, 600, None)
             title = _title(row, entry) if column == 0 else " "
             draw_motion(replace(view, name=title), one, [figure.add_subplot(grid[row, column])])
     return figure

@@ -52,7 +52,7 @@ class Scene:
     @property
     def units(self) -> Units:
         """Those that the system declares."""
-        return units_of(self.motion.kernels.system)
+        return units_of(self.orbit.system)
 
     @property
     def count(self) -> int:
@@ -72,7 +72,7 @@ class Scene:
     def levels(self, *, moving: bool) -> dict[float, str]:
         """Values, and their labels, at which boundaries in the drawn states lie."""
         found = {}
-        table = self.motion.kernels.table["levels"]
+        table = self.orbit.kernels.table["levels"]
         for mass in self.masses:
             name = self.motion.names[mass + moving * self.count]
             text = table.get(name)
@@ -84,7 +84,7 @@ class Scene:
 
     def color(self, phase: int) -> str:
         """Colour of a phase's configuration, the same in all pictures of the system."""
-        known = self.motion.kernels.system.configurations
+        known = self.orbit.system.configurations
         place = known.index(self.motion.configurations[phase])
         return configuration_color(place)
 
@@ -170,7 +170,7 @@ def _draw_phase(scene: Scene, places: Sequence[Axes]) -> None:
 def _draw_strip(scene: Scene, axes: Axes) -> None:
     """Draw a row for each configuration, with a bar where it is the present one."""
     rows = list(dict.fromkeys(scene.motion.configurations))
-    dwell_times = list(scene.orbit.dwell_times)
+    dwell_times = scene.orbit.dwell_time_names
     for phase, begin, end in scene.phases():
         row = rows.index(scene.motion.configurations[phase])
         bar = axes.barh(row, end - begin, height=0.72, left=begin, color=scene.color(phase))

@@ -60,19 +60,13 @@ def figure_of(path: Path, kind: str, periods: int) -> Drawn:
 
         found = load_found(path)
         return {"system": found.system}, found_figure(found, kind, periods=periods)
-    from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.present.files.named_entries import saved_orbit
     from nonsmooth.runtime.present.files.orbits import load_orbit_file
+    from nonsmooth.runtime.present.pictures.plot import orbit_figure
 
     numbered = not path.exists() and is_saved(str(path))
     orbit = saved_orbit(str(path)) if numbered else load_orbit_file(path)
-    if isinstance(orbit, Orbit):
-        from nonsmooth.runtime.present.pictures.plot import orbit_figure
-
-        return {"orbit": orbit.name}, orbit_figure(orbit, kind, periods=periods)
-    from nonsmooth.runtime.present.pictures.composed import composed_figure
-
-    return {"orbit": orbit.name}, composed_figure(orbit, kind, periods=periods)
+    return {"orbit": orbit.name}, orbit_figure(orbit, kind, periods=periods)
 
 
 def _in_one_way(what: str, kind: str, draw: Callable[[Path], Drawn], path: Path) -> Drawn:

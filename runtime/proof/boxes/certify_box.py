@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import DIGITS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import (
@@ -41,7 +40,7 @@ _NOT_TRIED = "not looked at yet"
 
 
 def certify_box(
-    orbit: Orbit | ComposedOrbit,
+    orbit: Orbit,
     box: Mapping[str, tuple[object, object]],
     *,
     tiles: int = MOST_TILES,
@@ -56,7 +55,7 @@ def certify_box(
 
     Parameters
     ----------
-    orbit : Orbit or ComposedOrbit
+    orbit : Orbit
         A converged one, with its parameters in the box.
     box : mapping of str to (number or str, number or str)
         Lower and upper ends of parameters that were given for the orbit: rational numbers.
@@ -280,7 +279,7 @@ def _balls(guess: Sequence[float]) -> list[arb]:
 
 
 def _record(
-    orbit: Orbit | ComposedOrbit,
+    orbit: Orbit,
     box: Mapping[str, Interval],
     chosen: tuple[str, ...],
     region: Region | None,

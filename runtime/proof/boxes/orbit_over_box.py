@@ -13,7 +13,6 @@ from nonsmooth.runtime.core.rational_functions import Quotient
 from nonsmooth.runtime.core.taylor_models import middle_of
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.completion import system_parameters
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.orbits.solve import solve
@@ -113,14 +112,14 @@ class Region:
 
         return near
 
-    def statement(self, orbit: Orbit | ComposedOrbit) -> tuple[dict[str, Any], dict[str, Any]]:
+    def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing as a file states them.
 
         Over the box's parameters and those that were given for the orbit.
         """
         subject, given = self.subject, given_of(orbit)
         names = (*self.names, *(name for name in given if name not in self.names))
-        kernels = orbit.kernels if isinstance(orbit, Orbit) else None
+        kernels = orbit.problem.kernels
         declared = orbit_declaration(
             subject.kernels, kernels, self.cycle, names, subject.start_names, subject.dwell_names
         )
@@ -130,14 +129,12 @@ class Region:
         return declared, closing_json(self.closing, self.cycle, names, variables, period)
 
 
-def given_of(orbit: Orbit | ComposedOrbit) -> dict[str, Value]:
+def given_of(orbit: Orbit) -> dict[str, Value]:
     """All that was given for an orbit."""
     return {**orbit.given, **orbit.opened}
 
 
-def checked_box(
-    orbit: Orbit | ComposedOrbit, box: Mapping[str, tuple[object, object]]
-) -> dict[str, Interval]:
+def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[str, Interval]:
     """The box with exact ends.
 
     Raises
@@ -146,7 +143,7 @@ def checked_box(
         For an orbit that has not converged, names that were not given for it, ends that are
         not rational or in the wrong order, or a box without the orbit's own parameters.
     """
-    if not isinstance(orbit, Orbit | ComposedOrbit):
+    if not isinstance(orbit, Orbit):
         raise InputError(f"{orbit!r} is no orbit, such as solve gives")
     check_converged(orbit)
     given = given_of(orbit)
@@ -173,9 +170,7 @@ def checked_box(
     return found
 
 
-def with_open_ones(
-    orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]
-) -> tuple[Orbit | ComposedOrbit, tuple[str, ...]]:
+def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tuple[str, ...]]:
     """The orbit with values of parameters that it leaves open, large enough for all of a box.
 
     Bounds are those at the orbit and, where it is found there, in the corners: nothing is
@@ -190,15 +185,15 @@ def with_open_ones(
     """
     corners = [dict(zip(box, point, strict=True)) for point in product(*box.values())]
     chosen: dict[str, Value] = {}
-    if isinstance(orbit, Orbit):
+    if orbit.problem.kernels is not None:
         chosen = chosen_parameters(orbit)
         if chosen:
             given = given_of(orbit)
             found = [
-                solve(orbit.name, {**given, **corner}, orbit.unknowns, throw=False)
+                solve(orbit.kernels, {**given, **corner}, orbit.unknowns, throw=False)
                 for corner in corners
             ]
-            near = [point for point in found if isinstance(point, Orbit) and point.converged]
+            near = [point for point in found if point.converged]
             chosen = chosen_parameters(orbit, near=near)
         orbit = replace(orbit, opened={**orbit.opened, **chosen})
     numbers, _ = _numbers(orbit, subject_near(orbit), tuple(box))
@@ -210,7 +205,7 @@ def with_open_ones(
     return orbit, tuple(chosen)
 
 
-def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Region:
+def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
     """The region of an orbit and a box that holds its parameters.
 
     Raises
@@ -227,7 +222,7 @@ def region_of(orbit: Orbit | ComposedOrbit, box: Mapping[str, Interval]) -> Regi
         raise NotCovered(str(problem)) from None
 
 
-def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, Interval]) -> Region:
+def _region(orbit: Orbit, subject: Subject, box: Mapping[str, Interval]) -> Region:
     numbers, at = _numbers(orbit, subject, tuple(box))
     constants, entries = entries_over(box, numbers)
     period = entries.pop(PERIOD, None)
@@ -246,11 +241,11 @@ def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, In
 
 
 def _numbers(
-    orbit: Orbit | ComposedOrbit, subject: Subject, names: Sequence[str]
+    orbit: Orbit, subject: Subject, names: Sequence[str]
 ) -> tuple[Callable[[Mapping[str, Value]], dict[str, Value]], list[Fraction]]:
     """Parameters of the system and the period at a point, and the orbit's own point."""
     given = given_of(orbit)
-    derived = orbit if isinstance(orbit, Orbit) else None
+    derived = None if orbit.problem.kernels is None else orbit
     fixed = given if derived is None else {**given, **chosen_parameters(derived)}
     own = PERIOD_NAME if derived is None else period_name(derived.kernels)
 

@@ -18,9 +18,9 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import Point
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.solve import solve_derived
+from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
 from nonsmooth.runtime.proof.closure import (
     forcing_speeds,
     symplectic_form,
@@ -90,7 +90,7 @@ class Question(Protocol):
         """Whether the root's other unknowns are what is asked for; None if undecided."""
         ...
 
-    def orbit(self, problem: Any, root: Root) -> Orbit | ComposedOrbit:
+    def orbit(self, problem: Any, root: Root) -> Orbit:
         """About the orbit that the root is."""
         ...
 
@@ -149,7 +149,7 @@ class ReducedQuestion:
         """The orbit in double precision."""
         guess = {name: float(x.mid()) for name, x in problem.unknowns(root.sides).items()}
         given = {**self.point.values, **self.point.opened}
-        return solve_derived(self.name, given, guess, throw=False)
+        return solve_kernels(self.kernels, given, guess, throw=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,24 +254,22 @@ class DwellQuestion:
             certain = certain and low >= begin and high < begin + problem.unit
         return True if certain else None
 
-    def orbit(self, problem: DwellProblem, root: Root) -> ComposedOrbit:
+    def orbit(self, problem: DwellProblem, root: Root) -> Orbit:
         """The orbit in double precision."""
         starts = problem.starts(root.sides, root.coordinates)
-        return ComposedOrbit(
-            self.kernels.name,
-            self.cycle.itinerary,
+        named = TableProblem(
+            self.kernels, self.cycle.itinerary, label=self.label, names=(*self.names, *self.start)
+        )
+        return orbit_of(
+            named,
             self.values,
+            self.period,
             np.array([float(t.mid()) for t in problem.dwell(root.sides)]),
             np.array([[float(x.mid()) for x in state] for state in starts]),
-            self.period,
             0.0,
             DOUBLE,
             0,
             CONVERGED,
-            self.kernels,
-            None,
-            self.label,
-            (*self.names, *self.start),
         )
 
 

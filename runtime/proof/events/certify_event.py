@@ -18,7 +18,6 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
@@ -169,12 +168,10 @@ def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
     )
 
 
-def _about(
-    empty: EventCertificate, orbit: Orbit | ComposedOrbit, event: Event, region: Region
-) -> EventCertificate:
+def _about(empty: EventCertificate, orbit: Orbit, event: Event, region: Region) -> EventCertificate:
     """With all that the equations are made from."""
     chosen: dict[str, Value] = {}
-    if isinstance(orbit, Orbit):
+    if orbit.problem.kernels is not None:
         chosen = chosen_parameters(orbit)
         orbit = replace(orbit, opened={**orbit.opened, **chosen})
     declaration, closing = region.statement(orbit)
@@ -188,12 +185,12 @@ def _about(
     )
 
 
-def _beside(orbit: Orbit | ComposedOrbit, event: Event) -> dict[str, Value]:
+def _beside(orbit: Orbit, event: Event) -> dict[str, Value]:
     """All that was given for an orbit, beside the branch's parameter."""
     return {name: value for name, value in given_of(orbit).items() if name != event.parameter}
 
 
-def _region(orbit: Orbit | ComposedOrbit, event: Event) -> Region:
+def _region(orbit: Orbit, event: Event) -> Region:
     """The orbit over values of the parameter around the event's."""
     if not float(orbit.residual) < _KNOWN:
         raise NotCovered(f"the orbit at the event is not known well enough: {orbit.message}")
@@ -224,7 +221,7 @@ def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
     return system, guess
 
 
-def _orbit_near(branch: Branch, event: Event) -> Orbit | ComposedOrbit:
+def _orbit_near(branch: Branch, event: Event) -> Orbit:
     """The orbit at an event; where it has a phase of no duration, the next one of the branch."""
     places: list[Any] = sorted(range(len(branch)), key=lambda k: abs(k - event.place))
     for place in (event, *places[:_NEIGHBOURS]):

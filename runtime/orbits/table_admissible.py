@@ -1,4 +1,4 @@
-"""Whether a composed orbit is a motion of the real system, in double precision.
+"""Whether an orbit by its system's tables is a motion of the real system, in double precision.
 
 No boundary may be crossed inside a phase, and of the transitions that are declared for a
 boundary the first whose conditions hold has to be the itinerary's.

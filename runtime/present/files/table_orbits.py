@@ -1,4 +1,4 @@
-"""Composed orbits in files, as the others: every digit, a checksum, and equations that hold.
+"""Orbits by the tables of their system in files: dwell time and start of each phase.
 
 A phase's start, its dwell time and the next phase's start are compared one phase at a time:
 an orbit that is read has to be one of the system that is there.
@@ -6,11 +6,10 @@ an orbit that is read has to be one of the system that is there.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -21,18 +20,24 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
-from nonsmooth.runtime.orbits.orbit import DOUBLE
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.routes import with_routes_at
+from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
+from nonsmooth.runtime.present.files.orbit_numbers import (
+    bits_of,
+    check_counts,
+    number_text,
+    read_number,
+)
 from nonsmooth.runtime.shooting.shooting_map import numbers_in
 from nonsmooth.runtime.shooting.symmetry import symmetry_of
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = ["COMPOSED", "ComposedEntries", "composed_content", "composed_orbit", "save_composed"]
+__all__ = ["TABLE_ORBIT", "TableOrbitEntries", "table_entries", "table_orbit"]
 
 
 @dataclass(frozen=True, kw_only=True)
-class ComposedPhase:
+class PhaseEntries:
     """A phase of an orbit: how it is left, how long it lasts, and where it starts."""
 
     configuration: str
@@ -42,7 +47,7 @@ class ComposedPhase:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ComposedEntries:
+class TableOrbitEntries:
     """What an orbit's file holds; numbers have as many digits as `bits` need."""
 
     system: str
@@ -51,7 +56,7 @@ class ComposedEntries:
     parameters: Mapping[str, Value]
     period: BlankValue
     symmetry: tuple[tuple[float, ...], ...]
-    phases: tuple[ComposedPhase, ...]
+    phases: tuple[PhaseEntries, ...]
     names: tuple[str, ...]
     arithmetic: Literal["double", "mpmath"]
     bits: int
@@ -61,45 +66,21 @@ class ComposedEntries:
     status: int
 
 
-COMPOSED = FileFormat(
-    name="nonsmooth composed orbit", what="saved orbit", entries=ComposedEntries, most=50_000_000
+TABLE_ORBIT = FileFormat(
+    name="nonsmooth composed orbit", what="saved orbit", entries=TableOrbitEntries, most=50_000_000
 )
 _SLACK = 100  # times the error that the stated digits allow
 _MOST_MISSED = 1e-9  # the solver's residual, in units of the data
 
 
-def save_composed(orbit: ComposedOrbit, path: str | os.PathLike[str]) -> None:
-    """Write an orbit to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    orbit : ComposedOrbit
-        A converged one; floats and mpmath numbers come back as they are.
-    path : str or path
-        A JSON file; its folder has to exist.
-
-    Raises
-    ------
-    InputError
-        If the orbit has not converged or the file cannot be written.
-    """
-    COMPOSED.write(path, _entries(orbit))
-
-
-def composed_content(orbit: ComposedOrbit) -> dict[str, Any]:
-    """What is in an orbit's file; InputError if it has not converged."""
-    return COMPOSED.content(_entries(orbit))
-
-
-def _entries(orbit: ComposedOrbit) -> ComposedEntries:
-    from nonsmooth.runtime.present.files.orbits import bits_of, number_text
-
-    if not orbit.converged:
-        raise InputError(f"{orbit.name} is not saved: {orbit.message}")
+def table_entries(orbit: Orbit) -> TableOrbitEntries:
+    """What is in an orbit's file, of one that was solved with its system's tables."""
+    problem = orbit.problem
+    assert isinstance(problem, TableProblem)
     dwell, states = orbit.dwell_times.tolist(), orbit.states.tolist()
     bits = max(map(bits_of, (*dwell, *(x for row in states for x in row), orbit.residual)))
     phases = tuple(
-        ComposedPhase(
+        PhaseEntries(
             configuration=configuration,
             boundary=boundary,
             dwell_time=number_text(time, bits),
@@ -107,15 +88,15 @@ def _entries(orbit: ComposedOrbit) -> ComposedEntries:
         )
         for (configuration, boundary), time, row in zip(orbit.itinerary, dwell, states, strict=True)
     )
-    return ComposedEntries(
-        system=orbit.system,
-        label=orbit.label,
-        derivation=_derivation(orbit.kernels),
+    return TableOrbitEntries(
+        system=orbit.system.name,
+        label=problem.label,
+        derivation=_derivation(orbit.system),
         parameters=orbit.parameters,
         period=orbit.given_period,
         symmetry=() if orbit.symmetry is None else orbit.symmetry.matrix.tolist(),
         phases=phases,
-        names=orbit.names,
+        names=problem.names,
         arithmetic="mpmath" if orbit.precise else "double",
         bits=bits,
         residual=number_text(orbit.residual, bits),
@@ -125,7 +106,7 @@ def _entries(orbit: ComposedOrbit) -> ComposedEntries:
     )
 
 
-def composed_orbit(entries: ComposedEntries, folder: Path) -> ComposedOrbit:
+def table_orbit(entries: TableOrbitEntries, folder: Path) -> Orbit:
     """The orbit that the entries of a file in a folder describe.
 
     Raises
@@ -133,8 +114,6 @@ def composed_orbit(entries: ComposedEntries, folder: Path) -> ComposedOrbit:
     InputError
         If the system is not there, or what the file holds is no orbit of it.
     """
-    from nonsmooth.runtime.present.files.orbits import check_counts, read_number
-
     kernels = load_system(entries.system, folder)
     check_counts(entries)
     bits = None if entries.arithmetic == "double" else entries.bits
@@ -156,21 +135,16 @@ def composed_orbit(entries: ComposedEntries, folder: Path) -> ComposedOrbit:
     itinerary = tuple((phase.configuration, phase.boundary) for phase in phases)
     point = piecewise(kernels, parameters)
     kernels = with_routes_at(kernels, point, itinerary, np.array(dwell), np.array(states))
-    orbit = ComposedOrbit(
-        kernels.name,
-        itinerary,
+    orbit = orbit_of(
+        TableProblem(kernels, itinerary, symmetry, entries.label, names),
         parameters,
+        entries.period,
         np.array(dwell, dtype=kind),
         np.array(states, dtype=kind),
-        entries.period,
         read_number("residual", entries.residual, bits),
         entries.digits,
         entries.iterations,
         entries.status,
-        kernels,
-        symmetry,
-        entries.label,
-        names,
     )
     if symmetry is not None and len(phases) % symmetry.order:
         raise InputError("its phases are no multiple of those that the symmetry closes")
@@ -188,19 +162,20 @@ def _derivation(kernels: SystemKernels) -> str:
     return str(kernels.module.DERIVATION)
 
 
-def _solves(orbit: ComposedOrbit) -> bool:
+def _solves(orbit: Orbit) -> bool:
     """Whether each phase ends on its boundary, and the next begins where its reset leads.
 
     An error of 10^-digits max(1, |x|) in each number x moves these by at most the sum of
     these errors times the absolute values of the derivatives.
     """
-    numbers, cycle, lib = numbers_in(orbit.piecewise), orbit.cycle, orbit.arithmetic.mp
+    tables, lib = orbit.tables, orbit.arithmetic.mp
+    numbers, cycle = numbers_in(tables.piecewise), tables.cycle
     unit = lib.mpf(10) ** -orbit.digits if orbit.precise else 10.0**-DOUBLE
     missed = 2 * abs(orbit.residual)
     size = orbit.states.shape[1]
-    flows = orbit.passage.flows
+    flows = tables.passage.flows
     following = np.roll(orbit.states, -1, axis=0)
-    projection = projection_along(orbit.translations)
+    projection = projection_along(tables.translations)
     for place, (start, end_start) in enumerate(zip(orbit.states, following, strict=True)):
         flow, row = flows[place], numbers.rows[cycle.rows[place]]
         reset = numbers.resets[cycle.transitions[place].reset]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,13 +12,14 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.piecewise import piecewise_at
-from nonsmooth.runtime.orbits.compose_many import ComposedOrbits, compose_many
-from nonsmooth.runtime.orbits.composed_admissible import assess_cycle
-from nonsmooth.runtime.orbits.many import Orbits
-from nonsmooth.runtime.orbits.named import solve_declared, unknowns_of
+from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
+from nonsmooth.runtime.orbits.orbits import Orbits
+from nonsmooth.runtime.orbits.table_admissible import assess_cycle
+from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, pass_through
 
-__all__ = ["solve_declared_many"]
+__all__ = ["solve_declared_many", "with_admissibility"]
 
 
 def solve_declared_many(
@@ -47,7 +49,9 @@ def solve_declared_many(
     """
     reference = kernels.table["reference"]
     if reference is None:
-        raise InputError(f"{kernels.name} declares no reference: use nonsmooth.compose_many")
+        raise InputError(
+            f"{kernels.name} declares no reference: give its system, the itinerary and a guess"
+        )
     if kernels.table.get("symmetry"):
         raise InputError(
             f"{kernels.name} is declared by a part and a symmetry, which one point at a time knows"
@@ -55,7 +59,7 @@ def solve_declared_many(
     known = solve_declared(kernels, {})
     values = {**reference["parameters"], **parameters}
     phases = [(configuration, boundary) for configuration, boundary, _ in kernels.table["phases"]]
-    found = compose_many(
+    found = solve_itineraries(
         kernels.system,
         phases,
         values,
@@ -63,36 +67,32 @@ def solve_declared_many(
         known.states[0],
         threads=threads,
     )
-    columns = [*np.moveaxis(found.dwell_times, -1, 0), *np.moveaxis(found.start, -1, 0)]
-    return Orbits(
-        kernels.name,
-        {name: np.asarray(value, dtype=float) for name, value in parameters.items()},
-        dict(zip(unknowns_of(kernels), columns, strict=True)),
-        found.trace,
-        found.period,
-        found.residual,
-        found.iterations,
-        found.status,
-        _admissible(kernels, values, phases, found) if admissibility else None,
-        {} if admissibility else None,
+    names = unknowns_of(kernels)
+    problem = found.problem
+    assert isinstance(problem, TableProblem)
+    found = replace(
+        found,
+        problem=replace(problem, label=kernels.name, names=names),
+        parameters={name: np.asarray(value, dtype=float) for name, value in parameters.items()},
+        unknowns=dict(zip(names, found.unknowns.values(), strict=True)),
     )
+    return with_admissibility(values, found) if admissibility else found
 
 
-def _admissible(
-    kernels: OrbitKernels,
-    values: Mapping[str, Any],
-    phases: list[tuple[str, str]],
-    found: ComposedOrbits,
-) -> np.ndarray:
-    """Where the orbits that were found are motions of the system."""
-    points, shape = parameter_points(kernels.system, values)
+def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:
+    """Decide point by point whether orbits are motions of the system; no parameter is open."""
+    system, shape = found.problem.system, found.status.shape
+    points, given = parameter_points(system, values)
+    width = points.shape[1]
+    points = np.broadcast_to(points.reshape(*given, width), (*shape, width)).reshape(-1, width)
     dwell = found.dwell_times.reshape(len(points), -1)
-    starts = found.start.reshape(len(points), -1)
+    assert found.starts is not None
+    starts = found.starts[..., 0, :].reshape(len(points), -1)
     allowed = np.zeros(len(points), dtype=bool)
     for place in np.flatnonzero(found.converged.ravel()).tolist():
-        system = piecewise_at(kernels.system, points[place])
-        cycle = cycle_of(system.structure, phases)
-        now = pass_through(cycle, numbers_in(system), dwell[place], starts[place], np)
+        here = piecewise_at(system, points[place])
+        cycle = cycle_of(here.structure, found.itinerary)
+        now = pass_through(cycle, numbers_in(here), dwell[place], starts[place], np)
         positive = bool((dwell[place] > 0).all())
-        allowed[place] = positive and assess_cycle(cycle, system, now, dwell[place]).verdict is True
-    return allowed.reshape(shape)
+        allowed[place] = positive and assess_cycle(cycle, here, now, dwell[place]).verdict is True
+    return replace(found, admissible=allowed.reshape(shape), bounds={})

@@ -1,4 +1,4 @@
-"""The motion along a composed orbit."""
+"""The motion along an orbit by its system's tables, as a trajectory."""
 
 from __future__ import annotations
 

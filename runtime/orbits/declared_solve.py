@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,8 +14,9 @@ from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.orbits.compose import compose
-from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.table_problem import labelled
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.cycle_newton import fitting_start
 from nonsmooth.runtime.shooting.shooting_map import cycle_of
 
@@ -53,7 +53,7 @@ def solve_declared(
     unknown: Iterable[str] = (),
     given: Mapping[str, object] | None = None,
     throw: bool = True,
-) -> ComposedOrbit:
+) -> Orbit:
     """Compose an orbit that was declared by its phases.
 
     Parameters
@@ -82,7 +82,7 @@ def solve_declared(
     NoConvergence
         If no orbit was found.
     """
-    exchanged = [*unknown, *(name for name in given or {} if name != "period")]
+    exchanged = [*unknown, *(name for name in given or {} if name != PERIOD)]
     if exchanged:
         raise InputError(
             f"{kernels.name} is composed from its phases: {', '.join(exchanged)} cannot be"
@@ -90,7 +90,7 @@ def solve_declared(
         )
     reference = kernels.table["reference"] or {"parameters": {}, "guess": {}}
     values: dict[str, Any] = {**reference["parameters"], **parameters}
-    period: object = (given or {}).get("period")
+    period: object = (given or {}).get(PERIOD)
     declared = kernels.table.get("period")
     if declared is not None:
         own = values.pop(declared["name"], None)
@@ -121,11 +121,11 @@ def solve_declared(
             orbit = _followed(kernels.system, defaults, values, (phases, dwell, start), symmetry)
     if orbit is None:
         start = _start(piecewise(kernels.system, values), phases, dwell, known, symmetry)
-        orbit = compose(
+        orbit = solve_itinerary(
             kernels.system, values, phases, dwell, start, period=period, symmetry=symmetry
         )
     names = whole_names(kernels, len(orbit.itinerary))
-    orbit = replace(orbit, label=kernels.name, names=names)
+    orbit = labelled(orbit, kernels.name, names)
     if throw and not orbit.converged:
         raise NoConvergence(f"{kernels.name}: {orbit.message}")
     return orbit
@@ -140,7 +140,7 @@ def _followed(
     values: Mapping[str, Any],
     guess: _Guess,
     symmetry: Mapping[str, str] | None,
-) -> ComposedOrbit | None:
+) -> Orbit | None:
     """The reference orbit carried to the parameters in even steps, if it goes as far.
 
     Steps are even in the logarithm of what is positive at both ends.
@@ -158,7 +158,7 @@ def _followed(
             for name in end
         }
         point = values if step == CONTINUATION_STEPS else here
-        orbit = compose(system, point, phases, dwell, start, symmetry=symmetry)
+        orbit = solve_itinerary(system, point, phases, dwell, start, symmetry=symmetry)
         if not orbit.converged:
             return None
         dwell = orbit.dwell_times.tolist()[: len(phases)]

@@ -1,8 +1,7 @@
-"""A composed orbit to any number of digits: Newton's method with growing precision."""
+"""An orbit by its system's tables to any number of digits: Newton's method, ever more precise."""
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +12,7 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD
+from nonsmooth.runtime.orbits.refine import precisions
 from nonsmooth.runtime.shooting.cycle_newton import equations, sizes, with_forcing
 from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, pass_through
 from nonsmooth.runtime.shooting.symmetry import Symmetry, closing, symmetry_of
@@ -71,7 +71,7 @@ def refine_cycle(
     times = np.array([lib.mp.mpf(t) for t in dwell.tolist()], dtype=object)
     state = np.array([lib.mp.mpf(y) for y in start.tolist()], dtype=object)
     wanted = digits + GUARD
-    steps = [*_precisions(wanted), 2 * wanted]
+    steps = [*precisions(wanted, _START_DIGITS), 2 * wanted]
     for count, precision in enumerate(steps, 1):
         with lib.working(precision + _MARGIN):
             system = piecewise_in(kernels, parameters, lib)
@@ -109,17 +109,6 @@ def refine_cycle(
     states = rounded(now.starts[:-1])
     states[0] = up_to_shift(states[0], translations_of(system))
     return Precise(rounded(times), states, residual, len(steps))
-
-
-def _precisions(digits: int) -> list[int]:
-    """Decimals of the steps: doubling up to the last, from what doubles give."""
-    steps = [digits]
-    while steps[-1] > _START_DIGITS:
-        following = math.ceil(steps[-1] / 2) + 2
-        if following >= steps[-1]:
-            break
-        steps.append(following)
-    return steps[::-1]
 
 
 def _lost(digits: int) -> NoConvergence:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import parameter_points
-from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
-from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.orbits import Orbits
 from nonsmooth.runtime.orbits.routes import with_routes
-from nonsmooth.runtime.shooting.cycle_newton import message_of, sizes, solve_cycle
+from nonsmooth.runtime.orbits.table_problem import TableProblem
+from nonsmooth.runtime.shooting.cycle_newton import sizes, solve_cycle
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
@@ -41,90 +42,36 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
 )
 
-__all__ = ["ComposedOrbits", "compose_many"]
+__all__ = ["solve_itineraries"]
 
 CHUNK = 1 << 8  # points that one thread takes at a time: their numbers fit into a cache
 
 
-@dataclass(frozen=True, eq=False)
-class ComposedOrbits:
-    """Orbits of one itinerary; leading axes are the broadcast shape of the parameters.
-
-    Attributes
-    ----------
-    system : str
-    itinerary : tuple of (configuration, boundary)
-    dwell_times : array (..., p)
-        NaN, as all that follows, where no orbit was found.
-    states : array (..., p, N)
-        State at the start of each phase.
-    trace : array (...)
-        Of the Poincare map.
-    multipliers : array (..., k) of complex, or None
-        Of the map on the section where the orbits start; None where not asked for.
-    residual : array (...)
-    iterations, status : array (...) of int32
-        `status` is a number of `nonsmooth.runtime.shooting.newton`: 0 converged.
-    timed : bool
-        Whether the period was given.
-    """
-
-    system: str
-    itinerary: tuple[tuple[str, str], ...]
-    dwell_times: np.ndarray
-    states: np.ndarray
-    trace: np.ndarray
-    multipliers: np.ndarray | None
-    residual: np.ndarray
-    iterations: np.ndarray
-    status: np.ndarray
-    timed: bool
-
-    @property
-    def converged(self) -> np.ndarray:
-        """Where an orbit was found."""
-        return np.asarray(self.status == CONVERGED)
-
-    @property
-    def start(self) -> np.ndarray:
-        """State (..., N) at the start of the first phase."""
-        return self.states[..., 0, :]
-
-    @property
-    def period(self) -> np.ndarray:
-        """Sum of the dwell times."""
-        return np.asarray(self.dwell_times.sum(axis=-1))
-
-    def message(self, status: int) -> str:
-        """What a status means and suggests."""
-        return message_of(status, timed=self.timed)
-
-
-def compose_many(
-    system: str | SystemKernels | DeclaredSystem,
+def solve_itineraries(
+    system: SystemKernels,
     itinerary: Sequence[tuple[str, str]],
     parameters: Mapping[str, Any],
-    guess_dwell_times: Any,
-    guess_state: Any = None,
+    dwell_times: Any,
+    start: Any = None,
     period: Any = None,
     *,
     multipliers: bool = False,
     threads: int | None = None,
-) -> ComposedOrbits:
+) -> Orbits:
     """Find the periodic orbit of an itinerary at many parameter points.
 
     Parameters
     ----------
-    system : str, System or SystemKernels
+    system : SystemKernels
     itinerary : sequence of (configuration, boundary)
     parameters : mapping of str to array (...)
         All physical parameters; they broadcast against each other.
-    guess_dwell_times : array (..., p)
+    dwell_times : array (..., p)
         One guess for all points or one for each; so are the next two. Guesses may be many for
         one point.
-    guess_state : array (..., N), optional
+    start : array (..., N), optional
     period : array (...), optional
-        As for `compose`.
+        What the dwell times have to sum up to.
     multipliers : bool
         Also give multipliers.
     threads : int, optional
@@ -133,26 +80,26 @@ def compose_many(
     Raises
     ------
     InputError
-        As `compose`, and for arrays that do not broadcast. A parameter outside its domain
-        gives its point the status of a number that is not finite.
+        As `solve_itinerary`, and for arrays that do not broadcast. A parameter outside its
+        domain gives its point the status of a number that is not finite.
     """
-    if threads is not None and (isinstance(threads, bool) or threads < 1):
-        raise InputError(f"threads = {threads} is not a positive integer")
-    kernels = with_routes(kernels_of(system), itinerary)
+    kernels = with_routes(system, itinerary)
     structure = structure_of(kernels)
     cycle = cycle_of(structure, itinerary)
     size = len(structure.states)
     points, given = parameter_points(kernels, parameters)
-    shape = _common(given, guess_dwell_times, guess_state)
+    shape = _common(given, dwell_times, start)
     width = points.shape[1]
     points = np.broadcast_to(points.reshape(*given, width), (*shape, width))
     points = points.reshape(int(np.prod(shape)), width)
-    dwell = _spread("guess_dwell_times", guess_dwell_times, len(cycle), shape, positive=True)
-    start = None if guess_state is None else _spread("guess_state", guess_state, size, shape)
-    lengths = np.full(len(dwell), np.nan)
+    guess = _spread("the guess of the dwell times", dwell_times, len(cycle), shape, positive=True)
+    begin_at = None
+    if start is not None:
+        begin_at = _spread("the guess of the start", start, size, shape)
+    lengths = np.full(len(guess), np.nan)
     if period is not None:
         lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
-    count = len(dwell)
+    count = len(guess)
 
     driven = mechanical_states(cycle)
     moving = _translates(kernels, points)
@@ -160,10 +107,10 @@ def compose_many(
         first, rank = 0, size if driven is None else len(driven)
         dimension = rank
     elif driven is None:
-        first, rank, dimension = _smallest_section(cycle, kernels, points, dwell, start)
+        first, rank, dimension = _smallest_section(cycle, kernels, points, guess, begin_at)
     else:
         first, rank, dimension = 0, len(driven), len(driven)
-    dwell_times = np.empty((count, len(cycle)))
+    found_dwell = np.empty((count, len(cycle)))
     states = np.empty((count, len(cycle), size))
     maps = np.empty((count, *(2 * (size if driven is None else len(driven),))))
     residual = np.empty(count)
@@ -175,13 +122,13 @@ def compose_many(
             flat, directions = group.flat, np.empty((len(group.flat), 0, size))
             if moving:
                 here, flat, directions = _closed(here, flat)
-            if start is not None:
+            if begin_at is not None:
                 numbers = numbers_in(here.structure, flat)
                 with np.errstate(all="ignore"):
-                    at = pass_through(here, numbers, dwell[part], start[part], np).starts[first]
-            guess = np.roll(dwell[part], -first, axis=1)
-            found = solve_cycle(here.rotated(first), flat, guess, at, lengths[part])
-            dwell_times[part] = np.roll(found.dwell, first, axis=1)
+                    at = pass_through(here, numbers, guess[part], begin_at[part], np).starts[first]
+            near = np.roll(guess[part], -first, axis=1)
+            found = solve_cycle(here.rotated(first), flat, near, at, lengths[part])
+            found_dwell[part] = np.roll(found.dwell, first, axis=1)
             states[part] = np.roll(found.starts, first, axis=1)
             residual[part] = found.residual
             if driven is None:
@@ -204,20 +151,29 @@ def compose_many(
         with ThreadPoolExecutor(threads) as pool:
             list(pool.map(work, parts))
     lost = status != CONVERGED
-    for array in (dwell_times, states, maps, residual):
+    for array in (found_dwell, states, maps, residual):
         array[lost] = np.nan
-    return ComposedOrbits(
-        kernels.name,
-        cycle.itinerary,
-        dwell_times.reshape(*shape, len(cycle)),
-        states.reshape(*shape, len(cycle), size),
+    problem = TableProblem(kernels, cycle.itinerary)
+    columns = np.concatenate([found_dwell, states[:, 0]], axis=1).T
+    return Orbits(
+        problem,
+        {name: _numbers(value) for name, value in parameters.items()},
+        {n: x.reshape(shape) for n, x in zip(problem.unknown_names, columns, strict=True)},
         np.trace(maps, axis1=-2, axis2=-1).reshape(shape),
-        _multipliers(maps, rank, dimension).reshape(*shape, dimension) if multipliers else None,
+        found_dwell.sum(axis=-1).reshape(shape),
         residual.reshape(shape),
         iterations.reshape(shape),
         status.reshape(shape),
-        period is not None,
+        multipliers=(
+            _multipliers(maps, rank, dimension).reshape(*shape, dimension) if multipliers else None
+        ),
+        starts=states.reshape(*shape, len(cycle), size),
+        timed=period is not None,
     )
+
+
+def _numbers(given: Any) -> np.ndarray:
+    return np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given, float)
 
 
 def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:

@@ -1,0 +1,337 @@
+"""One periodic orbit at one parameter point, by the kernels of its own equations."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
+from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.model.completion import Point, complete
+from nonsmooth.runtime.model.kernels import OrbitKernels
+from nonsmooth.runtime.model.parameters import in_domain
+from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.shooting.newton import (
+    CONVERGED,
+    OUTSIDE,
+    Full,
+    equations_at,
+    error_bound,
+    solve_full,
+    solve_reduced,
+)
+
+__all__ = ["reference_guess", "search", "solve_kernels"]
+
+CONTINUATION_STEPS = 24
+STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
+SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
+
+
+def solve_kernels(
+    kernels: OrbitKernels,
+    parameters: Mapping[str, object] | None = None,
+    guess: Sequence[float] | Mapping[str, float] | None = None,
+    *,
+    unknown: Iterable[str] = (),
+    given: Mapping[str, object] | None = None,
+    throw: bool = True,
+    label: str = "",
+) -> Orbit:
+    """Find a periodic orbit by the kernels of its own equations; as `solve`.
+
+    A message calls it by the label, where there is one.
+    """
+    swapped, fixed = tuple(unknown), dict(given or {})
+    _check_exchange(kernels, swapped, fixed)
+    point = complete(kernels, parameters or {}, without=swapped)
+    start = _start(kernels, guess, swapped)
+    found, tried = (
+        _exchanged(kernels, point, swapped, _given(fixed), start)
+        if swapped
+        else _ordinary(kernels, point, start, searching=guess is None)
+    )
+    if throw and not found.converged:
+        searched = guess is None and not swapped and kernels.reduced
+        reason = "no orbit was found at these parameters" if searched else found.message
+        raise NoConvergence(f"{label or kernels.name}: {reason} (tried: {', '.join(tried)})")
+    return found
+
+
+def reference_guess(kernels: OrbitKernels) -> dict[str, float]:
+    """Values of the unknowns near the reference point.
+
+    Raises
+    ------
+    InputError
+        If the orbit declares none.
+    """
+    reference = kernels.table["reference"]
+    if reference is None:
+        raise InputError(f"{kernels.name} declares no reference point: give a guess")
+    return {name: float(text) for name, text in reference["guess"].items()}
+
+
+def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
+    """All orbits that Newton's method reaches from a grid of starts, admissible ones first.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    parameters : array (p,)
+
+    Returns
+    -------
+    array (k, n)
+        Unknowns of the distinct orbits with positive dwell times.
+    """
+    starts = np.array(list(product(_grid(kernels), repeat=len(kernels.reduced))))
+    solved = solve_reduced(kernels, parameters, starts)
+    found = _distinct(solved.unknowns[solved.status == CONVERGED])
+    allowed, _ = admissible_points(
+        kernels, np.broadcast_to(parameters, (len(found), len(parameters))), found
+    )
+    return found[np.argsort(~allowed, kind="stable")]
+
+
+def _distinct(roots: np.ndarray) -> np.ndarray:
+    """The first of each cluster of roots, in their order."""
+    first = []
+    while len(roots):
+        first.append(roots[0])
+        apart = np.abs(roots - roots[0]) > 1e-7 * (1 + np.abs(roots[0]))
+        roots = roots[apart.any(axis=-1)]
+    return np.array(first).reshape(-1, roots.shape[-1])
+
+
+def _grid(kernels: OrbitKernels) -> np.ndarray:
+    """Starts of each reduced unknown: even, or geometric where there is one only."""
+    if len(kernels.reduced) == 1:
+        return np.geomspace(SHORTEST_DWELL, LONGEST_DWELL, STARTS_OF_ONE)
+    return np.linspace(0, LONGEST_DWELL, STARTS_PER_UNKNOWN + 1)[1:]
+
+
+def _ordinary(
+    kernels: OrbitKernels, point: Point, start: dict[str, float], *, searching: bool
+) -> tuple[Orbit, list[str]]:
+    """Solve for all unknowns on the reduced equations."""
+    parameters = np.array([float(v) for v in point.values.values()])
+    names = list(kernels.reduced)
+    guess = np.array([start[name] for name in names])
+    tried = ["the reference point's guess" if searching else "the guess"]
+    first = _orbit(kernels, point, parameters, solve_reduced(kernels, parameters, guess))
+    if not names:
+        return first, ["the explicit solution"]
+    if not searching or _good(first, parameters):
+        return first, tried
+    tried.append(f"continuation in {CONTINUATION_STEPS} steps")
+    followed = _followed(kernels, point, parameters, guess)
+    if _good(followed, parameters):
+        return followed, tried
+    tried.append(f"{len(_grid(kernels)) ** len(names)} starts")
+    candidates = search(kernels, parameters)
+    if len(candidates):
+        places = [kernels.unknowns.index(name) for name in names]
+        solved = solve_reduced(kernels, parameters, candidates[0][places])
+        best = _orbit(kernels, point, parameters, solved)
+        if _good(best, parameters) or not (first.converged or followed.converged):
+            return best, tried
+    return (first if first.converged else followed), tried
+
+
+def _followed(
+    kernels: OrbitKernels, point: Point, parameters: np.ndarray, guess: np.ndarray
+) -> Orbit:
+    """Carry the reference orbit to the parameters, in even steps of them or their logarithms."""
+    defaults = kernels.table["reference"]["parameters"]
+    begin = np.array([float(parse(defaults[name])) for name in kernels.parameter_names])
+    places = [kernels.unknowns.index(name) for name in kernels.reduced]
+    solved = solve_reduced(kernels, begin, guess)
+    for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
+        solved = solve_reduced(
+            kernels, _between(begin, parameters, fraction), solved.unknowns[places]
+        )
+    solved = solve_reduced(kernels, parameters, solved.unknowns[places])
+    return _orbit(kernels, point, parameters, solved)
+
+
+def _between(begin: np.ndarray, end: np.ndarray, fraction: float) -> np.ndarray:
+    """A point on the way: geometric where both ends are positive, else on a straight line."""
+    positive = (begin > 0) & (end > 0)
+    ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
+    return np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
+
+
+def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
+    """Whether an orbit has converged and may be a motion of the real system."""
+    if not orbit.converged:
+        return False
+    kernels, unknowns = orbit.kernels, np.array([[*orbit.unknowns.values()]])
+    allowed, bounds = admissible_points(kernels, parameters[None], unknowns)
+    least = zip(kernels.open_parameters, bounds[0], strict=True)
+    return bool(allowed[0]) and all(
+        float(orbit.opened[p.name]) > bound for p, bound in least if p.name in orbit.opened
+    )
+
+
+def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: Any) -> Orbit:
+    """Record of a reduced solution, with the residual of the full equations."""
+    unknowns = dict(zip(kernels.unknowns, solved.unknowns.tolist(), strict=True))
+    status = int(solved.status)
+    residual, digits = float(solved.residual), 0
+    tables = {p.name: p for p in kernels.other_parameters}
+    if not all(in_domain(tables[name], unknowns[name]) for name in kernels.solved_for):
+        status = OUTSIDE
+    if status == CONVERGED:
+        residual, error = _quality(kernels, np.concatenate([solved.unknowns, parameters]))
+        digits = _digits(error)
+    return Orbit(
+        KernelProblem(kernels),
+        point.values,
+        unknowns,
+        point.opened,
+        residual,
+        digits,
+        int(solved.iterations),
+        status,
+    )
+
+
+def _quality(kernels: OrbitKernels, x: np.ndarray) -> tuple[float, float]:
+    """Residual of the full equations, and a bound on the error of the unknowns by J^-1.
+
+    At unknowns, then parameters (n + p,).
+    """
+    equations = equations_at(kernels, x)
+    places = list(range(len(kernels.unknowns)))
+    return float(np.abs(equations[0]).max()), error_bound(kernels, x, places, equations)
+
+
+def _digits(error: float) -> int:
+    if not math.isfinite(error):
+        return 0
+    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
+
+
+def _exchanged(
+    kernels: OrbitKernels,
+    point: Point,
+    swapped: tuple[str, ...],
+    fixed: dict[str, Value],
+    start: dict[str, float],
+) -> tuple[Orbit, list[str]]:
+    """Solve the full equations with parameters in place of unknowns.
+
+    From the guess; if that fails, the given values are approached in steps from an orbit at
+    the default values of what is now unknown.
+    """
+    defaults = kernels.table["reference"]["parameters"] if kernels.table["reference"] else {}
+    values = {name: float(parse(text)) for name, text in defaults.items()}
+    values |= {name: float(v) for name, v in point.values.items()} | start
+    target = {name: float(v) for name, v in fixed.items()}
+    solved_for = [n for n in kernels.unknowns if n not in fixed] + list(swapped)
+    tried = ["the guess"]
+    try:
+        found = solve_full(kernels, values | target, solved_for)
+        refusal = None
+    except InputError as error:
+        found, refusal = None, error
+    if found is None or found.status != CONVERGED:
+        tried.append(f"{CONTINUATION_STEPS} steps to the given values")
+        found = _approached(kernels, values, target, solved_for) or found
+    if found is None:
+        assert refusal is not None
+        raise refusal
+    tables = {p.name: p for p in kernels.parameters}
+    if found.status == CONVERGED and not all(
+        in_domain(tables[name], found.values[name]) for name in swapped
+    ):
+        found = found._replace(status=OUTSIDE)
+    unknowns = {name: found.values[name] for name in solved_for}
+    orbit = Orbit(
+        KernelProblem(kernels),
+        {**point.values, **fixed},
+        unknowns,
+        point.opened,
+        found.residual,
+        _digits(found.error),
+        found.iterations,
+        found.status,
+    )
+    return orbit, tried
+
+
+def _approached(
+    kernels: OrbitKernels,
+    values: dict[str, float],
+    target: dict[str, float],
+    solved_for: Sequence[str],
+) -> Full | None:
+    base = solve_full(kernels, values, list(kernels.unknowns))
+    if base.status != CONVERGED:
+        return None
+    found = base
+    for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
+        here = {n: base.values[n] + fraction * (t - base.values[n]) for n, t in target.items()}
+        try:
+            found = solve_full(kernels, found.values | here, solved_for)
+        except InputError:
+            return None
+    return found
+
+
+def _start(
+    kernels: OrbitKernels,
+    guess: Sequence[float] | Mapping[str, float] | None,
+    swapped: Sequence[str],
+) -> dict[str, float]:
+    """A value for every unknown, and for exchanged parameters if given, to start from."""
+    if guess is None:
+        return reference_guess(kernels)
+    if isinstance(guess, Mapping):
+        variables = [*kernels.unknowns, *swapped]
+        for name in guess:
+            if name not in variables:
+                raise unknown_name("variable", name, variables)
+        named = {name: float(as_value(value)) for name, value in guess.items()}
+        return reference_guess(kernels) | named
+    if len(guess) != len(kernels.unknowns):
+        raise InputError(
+            f"the guess has {len(guess)} values, {kernels.name} has {len(kernels.unknowns)}"
+            f" unknowns: {', '.join(kernels.unknowns)}"
+        )
+    return {n: float(as_value(x)) for n, x in zip(kernels.unknowns, guess, strict=True)}
+
+
+def _check_exchange(
+    kernels: OrbitKernels, swapped: tuple[str, ...], fixed: Mapping[str, object]
+) -> None:
+    for name in swapped:
+        if name not in kernels.parameter_names:
+            raise unknown_name("parameter to solve for", name, kernels.parameter_names)
+    for name in fixed:
+        if name not in kernels.unknowns:
+            raise unknown_name("variable", name, kernels.unknowns)
+    if len(set(swapped)) != len(swapped):
+        raise InputError(f"a parameter is named twice among the unknown: {', '.join(swapped)}")
+    if len(swapped) != len(fixed):
+        raise InputError(
+            f"to be solved for: {', '.join(swapped) or 'no parameter'}; given in place:"
+            f" {', '.join(fixed) or 'no unknown'}: as many of one as of the other are needed"
+        )
+
+
+def _given(fixed: Mapping[str, object]) -> dict[str, Value]:
+    found = {}
+    for name, value in fixed.items():
+        try:
+            found[name] = as_value(value)
+        except InputError as error:
+            raise InputError(f"{name}: {error}") from None
+    return found

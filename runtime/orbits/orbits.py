@@ -1,0 +1,92 @@
+"""The record of the orbits of one itinerary at many parameter points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from nonsmooth.runtime.shooting.newton import CONVERGED
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.problem import OrbitProblem
+
+__all__ = ["Orbits"]
+
+
+@dataclass(frozen=True, eq=False)
+class Orbits:
+    """Orbits at many parameter points; leading axes have the broadcast shape.
+
+    Attributes
+    ----------
+    problem : OrbitProblem
+        The itinerary and the kernels or tables that they were solved with.
+    parameters : dict of str to array
+        Those of the equations, not broadcast.
+    unknowns : dict of str to array
+        NaN, as all that follows, where no orbit was found. Nondimensional.
+    trace, period, residual : array of float
+    iterations, status : array of int
+        `message` says what a status means: 0 converged.
+    admissible : array of bool, or None
+        Whether the orbit is a motion of the real system, for large enough open parameters
+        where they are not given; None when switched off.
+    bounds : dict of str to array, or None
+        What each open parameter has to exceed; NaN where no orbit is admissible.
+    multipliers : array (..., k) of complex, or None
+        Of the map on the section where the orbits start; None where not asked for.
+    starts : array (..., p, N) or None
+        State at the start of each phase, where the solver has found them all.
+    timed : bool
+        Whether the period was given.
+    """
+
+    problem: OrbitProblem
+    parameters: dict[str, np.ndarray]
+    unknowns: dict[str, np.ndarray]
+    trace: np.ndarray
+    period: np.ndarray
+    residual: np.ndarray
+    iterations: np.ndarray
+    status: np.ndarray
+    admissible: np.ndarray | None = None
+    bounds: dict[str, np.ndarray] | None = None
+    multipliers: np.ndarray | None = None
+    starts: np.ndarray | None = None
+    timed: bool = False
+
+    @property
+    def name(self) -> str:
+        """Name of the orbit, or of its system and how many phases it has."""
+        return self.problem.name
+
+    @property
+    def itinerary(self) -> tuple[tuple[str, str], ...]:
+        """Configuration and boundary of each phase."""
+        return self.problem.itinerary
+
+    @property
+    def converged(self) -> np.ndarray:
+        """Where an orbit was found."""
+        return np.asarray(self.status == CONVERGED)
+
+    def restricted(self, opened: Mapping[str, np.ndarray]) -> Orbits:
+        """These orbits where open parameters have values: admissible above their bounds only."""
+        if self.admissible is None or self.bounds is None:
+            return self
+        with np.errstate(invalid="ignore"):  # bounds are NaN where nothing is admissible
+            allowed = [values > self.bounds[name] for name, values in opened.items()]
+        return replace(self, admissible=np.logical_and.reduce([self.admissible, *allowed]))
+
+    @property
+    def dwell_times(self) -> np.ndarray:
+        """Duration (..., p) of each phase."""
+        times = self.problem.dwell_times({**self.parameters, **self.unknowns})
+        return np.stack(np.broadcast_arrays(*times, self.status)[:-1], axis=-1)
+
+    def message(self, status: int) -> str:
+        """What a status means and suggests."""
+        return self.problem.message(status, timed=self.timed)

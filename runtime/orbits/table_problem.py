@@ -1,0 +1,384 @@
+"""Periodic orbits by the tables of their system: any itinerary, composed at run time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
+from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
+from nonsmooth.runtime.model.piecewise import (
+    PiecewiseLinear,
+    piecewise,
+    piecewise_at,
+    piecewise_in,
+)
+from nonsmooth.runtime.orbits.admissible import Admissibility
+from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
+from nonsmooth.runtime.orbits.table_admissible import assess_cycle
+from nonsmooth.runtime.orbits.table_motion import motion_along
+from nonsmooth.runtime.orbits.table_refine import refine_cycle
+from nonsmooth.runtime.shooting.cycle_newton import (
+    LEAST,
+    equations,
+    message_of,
+    sizes,
+    with_forcing,
+)
+from nonsmooth.runtime.shooting.multipliers import Stability
+from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
+from nonsmooth.runtime.shooting.section_map import assess, saltations
+from nonsmooth.runtime.shooting.shooting_map import (
+    Cycle,
+    Numbers,
+    Passage,
+    cycle_of,
+    numbers_in,
+    pass_through,
+)
+from nonsmooth.runtime.shooting.symmetry import Symmetry, closing, part_of, whole_orbit
+from nonsmooth.runtime.shooting.translations import (
+    gauges_of,
+    translations_of,
+    up_to_shift,
+)
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["TableEvaluation", "TableProblem", "labelled", "orbit_of"]
+
+
+@dataclass(frozen=True)
+class TableProblem:
+    """Orbits of an itinerary by the tables of its system; see `OrbitProblem`.
+
+    Attributes
+    ----------
+    system : SystemKernels
+    itinerary : tuple of (configuration, boundary)
+        Of the whole period; boundaries that are reached together are joined, ``"a+b"``.
+    symmetry : Symmetry or None
+        What closes the first part of the orbit, where it is solved for by that part.
+    label : str or None
+        ``FILE.py:ORBIT`` and the like, where the orbit is a declared one.
+    names : tuple of str
+        Of the unknowns: dwell times, then start; empty for the usual ones.
+    """
+
+    system: SystemKernels
+    itinerary: tuple[tuple[str, str], ...]
+    symmetry: Symmetry | None = field(default=None, compare=False)
+    label: str | None = None
+    names: tuple[str, ...] = ()
+
+    @property
+    def kernels(self) -> None:
+        """None: the equations are composed from the tables."""
+        return
+
+    @property
+    def name(self) -> str:
+        """Label of the orbit, or its system and how many phases it has."""
+        return self.label or cycle_label(self.system.name, len(self.itinerary))
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """See `OrbitProblem`."""
+        return tuple(self.system.table["states"])
+
+    @property
+    def parameters(self) -> tuple[ParameterTable, ...]:
+        """See `OrbitProblem`."""
+        return self.system.parameters
+
+    @cached_property
+    def unknown_names(self) -> tuple[str, ...]:
+        """Names of the dwell times, then those of the start: of x1 it is x10."""
+        if self.names:
+            return self.names
+        states, parameters = self.state_names, [p.name for p in self.parameters]
+        dwell = dwell_names(len(self.itinerary), {*states, *parameters})
+        return (*dwell, *start_names(states, {*dwell, *parameters}))
+
+    @property
+    def dwell_time_names(self) -> tuple[str, ...]:
+        """Names of the dwell times: tau1, tau2, ... where none were declared."""
+        return self.unknown_names[: len(self.itinerary)]
+
+    @property
+    def required(self) -> Mapping[str, str]:
+        """None: all parameters are given."""
+        return {}
+
+    def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
+        """See `OrbitProblem`."""
+        return [values[name] for name in self.dwell_time_names]
+
+    def message(self, status: int, *, timed: bool) -> str:
+        """See `OrbitProblem`."""
+        return message_of(status, timed=timed)
+
+    def evaluation(self, orbit: Orbit) -> TableEvaluation:
+        """See `OrbitProblem`."""
+        return TableEvaluation(self, orbit)
+
+    def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
+        """See `OrbitProblem`."""
+        point = piecewise_at(self.system, parameters)
+        configuration = point.structure.configuration(self.itinerary[phase][0])
+        times = np.asarray(since, dtype=float)
+        starts = np.broadcast_to(np.asarray(start, dtype=float), (times.size, len(start)))
+        states = flow_states(point, configuration, times.ravel(), starts)
+        return states.reshape(*times.shape, len(start))
+
+    def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
+        """See `OrbitProblem`: with mpmath, in whichever arithmetic is asked for."""
+        return orbit.tables.refined(digits)
+
+
+def orbit_of(
+    problem: TableProblem,
+    parameters: Mapping[str, Value],
+    period: Value | None,
+    dwell_times: np.ndarray,
+    states: np.ndarray,
+    residual: Any,
+    digits: int,
+    iterations: int,
+    status: int,
+) -> Orbit:
+    """Record of dwell times (p,) and states (p, N) at the start of each phase."""
+    unknowns = [*dwell_times.tolist(), *states[0].tolist()]
+    given = dict(parameters) if period is None else {**parameters, PERIOD: period}
+    return Orbit(
+        problem,
+        given,
+        dict(zip(problem.unknown_names, unknowns, strict=True)),
+        {},
+        residual,
+        digits,
+        iterations,
+        status,
+        states,
+    )
+
+
+def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
+    """The same orbit by the name and the names of unknowns that a declaration gives it."""
+    assert isinstance(orbit.problem, TableProblem)
+    problem = replace(orbit.problem, label=label, names=tuple(names))
+    unknowns = dict(zip(problem.unknown_names, orbit.unknowns.values(), strict=True))
+    return replace(orbit, problem=problem, unknowns=unknowns)
+
+
+@dataclass(frozen=True, eq=False)
+class TableEvaluation:
+    """What the tables tell at an orbit; see `Evaluation`."""
+
+    problem: TableProblem
+    orbit: Orbit
+
+    @property
+    def states(self) -> np.ndarray:
+        """See `Evaluation`."""
+        assert self.orbit.starts is not None
+        return self.orbit.starts
+
+    @cached_property
+    def cycle(self) -> Cycle:
+        """The itinerary looked up in the system."""
+        return cycle_of(self.piecewise.structure, self.problem.itinerary)
+
+    @cached_property
+    def piecewise(self) -> PiecewiseLinear:
+        """The system at these parameters, in the orbit's arithmetic."""
+        system, parameters = self.problem.system, self.orbit.parameters
+        if self.orbit.precise:
+            return piecewise_in(system, parameters, self.orbit.arithmetic)
+        return piecewise(system, parameters)
+
+    @cached_property
+    def translations(self) -> np.ndarray:
+        """Directions (m, N) along which the system does not change; m = 0 is the rule."""
+        return translations_of(self.piecewise)
+
+    @property
+    def shift(self) -> dict[str, Any]:
+        """See `Evaluation`."""
+        return dict(zip(self.problem.state_names, self.moved.tolist(), strict=True))
+
+    @property
+    def free_states(self) -> tuple[str, ...]:
+        """See `Evaluation`."""
+        names = self.problem.state_names
+        return tuple(names[k] for k in np.flatnonzero(self.translations.any(axis=0)))
+
+    @property
+    def moved(self) -> np.ndarray:
+        """By how much each state (N,) is moved behind one period: zero but along translations."""
+        return np.asarray(self.passage.starts[-1][gauges_of(self.translations)] @ self.translations)
+
+    @property
+    def states_up_to_shift(self) -> np.ndarray:
+        """The states (p, N), each moved along the translations to where the orbit starts."""
+        return up_to_shift(self.states, self.translations)
+
+    @cached_property
+    def passage(self) -> Passage:
+        """One passage of the cycle and its linearisation."""
+        numbers, lib = self._numbers, self._functions
+        return pass_through(self.cycle, numbers, self.orbit.dwell_times, self.states[0], lib)
+
+    @cached_property
+    def family(self) -> bool:
+        """Whether the orbit is one of a family: 1 is a multiplier, to double precision.
+
+        Raises
+        ------
+        InputError
+            If there is no orbit.
+        """
+        self._check_found()
+        lib = self.orbit.arithmetic if self.orbit.precise else FLOATS
+        part, numbers, now, dwell = self._part
+        size_of = sizes(now, dwell)
+        found = equations(now, dwell, size_of)
+        matrix, _ = with_forcing(part, numbers, now, size_of, *found, lib)
+        values = np.linalg.svd(matrix.astype(float), compute_uv=False)
+        return bool(values[-1] <= LEAST * values[0])
+
+    @cached_property
+    def stability(self) -> Stability:
+        """See `Evaluation`."""
+        self._check_found()
+        found = self._assessed(self._closed(None))
+        return replace(found, verdict="undecided") if self.cycle.one_sided else found
+
+    @cached_property
+    def part_stability(self) -> Stability:
+        """See `Evaluation`."""
+        self._check_found()
+        if self.problem.symmetry is None:
+            raise InputError("the orbit was not composed from a part and a symmetry")
+        return self._assessed(self._part)
+
+    @property
+    def poincare_jacobian(self) -> np.ndarray:
+        """See `Evaluation`."""
+        return np.asarray(self.passage.matrix[:, :-1])
+
+    @property
+    def saltations(self) -> np.ndarray:
+        """See `Evaluation`."""
+        return np.asarray(saltations(self.cycle, self._numbers, self.passage))
+
+    @property
+    def monodromy(self) -> np.ndarray:
+        """See `Evaluation`."""
+        matrix = np.eye(self.states.shape[1], dtype=self.states.dtype)
+        for flow, jump in zip(self.passage.flows, self.saltations, strict=True):
+            matrix = jump @ flow[:, :-1] @ matrix
+        return np.asarray(matrix)
+
+    @cached_property
+    def admissibility(self) -> Admissibility:
+        """See `Evaluation`."""
+        self._check_found()
+        system = piecewise(self.problem.system, self.orbit.parameters)
+        cycle = self.cycle.at(system.structure)
+        dwell, start = self.orbit.dwell_times.astype(float), self.states[0].astype(float)
+        now = pass_through(cycle, numbers_in(system), dwell, start, np)
+        return assess_cycle(cycle, system, now, dwell)
+
+    def trajectory(self, periods: int) -> Trajectory:
+        """See `Evaluation`."""
+        self._check_found()
+        return motion_along(
+            piecewise(self.problem.system, self.orbit.parameters),
+            self.cycle,
+            self.orbit.dwell_times.astype(float),
+            self.states.astype(float),
+            self.passage.ends.astype(float),
+            self.moved.astype(float),
+            periods,
+        )
+
+    def refined(self, digits: int) -> Orbit:
+        """The same orbit to true decimal digits, with mpmath numbers.
+
+        Raises
+        ------
+        InputError
+            For a symmetry that holds in double precision only.
+        NoConvergence
+            If Newton's method leaves the orbit, as it does where the equations are singular.
+        """
+        orbit, system, symmetry = self.orbit, self.problem.system, self.problem.symmetry
+        period, parameters = orbit.given_period, orbit.parameters
+        precise = refine_cycle(
+            system,
+            self.cycle,
+            parameters,
+            self._part[-1].astype(float),
+            self.states[0].astype(float),
+            period if symmetry is None or period is None else part_of(period, symmetry.order),
+            digits,
+            symmetry,
+        )
+        lib = Mpmath(digits + GUARD)
+        with lib.working(digits + GUARD):
+            point = piecewise_in(system, parameters, lib)
+            cycle = self.cycle.at(point.structure)
+            part = precise.dwell, precise.states
+            dwell, states = whole_orbit(point, cycle, symmetry, *part, lib.mp)
+        return orbit_of(
+            self.problem,
+            parameters,
+            period,
+            dwell,
+            states,
+            precise.residual,
+            digits,
+            orbit.iterations + precise.iterations,
+            orbit.status,
+        )
+
+    @cached_property
+    def _part(self) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
+        """The part that the symmetry closes: cycle, numbers, passage and dwell times."""
+        return self._closed(self.problem.symmetry)
+
+    def _closed(self, symmetry: Symmetry | None) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
+        system, part = closing(self.piecewise, self.cycle, symmetry)
+        numbers, dwell = numbers_in(system), self.orbit.dwell_times[: len(part)]
+        now = pass_through(part, numbers, dwell, self.states[0], self._functions)
+        return part, numbers, now, dwell
+
+    def _assessed(self, closed: tuple[Cycle, Numbers, Passage, np.ndarray]) -> Stability:
+        return assess(*closed, self.translations, self.family, self._functions, self._error)
+
+    @property
+    def _error(self) -> Any:
+        """Error of the multipliers."""
+        if self.orbit.precise:
+            return self.orbit.arithmetic.mp.mpf(10) ** -(self.orbit.digits + GUARD - 5)
+        return 1e-13
+
+    @property
+    def _numbers(self) -> Numbers:
+        return numbers_in(self.piecewise)
+
+    @property
+    def _functions(self) -> Any:
+        return self.orbit.arithmetic.mp if self.orbit.precise else np
+
+    def _check_found(self) -> None:
+        if self.orbit.status not in (CONVERGED, SINGULAR):
+            raise InputError(f"there is no orbit: {self.orbit.message}")
