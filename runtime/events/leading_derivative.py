@@ -9,7 +9,6 @@ zero of the state.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import accumulate, islice, repeat
 from operator import matmul, mul
 from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
@@ -54,8 +53,7 @@ class Undecided(Exception):
         self.reason, self.at, self.digits = reason, at, digits
 
 
-@dataclass(frozen=True)
-class Leading(Generic[R]):
+class Leading(NamedTuple, Generic[R]):
     """The first derivative that is not zero.
 
     Attributes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -25,7 +26,7 @@ from nonsmooth.runtime.events.leading_derivative import (
 from nonsmooth.runtime.events.phase_numbers import ConfigurationTable, orders
 from nonsmooth.runtime.events.transition_choice import Choice, Decider, choose, first_following
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.model.structure import Structure, TransitionShape
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, evaluate, product
 from nonsmooth.runtime.proof.motion.validate import BallJudge
@@ -171,10 +172,10 @@ def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
             found.append(decider.choice(source, boundaries, at, rows))
         with flint_precision(128):
             balls = [arb(x) for x in state]
-            judge = BallJudge(system, source, rows, whole(state), balls)
+            judge = BallJudge(system, source, whole(state), balls)
             found.append(choose(structure, source, boundaries, judge))
             wide = [x + arb(0, 2.0**-40) for x in balls]
-            doubtful = BallJudge(system, source, rows, Facts.of(zero[: len(rows)]), wide)
+            doubtful = BallJudge(system, source, Facts.of(zero[: len(rows)]), wide)
             less = choose(structure, source, boundaries, doubtful)
         assert len({told_of(choice) for choice in found}) == 1
         seen.add(found[0].verdict)
@@ -243,7 +244,7 @@ def test_balls_say_of_a_law_what_floats_say() -> None:
         found = decider.choice(source, frozenset({reached}), at, frozenset({row}))
         with flint_precision(128):
             balls = [arb(x) for x in state]
-            judge = BallJudge(exact_system, source, frozenset({row}), whole(state), balls)
+            judge = BallJudge(exact_system, source, whole(state), balls)
             proved = choose(structure, source, frozenset({reached}), judge)
         assert proved.verdict in ("chosen", "undecided")
         if proved.verdict == "chosen":
@@ -322,6 +323,48 @@ def test_stops_struck_together_have_no_order_and_no_side(state: list[float]) -> 
             verdict, after = hit(reverse, sign, state)
             assert verdict == expected
             np.testing.assert_allclose(after, behind, atol=1e-14)
+
+
+def altered(*transitions: TransitionShape) -> tuple[Decider, frozenset[int], np.ndarray]:
+    """Dry friction with other transitions, at a state where both masses reach the belt."""
+    point = piecewise("dry-friction", FRICTION)
+    none: tuple[TransitionShape, ...] = ()
+    listed = (transitions, *(none for _ in point.structure.configurations[1:]))
+    structure = replace(point.structure, transitions=listed)
+    known = np.array([0.5, 0.25, 1.0, 1.0, 1.0])
+    return Decider(structure, point.fields, point.rows, point.resets), frozenset({0, 1}), known
+
+
+def test_an_order_in_which_nothing_follows_leaves_it_open() -> None:
+    both = frozenset({0, 1})
+    never = ((0, 0, True), (0, 0, False))
+    for conditions, verdict in (((), "chosen"), (never, "ambiguous")):
+        decider, reached, known = altered(
+            TransitionShape(both, (), 0, 3, 1), TransitionShape(both, conditions, 0, 3, 2)
+        )
+        found = decider.choice(0, reached, decider.located(0, known, 0.0))
+        assert found.verdict == verdict
+    assert found.options == (3,)
+    alone = decider.choice(0, frozenset({0}), decider.located(0, known, 0.0))
+    assert alone.verdict == "undeclared"
+
+
+def test_a_row_that_is_known_to_be_zero_is_judged_by_its_rate() -> None:
+    row = piecewise("dry-friction", FRICTION).structure.boundaries[0][0].row
+    both = frozenset({0, 1})
+    decider, reached, known = altered(
+        TransitionShape(both, ((row, 0, True),), 0, 3), TransitionShape(both, (), 0, 4)
+    )
+    for sign in (1, -1):  # beyond the boundary by more than roundings, or before it
+        off = known + np.array([0, 0, sign * 1e-9, 0, 0])
+        at = decider.located(0, off, 0.0)
+        told = [decider.choice(0, reached, at, zero) for zero in (frozenset({row}), frozenset())]
+        targets = [choice.transition.target for choice in told if choice.transition]
+        assert targets == [4 if rate(decider, row, known) < 0 else 3, 3 if sign > 0 else 4]
+
+
+def rate(decider: Decider, row: int, known: np.ndarray) -> float:
+    return float(decider.rows[row] @ square(decider.fields[0]) @ known)
 
 
 class Given:

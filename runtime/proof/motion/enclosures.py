@@ -80,11 +80,9 @@ class EnclosedSystem:
         return evaluate(reduced, state) if any(reduced[:-1]) else reduced[-1]
 
     def leading(
-        self, row: Row, configuration: int, facts: Facts, state: Sequence[arb], first: int = 0
+        self, row: Row, configuration: int, facts: Facts, state: Sequence[arb]
     ) -> Leading[Row] | None:
         """Find the first derivative of a row along a field that is not zero; None for none.
-
-        Orders below `first` are passed over.
 
         Raises
         ------
@@ -102,7 +100,7 @@ class EnclosedSystem:
             return 0
 
         field = self.exact.fields[configuration]
-        return leading(derivatives(row, field, len(row), product), sign, first)
+        return leading(derivatives(row, field, len(row), product), sign)
 
 
 def _shown(ball: arb) -> str:

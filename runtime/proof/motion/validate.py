@@ -154,14 +154,14 @@ class _Motion:
             self.quiet = True
             return
         dwell, reached, state = found
-        rows = {structure.boundaries[here][b].row for b in reached}
         if dwell.is_zero():
             time, facts = self.time, self.facts
         else:
             time = self.time + dwell
-            facts = Facts.of([*lasting.rows, *(exact.rows[row] for row in rows)])
+            rows = [exact.rows[structure.boundaries[here][b].row] for b in reached]
+            facts = Facts.of([*lasting.rows, *rows])
             state = facts.tighten(state)
-        judge = BallJudge(system, here, frozenset(rows), facts, state)
+        judge = BallJudge(system, here, facts, state)
         try:
             target, reset = self._next(reached, judge)
         except Undecided as trouble:
@@ -240,22 +240,20 @@ class BallJudge:
     system : EnclosedSystem
     source : int
         The configuration in which boundaries are reached.
-    reached : frozenset of int
-        Their rows, which are zero.
     facts : Facts
+        Of the state: a boundary that was reached is zero.
     state : sequence of arb
     """
 
     system: EnclosedSystem
     source: int
-    reached: frozenset[int]
     facts: Facts
     state: Sequence[arb]
 
     def sign(self, row: int, along: int) -> int:
         """Sign of the leading derivative of a row along a configuration's field, 0 for none."""
-        exact, first = self.system.exact, int(row in self.reached)
-        found = self.system.leading(exact.rows[row], along, self.facts, self.state, first)
+        exact = self.system.exact
+        found = self.system.leading(exact.rows[row], along, self.facts, self.state)
         return 0 if found is None else found.sign
 
     def agree(self, resets: Sequence[int]) -> bool:
