@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.events.leading_derivative import leading
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.quasi_polynomials import TINY, UNIT, Jet, QuasiPolynomial
 
@@ -91,14 +92,18 @@ class Start(NamedTuple):
         enough = sum(2 * len(p) for p in function.polynomials)
         enough += sum(len(chain.coefficients) for chain in function.chains)
         values, errors = function.taylor(max(ORDERS, enough))
-        for order in range(enough):
-            if abs(values[order]) > errors[order]:
-                if values[order] > 0:
-                    return cls(1, None, order == 0)
-                sizes = [e / UNIT for e in errors]
-                series = Series(order, values[:ORDERS], sizes[:ORDERS], function.fastest)
-                return cls(-1, series if order else None)
-        return cls(0, None)
+
+        def sign(order: int, value: float) -> int:
+            return 0 if not abs(value) > errors[order] else 1 if value > 0 else -1
+
+        found = leading(values[:enough], sign)
+        if found is None:
+            return cls(0, None)
+        if found.sign > 0:
+            return cls(1, None, found.order == 0)
+        sizes = [e / UNIT for e in errors]
+        series = Series(found.order, values[:ORDERS], sizes[:ORDERS], function.fastest)
+        return cls(-1, series if found.order else None)
 
 
 class Crossing(NamedTuple):

@@ -3,43 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from operator import mul
 
 import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import ORDERS
+from nonsmooth.runtime.events.leading_derivative import derivatives, dot, square
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.quasi_polynomials import Chain, QuasiPolynomial, wave
 from nonsmooth.runtime.model.time_functions import chains, function_bounds, functions_at
 
-__all__ = ["BoundaryTable", "Clock", "ConfigurationTable", "Row", "dot", "orders", "rows_of"]
+__all__ = ["BoundaryTable", "Clock", "ConfigurationTable", "Row", "orders", "rows_of"]
 
 _SHORT = 0.5  # radians of the fastest exponent
 
 Row = tuple[float, ...]
 
 
-def dot(row: Sequence[float], vector: Sequence[float]) -> float:
-    """Sum of products."""
-    return float(sum(map(mul, row, vector)))
-
-
 def rows_of(array: np.ndarray) -> list[Row]:
-    """An array as Python numbers."""
-    return [tuple(map(float, row)) for row in array]
+    """Rows of an array as Python numbers."""
+    return [tuple(row) for row in array.tolist()]
 
 
 def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], list[Row]]:
     """An affine function's derivatives along a field, order by order, and their sizes."""
-    size = len(row)
-    matrix = np.zeros((size, size))
-    matrix[:-1] = field
-    values, bounds = [np.asarray(row, dtype=float)], [abs(np.asarray(row, dtype=float))]
+    matrix = square(field)
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite judges no start
-        for _ in range(count - 1):
-            values.append(values[-1] @ matrix)
-            bounds.append(bounds[-1] @ abs(matrix))
+        values = list(derivatives(row, matrix, count))
+        bounds = list(derivatives(abs(row), abs(matrix), count))
     return rows_of(np.array(values)), rows_of(np.array(bounds))
 
 
@@ -137,7 +127,10 @@ class ConfigurationTable:
         return [*result, 1.0]
 
     def _factors(self, t: float, changes: bool = False) -> list[tuple[float, float, int]]:
-        """Values of the functions of time, or their changes since 0, with weights and places."""
+        """Values of the functions of time, or their changes since 0, with weights and places.
+
+        As `functions_at`, for one time: the rounding of the angle is taken in.
+        """
         found = []
         for first, end, chain in self.chains:
             exponent, mode = self.modes[first]

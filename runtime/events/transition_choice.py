@@ -1,52 +1,195 @@
-"""What follows an event for which no transition is listed: one function for both engines."""
+"""The transition that follows what is reached, in any arithmetic.
+
+Of the transitions that are listed for a set of boundaries the first whose conditions hold
+follows. Where stops that are reached together may act in several orders, all orders have to
+agree. Where nothing that is listed follows, the law of coupled contacts decides. The
+arithmetic is a `Judge`: it tells signs, whether resets agree, and what the law says.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, Literal, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
-from nonsmooth.runtime.model.contacts.choice import Chooser, Located, Outcome, signs_along
+from nonsmooth.runtime.events.contact_choice import Chooser, Outcome
+from nonsmooth.runtime.events.leading_derivative import Located, Undecided
+from nonsmooth.runtime.events.phase_numbers import Row, orders
 from nonsmooth.runtime.model.contacts.law import Event
 from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.quasi_polynomials import UNIT
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
 
-__all__ = ["Decider", "Decision", "batch_decider"]
+__all__ = [
+    "Choice",
+    "Decider",
+    "Judge",
+    "batch_decider",
+    "choose",
+    "first_following",
+]
+
+_ROUNDINGS = 4  # of a reset, in units of the rounding of a sum
 
 
-_ROUNDING = 64 * np.finfo(float).eps
-
-
-class Decision(NamedTuple):
-    """What follows an event: a target and a reset, or options that are left open.
+class Choice(NamedTuple):
+    """What follows a set of boundaries.
 
     Attributes
     ----------
-    target, reset : int
-        -1 where they are open.
+    verdict : {"chosen", "ambiguous", "undecided", "undeclared"}
+        Ambiguous is what orders of stops do not agree on, or the law leaves open; undecided is
+        what the arithmetic cannot tell.
+    transition : TransitionShape or None
+        The one that follows, or of which it is not decided whether it does.
     options : tuple of int
-        Configurations that may follow an ambiguous event.
+        Configurations that may follow where that is ambiguous.
+    open : str
+        Why it is undecided.
     """
 
-    target: int
-    reset: int
+    verdict: Literal["chosen", "ambiguous", "undecided", "undeclared"]
+    transition: TransitionShape | None = None
     options: tuple[int, ...] = ()
+    open: str = ""
+
+
+class Judge(Protocol):
+    """An arithmetic, at the state in which boundaries are reached.
+
+    Its methods raise `Undecided` where it cannot tell.
+    """
+
+    def sign(self, row: int, along: int) -> int:
+        """Sign of the leading derivative of a row along a configuration's field, 0 for none."""
+
+    def agree(self, resets: Sequence[int]) -> bool:
+        """Whether resets lead to one state."""
+
+    def targets(self, event: Event) -> tuple[int, ...]:
+        """Configurations that may follow by the contact law."""
+
+
+class _Conditional(Protocol):
+    @property
+    def conditions(self) -> Iterable[Sequence[Any]]:
+        """Each what a sign is asked of, and whether it has to be positive."""
+
+
+C = TypeVar("C", bound=_Conditional)
+
+
+def first_following(
+    candidates: Iterable[C], sign: Callable[..., int]
+) -> tuple[C | None, Undecided | None]:
+    """Find the first candidate whose conditions hold, or may hold.
+
+    Parameters
+    ----------
+    candidates : iterable
+        In order; a condition is what `sign` is asked of, and whether it has to be positive.
+    sign : callable
+        It raises `Undecided` where it cannot tell.
+
+    Returns
+    -------
+    candidate or None
+        None where none follows.
+    Undecided or None
+        Why it is open whether the candidate follows; None where it does.
+    """
+    for candidate in candidates:
+        trouble: Undecided | None = None
+        for *function, positive in candidate.conditions:
+            try:
+                if (sign(*function) > 0) != positive:
+                    break
+            except Undecided as found:
+                trouble = trouble or found
+        else:
+            return candidate, trouble
+    return None, None
+
+
+def choose(structure: Structure, source: int, boundaries: frozenset[int], judge: Judge) -> Choice:
+    """Choose the transition that follows a set of boundaries.
+
+    Parameters
+    ----------
+    structure : Structure
+    source : int
+        The configuration in which they are reached.
+    boundaries : frozenset of int
+    judge : Judge
+    """
+    # routes of the law are listed for one orbit: the law itself tells them
+    shapes = [t for t in structure.listed(source, boundaries) if t.path is None]
+    found = []
+    for order in structure.orders(source, boundaries):
+        own = [t for t in shapes if t.order in (0, order)]
+        transition, trouble = first_following(own, judge.sign)
+        if trouble is not None:
+            return Choice("undecided", transition, (), trouble.reason)
+        found.append(transition)
+    strikes = [t for t in found if t is not None]
+    if not strikes:
+        return _by_law(structure, source, boundaries, judge)
+    targets = tuple(dict.fromkeys(t.target for t in strikes))
+    resets = tuple(dict.fromkeys(t.reset for t in strikes))
+    alike = len(strikes) == len(found) and len(targets) == 1
+    if alike and (len(resets) == 1 or judge.agree(resets)):
+        return Choice("chosen", strikes[0])
+    return Choice("ambiguous", None, targets)
+
+
+def _by_law(structure: Structure, source: int, boundaries: frozenset[int], judge: Judge) -> Choice:
+    """What the law of coupled contacts says."""
+    law = structure.law
+    names = [structure.boundaries[source][b].name for b in sorted(boundaries)]
+    event = None if law is None else law.event(source, names)
+    if law is None or event is None:
+        return Choice("undeclared")
+    try:
+        targets = judge.targets(event)
+    except Undecided as trouble:
+        return Choice("undecided", None, (), trouble.reason)
+    if len(targets) != 1:
+        return Choice("ambiguous", None, targets)
+    (target,) = targets
+    return Choice("chosen", TransitionShape(boundaries, (), law.reset(event, target), target))
 
 
 class Decider:
-    """The laws of a system at one parameter point."""
+    """The tables of a system at one parameter point, in floats or mpmath.
+
+    Parameters
+    ----------
+    structure : Structure
+    fields, rows, resets : arrays (c, N, N + 1), (R, N + 1), (r, N, N + 1)
+        The law of coupled contacts needs floats.
+    unit : number
+        Rounding of a sum of products.
+    """
 
     def __init__(
-        self, structure: Structure, fields: np.ndarray, rows: np.ndarray, resets: np.ndarray
+        self,
+        structure: Structure,
+        fields: np.ndarray,
+        rows: np.ndarray,
+        resets: np.ndarray,
+        unit: Any = UNIT,
     ) -> None:
         self.structure, self.fields, self.rows, self.resets = structure, fields, rows, resets
+        self.unit = unit
+        self._pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
 
     @cached_property
-    def _chooser(self) -> Chooser | None:
+    def _chooser(self) -> Chooser:
         law = self.structure.law
-        return None if law is None else Chooser(law, self.fields, self.rows)
+        assert law is not None
+        return Chooser(law, self.fields, self.rows)
 
     def beginnings(self, configuration: int, state: np.ndarray, resting: np.ndarray) -> Outcome:
         """Configurations that a start with contacts at rest may belong to.
@@ -59,92 +202,71 @@ class Decider:
         resting : array of bool
             Contacts of the law at rest.
         """
-        assert self._chooser is not None
         event = self._chooser.law.beginning(configuration, np.flatnonzero(resting).tolist())
         known = Located(state, abs(state), np.zeros(len(state)), 0.0)
         return self._chooser.outcome(event, known)
 
-    def outcome(
-        self, source: int, event: Event, state: np.ndarray, sizes: np.ndarray, error: float
-    ) -> Outcome:
-        """What the law says of an event of coupled contacts; see `decision`."""
-        assert self._chooser is not None
-        moved = np.append(error * (self.fields[source] @ state), 0.0)
-        return self._chooser.outcome(event, Located(state, sizes, moved, error))
+    def outcome(self, event: Event, at: Located) -> Outcome:
+        """What the law says of an event of coupled contacts."""
+        return self._chooser.outcome(event, at)
 
-    def decision(
+    def located(
+        self, source: int, state: np.ndarray, error: Any, sizes: np.ndarray | None = None
+    ) -> Located:
+        """A state (N + 1,) that a configuration led to, and how well it is known.
+
+        By default what is behind its coordinates is no larger than they are.
+        """
+        moved = np.append(error * (self.fields[source] @ state), 0.0)
+        return Located(state, abs(state) if sizes is None else sizes, moved, error, self.unit)
+
+    def choice(
         self,
         source: int,
         boundaries: frozenset[int],
-        state: np.ndarray,
-        sizes: np.ndarray,
-        error: float,
-    ) -> Decision | None:
-        """What follows a set of boundaries; None where the system declares nothing.
+        at: Located,
+        zero: frozenset[int] = frozenset(),
+    ) -> Choice:
+        """Choose what follows a set of boundaries.
 
         Parameters
         ----------
         source : int
         boundaries : frozenset of int
-        state, sizes : arrays (N + 1,)
-            Extended by 1; the sizes are sums of absolute values behind the coordinates.
-        error : float
-            Of the time of the event.
+        at : Located
+        zero : frozenset of int
+            Rows that are zero there, whatever rounding makes of them.
         """
-        moved = np.append(error * (self.fields[source] @ state), 0.0)
-        at = Located(state, sizes, moved, error)
-        orders = self.structure.orders(source, boundaries)
-        if orders:
-            return self._agreed(source, boundaries, orders, at) or self._ruled(
-                source, boundaries, at
-            )
-        return self._ruled(source, boundaries, at)
+        return choose(self.structure, source, boundaries, _AtEvent(self, at, zero))
 
-    def _agreed(
-        self, source: int, boundaries: frozenset[int], orders: tuple[int, ...], at: Located
-    ) -> Decision | None:
-        """What all orders agree on, in which stops act; None where none of them strikes."""
-        taken = [self._first(source, boundaries, order, at) for order in orders]
-        strikes = [t for t in taken if t is not None]
-        if not strikes:
-            return None
-        images = np.array([self.resets[t.reset] @ at.state for t in strikes])
-        sizes = np.array([abs(self.resets[t.reset]) @ at.sizes for t in strikes])
-        alike = (np.ptp(images, axis=0) <= _ROUNDING * sizes.max(axis=0)).all()
-        targets = tuple(dict.fromkeys(t.target for t in strikes))
-        if len(strikes) == len(taken) and len(targets) == 1 and alike:
-            return Decision(targets[0], strikes[0].reset)
-        return Decision(-1, -1, targets)
+    def pair(self, row: int, along: int) -> tuple[list[Row], list[Row]]:
+        """A row with its derivatives along a configuration's field, and their sizes."""
+        if (row, along) not in self._pairs:
+            own = self.rows[row]
+            self._pairs[row, along] = orders(own, self.fields[along], len(own) + 1)
+        return self._pairs[row, along]
 
-    def _first(
-        self, source: int, boundaries: frozenset[int], order: int, at: Located
-    ) -> TransitionShape | None:
-        """The first transition of an order whose conditions hold."""
-        for transition in self.structure.transitions[source]:
-            mine = transition.boundaries == boundaries and transition.order in (0, order)
-            if mine and all(
-                (self._sign(row, along, at) > 0) == holds
-                for row, along, holds in transition.conditions
-            ):
-                return transition
-        return None
 
-    def _sign(self, row: int, along: int, at: Located) -> int:
-        rows = self.rows[row : row + 1]
-        return int(signs_along(rows, abs(rows), self.fields[along], at)[0])
+class _AtEvent(NamedTuple):
+    """Judge with bounds on the errors of a located state."""
 
-    def _ruled(self, source: int, boundaries: frozenset[int], at: Located) -> Decision | None:
-        """What the law of coupled contacts says."""
-        shapes = self.structure.boundaries[source]
-        names = [shapes[b].name for b in boundaries]
-        event = None if self._chooser is None else self._chooser.law.event(source, names)
-        if self._chooser is None or event is None:
-            return None
-        found = self._chooser.outcome(event, at)
-        if len(found.targets) != 1:
-            return Decision(-1, -1, found.targets)
-        (target,) = found.targets
-        return Decision(target, self._chooser.law.reset(event, target))
+    decider: Decider
+    at: Located
+    zero: frozenset[int]
+
+    def sign(self, row: int, along: int) -> int:
+        found = self.at.leading(*self.decider.pair(row, along), int(row in self.zero))
+        return 0 if found is None else found.sign
+
+    def agree(self, resets: Sequence[int]) -> bool:
+        parts = [self.decider.resets[reset] for reset in resets]
+        images = np.array([part @ self.at.state for part in parts])
+        sizes = np.array([abs(part) @ self.at.sizes for part in parts]).max(axis=0)
+        apart = images.max(axis=0) - images.min(axis=0)
+        return bool((apart <= _ROUNDINGS * self.at.unit * sizes).all())
+
+    def targets(self, event: Event) -> tuple[int, ...]:
+        return self.decider.outcome(event, self.at).targets
 
 
 def batch_decider(
@@ -180,12 +302,13 @@ def batch_decider(
             known[point] = Decider(structure, fields, rows, resets)
         boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
         extended, above = (np.append(np.frombuffer(part), 1.0) for part in (state, sizes))
-        found = known[point].decision(source, boundaries, extended, above, error)
-        if found is None:
+        at = known[point].located(source, extended, error, above)
+        found = known[point].choice(source, boundaries, at)
+        if found.transition is None:
+            if found.verdict == "ambiguous":
+                options.append((found.options, reached))
+                return Status.AMBIGUOUS, -1, -1
             return Status.UNDECLARED, -1, -1
-        if found.target < 0:
-            options.append((found.options, reached))
-            return Status.AMBIGUOUS, -1, -1
-        return -1, found.target, found.reset
+        return -1, found.transition.target, found.transition.reset
 
     return decide

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.events.leading_derivative import leading
 
 LONGEST_PHASE = 1e5  # radians of the fastest oscillation; the compiled search's number
 
@@ -215,11 +216,11 @@ def first_crossing(function: TrigonometricSum, duration: float) -> float | None:
     for _ in range(highest + 20):  # more than the series needs within one radian
         tower.append(tower[-1].derivative())
     start = np.array([(g(0.0), g.rounding(0.0)) for g in tower])
-    nonzero = np.flatnonzero(abs(start[: highest + 1, 0]) > start[: highest + 1, 1])
+    found = leading(start[: highest + 1], lambda _, value: int(abs(value[0]) > value[1]))
     end = duration * unit
-    if nonzero.size == 0 or end == 0:
+    if found is None or end == 0:
         return None
-    order = int(nonzero[0])
+    order = found.order
     if start[order, 0] > 0:
         return 0.0
     orders = np.arange(len(tower))

@@ -140,13 +140,24 @@ class Structure:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
 
-    def leading(
+    def listed(self, source: int, boundaries: frozenset[int]) -> tuple[TransitionShape, ...]:
+        """Transitions that are listed for exactly these boundaries."""
+        return self._listed.get((source, boundaries), ())
+
+    @cached_property
+    def _listed(self) -> dict[tuple[int, frozenset[int]], tuple[TransitionShape, ...]]:
+        found: dict[tuple[int, frozenset[int]], tuple[TransitionShape, ...]] = {}
+        for source, transitions in enumerate(self.transitions):
+            for transition in transitions:
+                key = source, transition.boundaries
+                found[key] = (*found.get(key, ()), transition)
+        return found
+
+    def transitions_to(
         self, source: int, boundaries: frozenset[int], target: int
     ) -> tuple[TransitionShape, ...]:
         """Transitions to a target, listed or of the law, which tells no conditions here."""
-        listed = tuple(
-            t for t in self.transitions[source] if t.boundaries == boundaries and t.target == target
-        )
+        listed = tuple(t for t in self.listed(source, boundaries) if t.target == target)
         if self.law is None:
             return listed
         event = self.law.event(source, [self.boundaries[source][b].name for b in boundaries])
@@ -158,13 +169,13 @@ class Structure:
         """Each boundary with each target that it may lead to when it is reached alone."""
         for boundary in range(len(self.boundaries[source])):
             for target in range(len(self.configurations)):
-                if self.leading(source, frozenset({boundary}), target):
+                if self.transitions_to(source, frozenset({boundary}), target):
                     yield boundary, target
 
     def orders(self, source: int, boundaries: frozenset[int]) -> tuple[int, ...]:
-        """Numbers of the orders in which what is reached together may act; none for one order."""
-        listed = (t for t in self.transitions[source] if t.boundaries == boundaries)
-        return tuple(dict.fromkeys(t.order for t in listed if t.order))
+        """Numbers of the orders in which what is reached together may act; 0 for one order."""
+        numbers = (t.order for t in self.listed(source, boundaries))
+        return tuple(dict.fromkeys(filter(None, numbers))) or (0,)
 
     def boundary(self, configuration: int, name: str) -> int:
         """Index of a boundary of a configuration; InputError if it has none of that name."""

@@ -63,9 +63,8 @@ def with_routes_at(
         source = structure.configuration(itinerary[place][0])
         times = np.asarray(dwell_times[place : place + 1], dtype=float)
         end = flow_states(point, source, times, np.asarray(starts[place], dtype=float))[0]
-        known = np.append(end, 1.0)
         error = 64 * np.finfo(float).eps * float(times[0])
-        found = decider.outcome(source, event, known, abs(known), error)
+        found = decider.outcome(event, decider.located(source, np.append(end, 1.0), error))
         paths = dict(zip(found.targets, found.paths, strict=True))
         alone = len(found.targets) == 1 and target in paths
         return paths[target] if alone else _shortest(law, event, target)
@@ -88,10 +87,8 @@ def _missing(structure: Structure, itinerary: Itinerary) -> bool:
     """Whether a transition of the itinerary is not listed."""
     for source, names, target in _steps(itinerary):
         here, there = structure.configuration(source), structure.configuration(target)
-        reached = {structure.boundary(here, name) for name in names}
-        if not any(
-            t.boundaries == reached and t.target == there for t in structure.transitions[here]
-        ):
+        reached = frozenset(structure.boundary(here, name) for name in names)
+        if all(t.target != there for t in structure.listed(here, reached)):
             return True
     return False
 
@@ -114,12 +111,10 @@ def _listed(
     assert law is not None
     for place, (source, names, target) in enumerate(_steps(itinerary)):
         here, there = structure.configuration(source), structure.configuration(target)
-        reached = {structure.boundary(here, name) for name in names}
+        reached = frozenset(structure.boundary(here, name) for name in names)
         event = law.event(here, names)
         if event is None or not law.leads(event, there):
             continue
-        if not any(
-            t.boundaries == reached and t.target == there for t in structure.transitions[here]
-        ):
+        if all(t.target != there for t in structure.listed(here, reached)):
             routes.append(Route(source, names, target, path(place, event, there)))
     return unfolded(kernels, routes)

@@ -6,15 +6,19 @@ boundary the first whose conditions hold has to be the itinerary's.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.optimize import minimize_scalar
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.first_crossing import first_crossing
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
 from nonsmooth.runtime.events.phase_numbers import ConfigurationTable
-from nonsmooth.runtime.events.transition_choice import Decider
+from nonsmooth.runtime.events.transition_choice import Decider, choose
+from nonsmooth.runtime.model.contacts.law import Event
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
@@ -115,57 +119,62 @@ def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int, duration: f
 
 
 def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.ndarray) -> bool:
-    """Whether the first declared transition whose conditions hold is the itinerary's."""
-    wanted = cycle.transitions[place]
+    """Whether what follows the end of a phase is the itinerary's transition."""
     if cycle.boundaries[place] is None:  # the forcing's phase changes nothing
         return True
-    if wanted.path is not None:
-        return _lawful(cycle, numbers, now, place)
-    if cycle.structure.orders(cycle.configurations[place], wanted.boundaries):
-        return _lawful(cycle, numbers, now, place)
-    for transition in cycle.structure.transitions[cycle.configurations[place]]:
-        if transition.boundaries != wanted.boundaries:
-            continue
-        holds = all(
-            _positive(numbers, row, along, now.ends[place], noise, cycle.rows[place]) == expected
-            for row, along, expected in transition.conditions
-        )
-        if holds:
-            return transition is wanted
-    return False
-
-
-def _lawful(cycle: Cycle, numbers: Numbers, now: Passage, place: int) -> bool:
-    """Whether the laws of contact lead to the itinerary's next configuration, as it does."""
     structure, source = cycle.structure, cycle.configurations[place]
-    wanted, known = cycle.transitions[place], np.append(now.ends[place].astype(float), 1.0)
-    decider = Decider(structure, numbers.fields, numbers.rows, numbers.resets)
-    error = 2 * abs(float(now.gaps[place]) / float(now.speeds[place]))
-    found = decider.decision(source, wanted.boundaries, known, abs(known), error)
-    if found is None or found.target != wanted.target:
-        return False
-    taken, assumed = numbers.resets[found.reset], numbers.resets[wanted.reset]
-    size = (abs(taken) + abs(assumed)) @ abs(known)
-    return bool((abs((taken - assumed) @ known) <= MOST_MISSED * size).all())
+    wanted, judge = cycle.transitions[place], _AtEnd(cycle, numbers, now, place, noise)
+    found = choose(structure, source, wanted.boundaries, judge).transition
+    if found is None or found is wanted:
+        return found is wanted
+    # by other steps of the law, or in another order, the same may follow
+    several = wanted.path is not None or structure.orders(source, wanted.boundaries) != (0,)
+    alike = found.target == wanted.target and judge.agree((found.reset, wanted.reset))
+    return several and alike
 
 
-def _positive(
-    numbers: Numbers, row: int, along: int, state: np.ndarray, noise: np.ndarray, own: int
-) -> bool:
-    """Whether the first nonzero derivative of a row along a flow is positive.
+@dataclass(frozen=True)
+class _AtEnd:
+    """Judge at the end of a phase, which the orbit meets but for its residual."""
 
-    The boundary that has just been reached is zero itself.
-    """
-    field: Any = numbers.fields[along]
-    normal, constant = numbers.rows[row, :-1], float(numbers.rows[row, -1])
-    error = float(noise[row])
-    for order in range(len(state) + 1):
-        value = float(normal @ state) + constant
-        if abs(value) > error and not (order == 0 and row == own):
-            return value > 0
-        constant = float(normal @ field[:, -1])
-        normal = normal @ field[:, :-1]
-        size = abs(normal) @ abs(state) + abs(constant)
-        relative = float(noise[row]) / max(float(abs(numbers.rows[row, :-1]) @ abs(state)), 1e-300)
-        error = max(64 * _EPSILON, min(relative, MOST_MISSED)) * float(size)
-    return False
+    cycle: Cycle
+    numbers: Numbers
+    now: Passage
+    place: int
+    noise: np.ndarray
+
+    @cached_property
+    def state(self) -> np.ndarray:
+        return np.append(self.now.ends[self.place].astype(float), 1.0)
+
+    def sign(self, row: int, along: int) -> int:
+        function, sizes = self.numbers.rows[row], abs(self.state)
+        noise = float(self.noise[row])
+        relative = noise / max(float(abs(function[:-1]) @ sizes[:-1]), 1e-300)
+        rounding = max(64 * _EPSILON, min(relative, MOST_MISSED))
+
+        def sign(order: int, derivative: np.ndarray) -> int:
+            value = float(derivative @ self.state)
+            error = rounding * float(abs(derivative) @ sizes) if order else noise
+            return 0 if not abs(value) > error else 1 if value > 0 else -1
+
+        rows = derivatives(function, square(self.numbers.fields[along]), len(sizes))
+        # the boundary that has just been reached is zero itself
+        found = leading(rows, sign, int(row == self.cycle.rows[self.place]))
+        return 0 if found is None else found.sign
+
+    def agree(self, resets: Sequence[int]) -> bool:
+        first, *others = (self.numbers.resets[reset] for reset in resets)
+
+        def alike(other: np.ndarray) -> bool:
+            sizes = (abs(first) + abs(other)) @ abs(self.state)
+            return bool((abs((first - other) @ self.state) <= MOST_MISSED * sizes).all())
+
+        return all(map(alike, others))
+
+    def targets(self, event: Event) -> tuple[int, ...]:
+        numbers, source = self.numbers, self.cycle.configurations[self.place]
+        decider = Decider(self.cycle.structure, numbers.fields, numbers.rows, numbers.resets)
+        missed = self.now.gaps[self.place] / self.now.speeds[self.place]
+        at = decider.located(source, self.state, 2 * abs(float(missed)))
+        return decider.outcome(event, at).targets

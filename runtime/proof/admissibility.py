@@ -12,9 +12,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.events.transition_choice import first_following
 from nonsmooth.runtime.proof.admissibility_conditions import Derivative, Follower, Plan, Watched
 from nonsmooth.runtime.proof.cycle_equations import Chain, Passage
-from nonsmooth.runtime.proof.motion.enclosures import Undecided
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
 from nonsmooth.runtime.proof.sign_along_phase import Crossed, Ends, Waves
 
@@ -177,32 +178,23 @@ class _Phase:
 
     def _first(self, followers: Sequence[Follower]) -> None:
         """Prove that of these the first whose conditions hold is wanted."""
-        for follower in followers:
-            holds = self._holds(follower)
-            if holds is None:
-                raise Undecided(f"whether {follower.target} follows")
-            if holds and follower.wanted:
-                return
-            if holds and follower.doubt:
-                raise Undecided(follower.doubt, digits=False)
-            if holds:
-                raise _Refuted(f"{follower.target} follows, or another transition to it")
-        last = followers[-1]
+        follower, trouble = first_following(followers, self._sign)
+        if follower is not None and trouble is not None:
+            raise Undecided(f"whether {follower.target} follows")
+        if follower is not None and follower.wanted:
+            return
+        last = follower or followers[-1]
         if last.doubt:
             raise Undecided(last.doubt, digits=False)
+        if follower is not None:
+            raise _Refuted(f"{follower.target} follows, or another transition to it")
         raise _Refuted(f"{last.target} does not follow: its conditions do not hold")
 
-    def _holds(self, follower: Follower) -> bool | None:
-        unknown = False
-        for behind, expected in follower.conditions:
-            try:
-                positive = behind is not None and bool(_signed(behind, self.behind, "it") > 0)
-            except Undecided:
-                unknown = True
-                continue
-            if positive != expected:
-                return False
-        return None if unknown else True
+    def _sign(self, behind: Derivative | None) -> int:
+        """Sign of a function behind the end; 0 for none."""
+        if behind is None:
+            return 0
+        return 1 if _signed(behind, self.behind, "it") > 0 else -1
 
 
 def _signed(derivative: Derivative, state: Sequence[Any], told: str) -> Any:

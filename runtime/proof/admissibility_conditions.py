@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.contacts.stages import signs
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
 from nonsmooth.runtime.proof.exact_tables import Matrix, Tables
@@ -191,7 +192,7 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
         tuple(watched),
         tuple(
             _followers(tables, cycle, place, order, ends)
-            for order in structure.orders(configuration, wanted.boundaries) or (0,)
+            for order in structure.orders(configuration, wanted.boundaries)
             if wanted.boundaries  # a motion that reaches nothing goes on
         ),
     )
@@ -208,8 +209,8 @@ def _followers(
     names = [boundaries[index].name for index in sorted(wanted.boundaries)]
     doubt = f"the orders in which {' and '.join(names)} act need not agree" if order else ""
     found = []
-    for transition in structure.transitions[configuration]:
-        if transition.boundaries != wanted.boundaries or transition.order not in (0, order):
+    for transition in structure.listed(configuration, wanted.boundaries):
+        if transition.order not in (0, order):
             continue
         conditions = tuple(
             Condition(_first(tables.rows[row], tables.fields[along], ends, int(row in own)), holds)
@@ -262,8 +263,6 @@ def _puts_nothing(reset: Matrix, facts: Facts) -> bool:
 
 def _first(row: Row, field: Matrix, facts: Facts, order: int = 0) -> Derivative | None:
     """The first derivative from an order on that is not known to be zero."""
-    for k in range(len(row) + 1):
-        if k >= order and any(reduced := facts.reduce(row)):
-            return Derivative(k, reduced)
-        row = product(row, field)
-    return None
+    functions = map(facts.reduce, derivatives(row, field, len(row), product))
+    found = leading(functions, lambda _, reduced: any(reduced), order)
+    return None if found is None else Derivative(found.order, found.derivative)

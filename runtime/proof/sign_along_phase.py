@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
-from nonsmooth.runtime.proof.motion.enclosures import Undecided
+from nonsmooth.runtime.events.leading_derivative import Undecided
 
 if TYPE_CHECKING:
     from flint import arb, arb_mat, arb_poly

@@ -188,6 +188,6 @@ def poincare_map(
         raise InputError("a section is (configuration, boundary, configuration)")
     source, target = structure.configuration(section[0]), structure.configuration(section[2])
     boundary = structure.boundary(source, section[1])
-    for transition in structure.leading(source, frozenset({boundary}), target):
+    for transition in structure.transitions_to(source, frozenset({boundary}), target):
         return PoincareMap(point, source, boundary, target, transition)
     raise InputError(f"no transition leads from {section[0]} by {section[1]} to {section[2]}")

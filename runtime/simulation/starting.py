@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading_signs
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.contacts.law import Law
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -201,14 +203,9 @@ def configurations_of(
             stays = inside.copy()
             for boundary in structure.boundaries[c]:
                 orders = _orders(fields[:, c], rows[:, boundary.row], extended)
-                undecided = np.ones(len(states), dtype=bool)
-                for order_, (value, error) in enumerate(orders):
-                    if order_ == 0:
-                        inside &= value <= error
-                    stays &= ~(undecided & (value > error))
-                    undecided &= np.abs(value) <= error
-                    if not undecided.any():
-                        break
+                value, error = first = next(orders)
+                inside &= value <= error
+                stays &= leading_signs(chain([first], orders)) <= 0
             staying[(staying < 0) & inside & stays] = c
             possible[(possible < 0) & inside] = c
     found = np.where(staying >= 0, staying, possible)
@@ -271,18 +268,22 @@ def _orders(
 
     Field (n or 1, N, N + 1), row (n or 1, N + 1), extended (n, N + 1): states and 1.
     """
-    sizes = np.abs(extended)
-    bound, bounds = np.abs(row), np.abs(field)
-    speed = bounds[:, :, :-1].sum(axis=2).max(axis=1)
+    sizes, lengths = np.abs(extended), np.abs(field)
+    speed = lengths[:, :, :-1].sum(axis=2).max(axis=1)
     shortest = np.divide(1.0, speed, out=np.zeros_like(speed), where=speed > 0)
-    size = (bound * sizes).sum(axis=-1)
-    for _ in range(extended.shape[1]):
-        value = (row * extended).sum(axis=-1)
-        row = (row[:, :-1, None] * field).sum(axis=1)
-        bound = (bound[:, :-1, None] * bounds).sum(axis=1)
-        following = (bound * sizes).sum(axis=-1)
+    count = extended.shape[1]
+    bounds = derivatives(np.abs(row), lengths, count + 1, _rates)
+    behind = ((bound * sizes).sum(axis=-1) for bound in bounds)
+    size = next(behind)
+    for function, following in zip(derivatives(row, field, count, _rates), behind, strict=True):
+        value = (function * extended).sum(axis=-1)
         yield value, _ERROR * (size + shortest * following)
         size = following
+
+
+def _rates(rows: np.ndarray, fields: np.ndarray) -> np.ndarray:
+    """Derivatives (n, N + 1) of rows, each along its own field or all along one."""
+    return np.asarray((rows[:, :-1, None] * fields).sum(axis=1))
 
 
 def _violated(system: PiecewiseLinear, c: int, state: np.ndarray) -> str:

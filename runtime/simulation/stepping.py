@@ -12,16 +12,14 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import ORDERS, Series, Start, first_crossing
+from nonsmooth.runtime.events.leading_derivative import Located, dot, leading
 from nonsmooth.runtime.events.phase_numbers import (
     BoundaryTable,
     Clock,
     ConfigurationTable,
-    Row,
-    dot,
-    orders,
     rows_of,
 )
-from nonsmooth.runtime.events.transition_choice import Decider, Decision
+from nonsmooth.runtime.events.transition_choice import Choice, Decider
 from nonsmooth.runtime.model.engine_run import (
     FARTHEST,
     GROWTH,
@@ -62,17 +60,12 @@ class _Event(NamedTuple):
     never: bool
 
 
-# sums of absolute values behind a state, what it moves within the error of its time, that error
-_Errors = tuple[list[float], list[float], float]
-
-
 class _Stepper:
     """The rules, over tables that are made when a configuration is first entered."""
 
     def __init__(self, system: PiecewiseLinear) -> None:
         self.system, self.structure = system, system.structure
         self.configurations: dict[int, ConfigurationTable] = {}
-        self.pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
         self.resets = [rows_of(reset) for reset in system.resets]
         self.decider = Decider(system.structure, system.fields, system.rows, system.resets)
 
@@ -140,58 +133,11 @@ class _Stepper:
         passed = tuple(sorted(t for t in touched if t[0] <= time and t[1] not in together))
         return _Event(time, frozenset(together), frozenset(together), error, passed, False)
 
-    def transition(
-        self,
-        configuration: int,
-        event: _Event,
-        state: list[float],
-        errors: _Errors,
-    ) -> TransitionShape | Decision | None:
-        """The first transition listed for a set of boundaries whose conditions hold.
-
-        Where there is none the laws of contact decide; a decision is returned where they do not.
-        """
+    def choice(self, configuration: int, event: _Event, at: Located) -> Choice:
+        """What follows a set of boundaries."""
         shapes = self.structure.boundaries[configuration]
-        rows = {shapes[b].row for b in event.located}
-        several = len(event.boundaries) > 1 and self.structure.orders(
-            configuration, event.boundaries
-        )
-        for transition in () if several else self.structure.transitions[configuration]:
-            if transition.boundaries == event.boundaries and all(
-                self._positive(row, along, state, errors, row in rows) is holds
-                for row, along, holds in transition.conditions
-            ):
-                return transition
-        sizes, _, error = errors
-        found = self.decider.decision(
-            configuration, event.boundaries, np.array(state), np.array(sizes), error
-        )
-        if found is None or found.target < 0:
-            return found
-        return TransitionShape(event.boundaries, (), found.reset, found.target)
-
-    def _positive(
-        self, row: int, along: int, state: list[float], errors: _Errors, is_zero: bool
-    ) -> bool:
-        """Whether the first nonzero derivative of a row along a configuration is positive.
-
-        The time of the state errs: it may have moved on along either configuration.
-        """
-        sizes, moved, error = errors
-        if (row, along) not in self.pairs:
-            count = len(state) + 1
-            found = orders(self.system.rows[row], self.system.fields[along], count)
-            self.pairs[row, along] = found
-        values, bounds = self.pairs[row, along]
-        following = dot(values[0], state)
-        for order in range(len(values) - 1):
-            value, following = following, dot(values[order + 1], state)
-            if order == 0 and is_zero:
-                continue
-            drift = max(error * abs(following), abs(dot(values[order], moved)))
-            if abs(value) > UNIT * dot(bounds[order], sizes) + drift:
-                return value > 0
-        return False
+        zero = frozenset(shapes[b].row for b in event.located)
+        return self.decider.choice(configuration, event.boundaries, at, zero)
 
     def reset(self, transition: TransitionShape, state: list[float]) -> list[float]:
         return [*(dot(row, state) for row in self.resets[transition.reset]), 1.0]
@@ -220,24 +166,30 @@ def _start(
     They err by the rounding of the modes, and by the error of the time at which the state was
     found.
     """
-    value, following = dot(boundary.orders[0], state), dot(boundary.orders[1], state)
-    rounding = function.taylor(1)[1][0]
-    if not zero and abs(value) > rounding + error * abs(following):
-        return Start(1, None, True) if value > 0 else Start(-1, None)
     count = len(boundary.values)
-    modal, errors = function.taylor(count)
-    for order in range(1, count):
-        value, following = following, dot(boundary.orders[order + 1], state)
-        if abs(value) > errors[order] + error * abs(following):
-            if value > 0:
-                return Start(1, None)
-            values = [dot(row, state) for row in boundary.orders]
-            sizes = [dot(row, size) for row in boundary.bounds]
-            if modal[order] < 0:  # one function of time behind the start and from there on
-                values, errors = function.taylor(ORDERS)
-                sizes = [e / UNIT for e in errors]
-            return Start(-1, Series(order, values, sizes, function.fastest))
-    return Start(0, None)
+    modal: list[list[float]] = []
+
+    def sign(order: int, row: Sequence[float]) -> int:
+        value = dot(row, state)
+        if not order:
+            rounding = function.taylor(1)[1][0]
+        else:
+            modal[:] = modal or function.taylor(count)
+            rounding = modal[1][order]
+        drift = error * abs(dot(boundary.orders[order + 1], state))
+        return 0 if not abs(value) > rounding + drift else 1 if value > 0 else -1
+
+    found = leading(boundary.orders[:count], sign, int(zero))
+    if found is None or not found.order:
+        return Start(0, None) if found is None else Start(found.sign, None, found.sign > 0)
+    if found.sign > 0:
+        return Start(1, None)
+    values = [dot(row, state) for row in boundary.orders]
+    sizes = [dot(row, size) for row in boundary.bounds]
+    if modal[0][found.order] < 0:  # one function of time behind the start and from there on
+        values, errors = function.taylor(ORDERS)
+        sizes = [e / UNIT for e in errors]
+    return Start(-1, Series(found.order, values, sizes, function.fastest))
 
 
 def _together(watch: _Watch, time: float, error: float) -> bool:
@@ -348,12 +300,12 @@ def run(
             return ended(Status.OVERFLOW, clock.time)
         clock.advance(dwell)
         moved = [*(error * dot(row, before) for row in table.field), 0.0]
-        transition = stepper.transition(configuration, event, before, (sizes, moved, error))
+        choice = stepper.choice(configuration, event, Located(before, sizes, moved, error))
+        mask, transition = sum(1 << b for b in event.boundaries), choice.transition
         if transition is None:
+            if choice.verdict == "ambiguous":
+                return ended(Status.AMBIGUOUS, clock.time, choice.options, mask)
             return ended(Status.UNDECLARED, clock.time)
-        mask = sum(1 << b for b in event.boundaries)
-        if isinstance(transition, Decision):
-            return ended(Status.AMBIGUOUS, clock.time, transition.options, mask)
         shapes = system.structure.boundaries[configuration]
         located = {shapes[b].row for b in event.located} | (zero if dwell == 0 else frozenset())
         zero = stepper.kept(transition, located)

@@ -172,7 +172,7 @@ def _resets(
 ) -> np.ndarray:
     """Linear parts (n, N, N) of the resets that the transitions took: those that fit best."""
     boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
-    known = sorted({t.reset for t in system.structure.leading(source, boundaries, target)})
+    known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})
     matrices = system.resets[known]
     images = np.einsum("rij,nj->rni", matrices, _extended(before))
     best = np.argmin(np.abs(images - behind).max(axis=2), axis=0)

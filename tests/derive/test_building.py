@@ -148,7 +148,7 @@ def decided(system: System, source: str, boundaries: set[str], state: np.ndarray
     decider = Decider(structure, point.fields, point.rows, point.resets)
     place, known = structure.configuration(source), np.append(state, 1.0)
     reached = frozenset(structure.boundary(place, name) for name in boundaries)
-    found = decider.decision(place, reached, known, abs(known), 0.0)
+    found = decider.choice(place, reached, decider.located(place, known, 0.0)).transition
     assert found is not None
     return structure.configurations[found.target]
 

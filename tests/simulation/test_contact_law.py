@@ -259,7 +259,9 @@ def test_the_choice_is_the_minimum(seed: int, count: int) -> None:
             b for b, s in enumerate(point.structure.boundaries[source])
             if law.limits.get(s.name) == place
         )  # fmt: skip
-        found = decider.decision(source, frozenset({shape}), known, abs(known), 0.0)
+        found = decider.choice(
+            source, frozenset({shape}), decider.located(source, known, 0.0)
+        ).transition
         assert found is not None
         expected = "-".join(least(point, state, {place}))
         assert point.structure.configurations[found.target] == expected

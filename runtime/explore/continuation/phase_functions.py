@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage
 
@@ -35,9 +36,8 @@ class ConditionRow:
 
     def value(self, numbers: Numbers, now: Passage) -> Any:
         """Its value, with the leading axes of the numbers."""
-        row, end = numbers.rows[..., self.row, :], now.ends[self.place]
-        for _ in range(self.order):
-            row = _rate(row, numbers.fields[..., self.along, :, :])
+        end, field = now.ends[self.place], numbers.fields[..., self.along, :, :]
+        *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1, _rate)
         return (row[..., :-1] * end).sum(axis=-1) + row[..., -1]
 
 
@@ -57,7 +57,10 @@ class Conditions:
     choices: tuple[tuple[tuple[tuple[int | None, bool], ...], ...], ...]
 
     def taken(self, values: np.ndarray) -> np.ndarray:
-        """Which of its transitions each phase takes, from values (k, c): (k, p), -1 for none."""
+        """Which of its transitions each phase takes, from values (k, c): (k, p), -1 for none.
+
+        As `first_following`, over the many points of a branch at once.
+        """
         found = np.full((len(values), len(self.choices)), -1)
         for place, transitions in enumerate(self.choices):
             for number, conditions in reversed(list(enumerate(transitions))):
@@ -76,8 +79,7 @@ def conditions_of(cycle: Cycle, numbers: Numbers, now: Passage) -> Conditions:
     for place, wanted in enumerate(cycle.transitions):
         declared = [
             transition.conditions
-            for transition in cycle.structure.transitions[cycle.configurations[place]]
-            if transition.boundaries == wanted.boundaries
+            for transition in cycle.structure.listed(cycle.configurations[place], wanted.boundaries)
         ]
         for row, along, _ in (condition for each in declared for condition in each):
             key = place, row, along
@@ -106,14 +108,16 @@ def _deciding(
     numbers: Numbers, now: Passage, place: int, row: int, along: int, own: int
 ) -> int | None:
     """Order of the first derivative that is not zero."""
-    function, end = numbers.rows[row], now.ends[place]
-    for order in range(len(end) + 1):
+    end = now.ends[place]
+
+    def differs(_: int, function: np.ndarray) -> bool:
         value = float(function[:-1] @ end + function[-1])
         size = float(abs(function[:-1]) @ abs(end) + abs(function[-1]))
-        if abs(value) > _ZERO * size and not (order == 0 and row == own):
-            return order
-        function = _rate(function, numbers.fields[along])
-    return None
+        return abs(value) > _ZERO * size
+
+    functions = derivatives(numbers.rows[row], numbers.fields[along], len(end) + 1, _rate)
+    found = leading(functions, differs, int(row == own))
+    return None if found is None else found.order
 
 
 def _rate(row: Any, field: Any) -> Any:

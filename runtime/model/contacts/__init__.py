@@ -3,7 +3,6 @@
 ============  ==================================================================
 `law`         the law of a system, by indices of its rows
 `stages`      one step of the choice: the functions whose signs say that it holds
-`choice`      the choice at a state, in double precision
 `unfolding`   kernels in which paths of the law are listed as transitions
 ============  ==================================================================
 """

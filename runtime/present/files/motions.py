@@ -361,7 +361,7 @@ def _moves(system: PiecewiseLinear, run: Run) -> bool:
         source, target = run.configurations[entry - 1 : entry + 1].tolist()
         reached = int(run.sets[entry])
         boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
-        resets = {t.reset for t in system.structure.leading(source, boundaries, target)}
+        resets = {t.reset for t in system.structure.transitions_to(source, boundaries, target)}
         extended = np.append(run.before[entry], 1.0)
         misses = [np.abs(system.resets[r] @ extended - run.states[entry]).max() for r in resets]
         if not min(misses, default=math.inf) <= _TOLERANCE * (1 + np.abs(extended).max()):

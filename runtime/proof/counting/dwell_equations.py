@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.proof.counting.contraction import (
     Linear,
     Sides,
@@ -104,10 +105,9 @@ def setting_of(tables: Tables, cycle: Cycle) -> Setting:
     for k in range(count):
         place = (rotation + k) % count
         row, field = tables.rows[cycle.rows[place]], tables.fields[cycle.configurations[place]]
-        order = 0
-        while tables.exact and order <= size and not any(starts[place].reduce(row)):
-            row, order = product(row, field), order + 1
-        orders.append(order if order <= size else 0)
+        functions = map(starts[place].reduce, derivatives(row, field, size + 1, product))
+        found = leading(functions, lambda _, reduced: any(reduced)) if tables.exact else None
+        orders.append(0 if found is None else found.order)
     return Setting(rotation, places, tuple(embedding), tuple(orders), True)
 
 

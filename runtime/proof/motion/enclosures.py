@@ -13,6 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.events.leading_derivative import (
+    Leading,
+    Undecided,
+    derivatives,
+    leading,
+)
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
@@ -23,24 +29,7 @@ from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, evaluate, prod
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["EnclosedSystem", "Undecided", "enclosed_system"]
-
-
-class Undecided(Exception):
-    """The balls are too wide to tell.
-
-    Attributes
-    ----------
-    reason : str
-    at : arb or None
-        When in the phase; None at its start.
-    digits : bool
-        More digits may help.
-    """
-
-    def __init__(self, reason: str, at: arb | None = None, *, digits: bool = True) -> None:
-        super().__init__(reason)
-        self.reason, self.at, self.digits = reason, at, digits
+__all__ = ["EnclosedSystem", "enclosed_system"]
 
 
 class _Rationals:
@@ -91,28 +80,27 @@ class EnclosedSystem:
         return evaluate(reduced, state) if any(reduced[:-1]) else reduced[-1]
 
     def leading(
-        self, row: Row, configuration: int, facts: Facts, state: Sequence[arb], order: int = 0
-    ) -> tuple[int, int]:
-        """Order and sign of the first nonzero derivative of a row along a field.
-
-        Orders below `order` are passed over; sign 0 if all derivatives are zero.
+        self, row: Row, configuration: int, facts: Facts, state: Sequence[arb]
+    ) -> Leading[Row] | None:
+        """Find the first derivative of a row along a field that is not zero; None for none.
 
         Raises
         ------
         Undecided
             If a ball contains zero.
         """
+
+        def sign(order: int, derivative: Row) -> int:
+            value = self.value(derivative, facts, state)
+            if value > 0 or value < 0:
+                return 1 if value > 0 else -1
+            certain = value == 0  # of balls, neither this nor its contrary need hold
+            if not certain:
+                raise Undecided(f"its derivative of order {order} is {_shown(value)}")
+            return 0
+
         field = self.exact.fields[configuration]
-        for k in range(len(row) + 1):
-            if k >= order:
-                value = self.value(row, facts, state)
-                if value > 0 or value < 0:
-                    return k, 1 if value > 0 else -1
-                certain = value == 0  # of balls, neither this nor its contrary need hold
-                if not certain:
-                    raise Undecided(f"its derivative of order {k} is {_shown(value)}")
-            row = product(row, field)
-        return 0, 0
+        return leading(derivatives(row, field, len(row), product), sign)
 
 
 def _shown(ball: arb) -> str:

@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.motion.asymptotics import stays_negative
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, Undecided
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Facts, product
 
 if TYPE_CHECKING:
@@ -197,15 +198,17 @@ def first_crossing(
     crossed, orders = [], {}
     for b, boundary in enumerate(structure.boundaries[configuration]):
         try:
-            order, sign = system.leading(exact.rows[boundary.row], configuration, facts, state)
+            begins = system.leading(exact.rows[boundary.row], configuration, facts, state)
         except Undecided as unknown:
             raise Undecided(
                 f"whether {boundary.name} is passed at the start of the phase: {unknown.reason}"
             ) from None
-        if sign > 0:
+        if begins is None:
+            continue
+        if begins.sign > 0:
             crossed.append(b)
-        elif sign < 0:
-            orders[b] = order
+        else:
+            orders[b] = begins.order
     if crossed:
         return Crossing(arb(0), tuple(crossed), list(state))
     together: dict[Any, list[int]] = {}

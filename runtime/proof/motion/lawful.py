@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.contacts.law import Event
 from nonsmooth.runtime.model.contacts.stages import Combination, requirements
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, Undecided
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row
 
 if TYPE_CHECKING:
@@ -28,13 +29,14 @@ _ERROR = 2.0**-40  # of the guess
 
 def lawful(
     system: EnclosedSystem, source: int, event: Event, facts: Facts, state: Sequence[arb]
-) -> tuple[int, int] | None:
-    """Target and reset behind an event of coupled contacts; None where that is not proved."""
+) -> int | None:
+    """Target behind an event of coupled contacts; None where that is not proved."""
     law, exact = system.structure.law, system.exact
     assert law is not None
     known = np.array([*(float(x.mid()) for x in state), 1.0])
     arrays = (_floats(exact.fields)[:, :-1], _floats(exact.rows), _floats(exact.resets)[:, :-1])
-    guess = Decider(system.structure, *arrays).outcome(source, event, known, abs(known), _ERROR)
+    decider = Decider(system.structure, *arrays)
+    guess = decider.outcome(event, decider.located(source, known, _ERROR))
     if len(guess.targets) != 1:
         return None
     (target,), (path,) = guess.targets, guess.paths
@@ -43,14 +45,16 @@ def lawful(
             wanted = requirements(law, event, stage, lambda row: exact.rows[row][-1])
             for function, positive, _ in wanted:
                 row = _row(function, exact.rows)
-                order, sign = system.leading(row, target, facts, state)
-                if (sign > 0) != positive or (stage is not path[-1] and (order or not sign)):
+                found = system.leading(row, target, facts, state)
+                if (found is not None and found.sign > 0) != positive:
+                    return None
+                if stage is not path[-1] and (found is None or found.order):
                     return None
         except (Undecided, ZeroDivisionError):
             return None
     reset, size = law.reset(event, target), len(known)
     unit = [[int(i == j) for j in range(size)] for i in range(size)]
-    return (target, reset) if facts.agree(exact.resets[reset], unit) else None
+    return target if facts.agree(exact.resets[reset], unit) else None
 
 
 def _floats(numbers: Any) -> np.ndarray:

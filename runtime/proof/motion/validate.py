@@ -8,17 +8,17 @@ precision that is allowed, the proof says when and why and stops.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.events.transition_choice import choose
+from nonsmooth.runtime.model.contacts.law import Event
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.structure import Structure, TransitionShape
-from nonsmooth.runtime.proof.motion.enclosures import (
-    EnclosedSystem,
-    Undecided,
-    enclosed_system,
-)
+from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Facts, evaluate
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
 from nonsmooth.runtime.proof.motion.lawful import lawful
@@ -27,7 +27,7 @@ from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactl
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Enclosure", "Proof", "validate"]
+__all__ = ["BallJudge", "Enclosure", "Proof", "validate"]
 
 _FEWEST_BITS = 64
 _MOST_IMMEDIATE = 64  # transitions without any time between them
@@ -159,15 +159,16 @@ class _Motion:
             self.quiet = True
             return
         dwell, reached, state = found
-        rows = {structure.boundaries[here][b].row for b in reached}
         if dwell.is_zero():
             time, facts = self.time, self.facts
         else:
             time = self.time + dwell
-            facts = Facts.of([*lasting.rows, *(exact.rows[row] for row in rows)])
+            rows = [exact.rows[structure.boundaries[here][b].row] for b in reached]
+            facts = Facts.of([*lasting.rows, *rows])
             state = facts.tighten(state)
+        judge = BallJudge(system, here, facts, state)
         try:
-            target, reset = self._next(reached, rows, facts, state)
+            target, reset = self._next(reached, judge)
         except Undecided as trouble:
             raise Undecided(trouble.reason, dwell, digits=trouble.digits) from None
         matrix = exact.resets[reset]
@@ -179,68 +180,22 @@ class _Motion:
         self.times.append(time)
         self.states.append(self.state)
 
-    def _next(
-        self, reached: tuple[int, ...], rows: set[int], facts: Facts, state: Sequence[arb]
-    ) -> tuple[int, int]:
+    def _next(self, reached: tuple[int, ...], judge: BallJudge) -> tuple[int, int]:
         """Target and reset of what follows a set, in whatever order its stops act."""
-        structure, exact = self.system.structure, self.system.exact
-        orders = structure.orders(self.configuration, frozenset(reached))
-        found = [self._first(reached, rows, facts, state, order) for order in orders or (0,)]
-        first = found[0]
-        if any(found):
-            if not all(
-                first is not None
-                and other is not None
-                and other.target == first.target
-                and facts.agree(exact.resets[other.reset], exact.resets[first.reset])
-                for other in found
-            ):
-                both = self._names(reached, " and ")
-                raise Undecided(f"the orders in which {both} act need not agree", digits=False)
-            assert first is not None
-            return first.target, first.reset
-        names = [structure.boundaries[self.configuration][b].name for b in reached]
-        law = structure.law
-        event = None if law is None else law.event(self.configuration, names)
-        if event is None:
-            raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
-        told = lawful(self.system, self.configuration, event, facts, state)
-        if told is None:
-            raise Undecided(f"what the contact law says at {self._names(reached)}")
-        return told
-
-    def _first(
-        self,
-        reached: tuple[int, ...],
-        rows: set[int],
-        facts: Facts,
-        state: Sequence[arb],
-        order: int,
-    ) -> TransitionShape | None:
-        """The first transition declared for a set whose conditions hold, in one order of stops."""
         structure = self.system.structure
-        for transition in structure.transitions[self.configuration]:
-            if transition.boundaries != frozenset(reached) or transition.order not in (0, order):
-                continue
-            unknown: Undecided | None = None
-            for row, along, holds in transition.conditions:
-                try:
-                    _, sign = self.system.leading(
-                        self.system.exact.rows[row], along, facts, state, int(row in rows)
-                    )
-                except Undecided as trouble:
-                    unknown = unknown or trouble
-                    continue
-                if (sign > 0) != holds:
-                    break
-            else:
-                if unknown is None:
-                    return transition
-                target = structure.configurations[transition.target]
-                raise Undecided(
-                    f"at {self._names(reached)}, whether {target} follows: {unknown.reason}"
-                )
-        return None
+        choice = choose(structure, self.configuration, frozenset(reached), judge)
+        transition = choice.transition
+        if choice.verdict == "undeclared":
+            raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
+        if choice.verdict == "ambiguous":
+            both = self._names(reached, " and ")
+            raise Undecided(f"the orders in which {both} act need not agree", digits=False)
+        if transition is None:
+            raise Undecided(f"what the contact law says at {self._names(reached)}")
+        if choice.verdict == "undecided":
+            target = structure.configurations[transition.target]
+            raise Undecided(f"at {self._names(reached)}, whether {target} follows: {choice.open}")
+        return transition.target, transition.reset
 
     def _names(self, reached: tuple[int, ...], between: str = " with ") -> str:
         found = self.system.structure.boundaries[self.configuration]
@@ -279,6 +234,44 @@ class _Motion:
             instant,
             bits,
         )
+
+
+@dataclass(frozen=True)
+class BallJudge:
+    """Judge in balls, with what is exactly known of the state.
+
+    Attributes
+    ----------
+    system : EnclosedSystem
+    source : int
+        The configuration in which boundaries are reached.
+    facts : Facts
+        Of the state: a boundary that was reached is zero.
+    state : sequence of arb
+    """
+
+    system: EnclosedSystem
+    source: int
+    facts: Facts
+    state: Sequence[arb]
+
+    def sign(self, row: int, along: int) -> int:
+        """Sign of the leading derivative of a row along a configuration's field, 0 for none."""
+        exact = self.system.exact
+        found = self.system.leading(exact.rows[row], along, self.facts, self.state)
+        return 0 if found is None else found.sign
+
+    def agree(self, resets: Sequence[int]) -> bool:
+        """Whether resets lead to one state by what is exactly known."""
+        first, *others = (self.system.exact.resets[reset] for reset in resets)
+        return all(self.facts.agree(other, first) for other in others)
+
+    def targets(self, event: Event) -> tuple[int, ...]:
+        """The configuration that is proved to follow by the contact law."""
+        target = lawful(self.system, self.source, event, self.facts, self.state)
+        if target is None:
+            raise Undecided("what the contact law says")
+        return (target,)
 
 
 def _start(structure: Structure, state: Mapping[str, object] | Sequence[object]) -> list[Any]:

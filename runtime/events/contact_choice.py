@@ -14,33 +14,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.events.leading_derivative import Located, dot
 from nonsmooth.runtime.model.contacts.law import HOLDING, Event, Law, Regimes
 from nonsmooth.runtime.model.contacts.stages import Path, Stage, requirements
+from nonsmooth.runtime.model.quasi_polynomials import UNIT
 
-__all__ = ["Chooser", "Located", "Outcome", "signs_along"]
+__all__ = ["Chooser", "Outcome"]
 
-_UNIT = 16 * np.finfo(float).eps
 _SWEEPS = 200  # of the iteration that guesses what holds
-
-
-class Located(NamedTuple):
-    """A state at an event, extended by 1, and how well it is known.
-
-    Attributes
-    ----------
-    state : array (N + 1,)
-    sizes : array (N + 1,)
-        Sums of absolute values behind each coordinate.
-    moved : array (N + 1,)
-        Its change within the error of the time.
-    error : float
-        Of the time.
-    """
-
-    state: np.ndarray
-    sizes: np.ndarray
-    moved: np.ndarray
-    error: float
 
 
 class Outcome(NamedTuple):
@@ -141,7 +122,7 @@ class Chooser:
         if signs is None:
             return None
         values = signs.rows @ at.state
-        errors = _UNIT * (signs.bounds @ at.sizes) + abs(signs.rows @ at.moved)
+        errors = at.unit * (signs.bounds @ at.sizes) + abs(signs.rows @ at.moved)
         zero = abs(values) <= errors
         if ((values > 0) != signs.positive)[~zero].any():
             return None
@@ -178,7 +159,7 @@ class Chooser:
             signs = self._signs(event, stage)
             if signs is None:
                 return False
-            found = signs_along(signs.rows, signs.bounds, self.fields[target], at)
+            found = at.signs(signs.rows, signs.bounds, self.fields[target])
             if ((found > 0) != signs.positive).any():
                 return False
         return True
@@ -199,7 +180,7 @@ class Chooser:
             for i, (contact, regime) in enumerate(zip(law.contacts, regimes, strict=True))
         ]
         box = {i: _box(law, i, i in reached, values) for i in resting}
-        moves = {i: values[law.free[event.others][i]] + _dot(matrix[i], forces) for i in resting}
+        moves = {i: values[law.free[event.others][i]] + dot(matrix[i], forces) for i in resting}
         for _ in range(_SWEEPS):
             largest = change = 0.0
             for i in resting:
@@ -210,7 +191,7 @@ class Chooser:
                 for j in resting:
                     moves[j] += matrix[j][i] * step
                 change, largest = max(change, abs(step)), max(largest, abs(force))
-            if change <= _UNIT * largest:
+            if change <= UNIT * largest:
                 break
         for i in resting:
             low, high = box[i]
@@ -222,27 +203,6 @@ class Chooser:
         return tuple(regimes)
 
 
-def signs_along(rows: np.ndarray, bounds: np.ndarray, along: np.ndarray, at: Located) -> np.ndarray:
-    """Signs (k,) of the first derivatives along a field that are not zero within their errors.
-
-    Parameters
-    ----------
-    rows, bounds : arrays (k, N + 1)
-        Affine functions, and the sums of absolute values behind their entries.
-    along : array (N, N + 1)
-    at : Located
-    """
-    matrix = np.vstack([along, np.zeros(len(at.state))])
-    found = np.zeros(len(rows), dtype=int)
-    for _ in range(len(at.state)):
-        following, values = rows @ matrix, rows @ at.state
-        drift = np.maximum(at.error * abs(following @ at.state), abs(rows @ at.moved))
-        decided = abs(values) > _UNIT * (bounds @ at.sizes) + drift
-        found = np.where((found == 0) & decided, np.sign(values).astype(int), found)
-        rows, bounds = following, bounds @ abs(matrix)
-    return found
-
-
 def _box(law: Law, index: int, kinetic: bool, values: Sequence[float]) -> tuple[float, float]:
     """Least and largest force of a contact at rest; a stop pushes against its direction."""
     contact = law.contacts[index]
@@ -250,7 +210,3 @@ def _box(law: Law, index: int, kinetic: bool, values: Sequence[float]) -> tuple[
         return -np.inf, 0.0
     limit = max(values[contact.kinetic if kinetic else contact.static], 0.0)
     return -limit, limit
-
-
-def _dot(row: Sequence[float], vector: Sequence[float]) -> float:
-    return sum(a * b for a, b in zip(row, vector, strict=True))

@@ -1,0 +1,387 @@
+"""One choice of transitions: floats, mpmath and balls agree, and so do mirror images."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from flint import arb, fmpq
+from mpmath import mp, mpf
+
+from nonsmooth.derive import RigidStop, System, oscillator
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.events.first_crossing import Start
+from nonsmooth.runtime.events.leading_derivative import (
+    Leading,
+    Located,
+    Undecided,
+    derivatives,
+    leading,
+    square,
+)
+from nonsmooth.runtime.events.phase_numbers import ConfigurationTable, orders
+from nonsmooth.runtime.events.transition_choice import Choice, Decider, choose, first_following
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.structure import Structure, TransitionShape
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, evaluate, product
+from nonsmooth.runtime.proof.motion.validate import BallJudge
+from tests.certified import struck
+from tests.simulation.test_contact_law import declared
+
+FRICTION = dict(chi="1/2", eta="1", V="1", us1="1", us2="3/4", ur1="3/2", ur2="5/4")
+STOP = dict(m1="1", m2="2", k1="1", k2="3/2", r="4/5")
+
+
+def rational(rng: np.random.Generator) -> Any:
+    return fmpq(int(rng.integers(-40, 41)), 16)
+
+
+def state_where(rng: np.random.Generator, zero: list[Row]) -> list[Any] | None:
+    """A random rational state at which rows vanish; None where there is none."""
+    facts = Facts.of(zero)
+    if not facts.consistent:
+        return None
+    state = [rational(rng) for _ in zero[0][:-1]]
+    state = [0 * x if k in facts.pivots else x for k, x in enumerate(state)]
+    for row, pivot in zip(facts.rows, facts.pivots, strict=True):
+        known = row[-1] + sum(x * y for x, y in zip(row, state, strict=False))
+        state[pivot] = -known
+    return state
+
+
+def whole(state: list[Any]) -> Facts:
+    size = len(state)
+    return Facts.of([[*(fmpq(int(i == j)) for j in range(size)), -x] for i, x in enumerate(state)])
+
+
+def floats(numbers: Any) -> np.ndarray:
+    exact = np.array(numbers, dtype=object)
+    return np.array([int(x.p) / int(x.q) for x in exact.flat]).reshape(exact.shape)
+
+
+def mpfs(numbers: Any) -> np.ndarray:
+    exact = np.array(numbers, dtype=object)
+    found = np.empty(exact.size, dtype=object)
+    found[:] = [mpf(int(x.p)) / int(x.q) for x in exact.flat]
+    return found.reshape(exact.shape)
+
+
+def exact_leading(row: Row, field: Any, state: list[Any]) -> Leading[Row] | None:
+    def sign(_: int, derivative: Row) -> int:
+        value = derivative[-1] + sum(x * y for x, y in zip(derivative, state, strict=False))
+        return int(value > 0) - int(value < 0)
+
+    return leading(derivatives(row, field, len(row), product), sign)
+
+
+def leading_in_balls(row: Row, field: Any, facts: Facts, state: list[Any]) -> Leading[Row] | None:
+    balls = [arb(x) + arb(0, 2.0**-30) for x in state]
+
+    def sign(_: int, reduced: Row) -> int:
+        value = evaluate(reduced, balls) if any(reduced[:-1]) else reduced[-1]
+        return int(bool(value > 0)) - int(bool(value < 0))
+
+    return leading(map(facts.reduce, derivatives(row, field, len(row), product)), sign)
+
+
+def told(found: Leading[Any] | None) -> tuple[int, int]:
+    return (-1, 0) if found is None else (found.order, found.sign)
+
+
+def test_the_leading_derivative_is_the_same_in_every_arithmetic() -> None:
+    rng, seen = np.random.default_rng(0), set()
+    for case in range(300):
+        size = int(rng.integers(2, 6))
+        entries = rng.integers(-3, 4, (size, size + 1)) * (rng.random((size, size + 1)) < 0.6)
+        field = [tuple(map(fmpq, row)) for row in [*entries.tolist(), [0] * (size + 1)]]
+        row = tuple(map(fmpq, rng.integers(-3, 4, size + 1).tolist()))
+        zero = list(derivatives(row, field, case % (size + 1), product))
+        state = state_where(rng, zero or [tuple(fmpq(0) for _ in row)])
+        if state is None:
+            continue
+        expected = exact_leading(row, field, state)
+        seen.add(told(expected))
+        for numbers, unit in ((floats, 2.0**-48), (mpfs, 16 * mp.eps)):
+            own, along, here = numbers(row), numbers(field[:-1]), numbers([*state, fmpq(1)])
+            located = Located(here, abs(here), 0 * here, 0.0, unit)
+            assert told(located.leading(*orders(own, along, size + 2))) == told(expected)
+            both = np.array([own, -own])
+            signs = located.signs(both, abs(both), along)
+            assert signs.tolist() == [told(expected)[1], -told(expected)[1]]
+
+        assert told(leading_in_balls(row, field, Facts.of(zero), state)) == told(expected)
+        # the terms of a field of doubles are those of its exact rows
+        rows = list(derivatives(floats(row), square(floats(field[:-1])), size + 1))
+        np.testing.assert_allclose(
+            rows, [floats(x) for x in derivatives(row, field, size + 1, product)]
+        )
+    assert {order for order, _ in seen} >= {-1, 0, 1, 2, 3}
+
+
+@cache
+def systems() -> dict[str, EnclosedSystem]:
+    return {
+        "dry-friction": enclosed_system("dry-friction", FRICTION)(128),
+        "rigid-stop": enclosed_system("rigid-stop", STOP)(128),
+        "one by one": enclosed_system(struck(), {"c": "0"})(128),
+        "coupled": enclosed_system(struck(), {"c": "1/4"})(128),
+        "moreau": enclosed_system(struck("moreau"), {"c": "1/4"})(128),
+    }
+
+
+def drawn_set(rng: np.random.Generator, structure: Structure) -> tuple[int, frozenset[int]]:
+    """A configuration and a set of its boundaries for which something is listed."""
+    source = int(rng.choice([c for c, t in enumerate(structure.transitions) if t]))
+    found = structure.transitions[source]
+    return source, found[int(rng.integers(len(found)))].boundaries
+
+
+def told_of(choice: Choice) -> tuple[Any, ...]:
+    transition = choice.transition
+    return choice.verdict, choice.options, transition and (transition.target, transition.reset)
+
+
+@pytest.mark.parametrize("name", ["dry-friction", "rigid-stop", "one by one", "coupled", "moreau"])
+def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
+    system = systems()[name]
+    structure, exact = system.structure, system.exact
+    cut = ([f[:-1] for f in exact.fields], exact.rows, [r[:-1] for r in exact.resets])
+    deciders = [
+        Decider(structure, *map(floats, cut)),
+        Decider(structure, *map(mpfs, cut), 16 * mp.eps),
+    ]
+    rng, seen = np.random.default_rng(1), set()
+    for case in range(150):
+        source, boundaries = drawn_set(rng, structure)
+        rows = frozenset(structure.boundaries[source][b].row for b in boundaries)
+        zero = [exact.rows[row] for row in rows]
+        for _ in range(case % 4):  # and some derivative of some row besides
+            row, along = exact.rows[int(rng.integers(len(exact.rows)))], rng.integers(len(cut[0]))
+            zero += [*derivatives(row, exact.fields[int(along)], int(rng.integers(1, 3)), product)]
+        state = state_where(rng, zero)
+        if state is None:
+            continue
+        found = []
+        for decider, numbers in zip(deciders, (floats, mpfs), strict=True):
+            at = decider.located(source, numbers([*state, fmpq(1)]), 0.0)
+            found.append(decider.choice(source, boundaries, at, rows))
+        with flint_precision(128):
+            balls = [arb(x) for x in state]
+            judge = BallJudge(system, source, whole(state), balls)
+            found.append(choose(structure, source, boundaries, judge))
+            wide = [x + arb(0, 2.0**-40) for x in balls]
+            doubtful = BallJudge(system, source, Facts.of(zero[: len(rows)]), wide)
+            less = choose(structure, source, boundaries, doubtful)
+        assert len({told_of(choice) for choice in found}) == 1
+        seen.add(found[0].verdict)
+        if less.verdict == "chosen":  # exact agreement of resets may need what is left out
+            assert told_of(less) == told_of(found[0])
+        seen.add(less.verdict)
+    assert seen >= {"chosen", "ambiguous" if name == "coupled" else "chosen"}
+
+
+def test_starts_of_boundary_functions_have_the_exact_signs() -> None:
+    system, point = systems()["dry-friction"], piecewise("dry-friction", FRICTION)
+    rng = np.random.default_rng(2)
+    tables = [ConfigurationTable(point, c) for c in range(len(point.structure.configurations))]
+    seen = set()
+    for case in range(200):
+        c = int(rng.integers(len(tables)))
+        boundary = tables[c].boundaries[int(rng.integers(len(tables[c].boundaries)))]
+        row, field = system.exact.rows[boundary.row], system.exact.fields[c]
+        zero = list(derivatives(row, field, 1 + case % 3, product))
+        state = state_where(rng, zero)
+        if state is None:
+            continue
+        extended = [*floats(state).tolist(), 1.0]
+        function = tables[c].function(boundary, extended, [abs(x) for x in extended])
+        expected = told(exact_leading(row, field, state))
+        assert Start.of(function).sign == expected[1]
+        with flint_precision(128):
+            found = system.leading(row, c, Facts.of(zero), [arb(x) for x in state])
+        assert told(found) == expected
+        seen.add(expected)
+    assert len(seen) > 4
+
+
+def law_choices(
+    system: System, sign: int, cases: list[tuple[list[float], str, str]]
+) -> list[Choice]:
+    point = piecewise(system, {"sign": sign})
+    structure = point.structure
+    decider = Decider(structure, point.fields, point.rows, point.resets)
+    found = []
+    for state, source, boundary in cases:
+        place = structure.configuration(source)
+        reached = frozenset({structure.boundary(place, boundary)})
+        at = decider.located(place, np.array([*state, 1.0]), 0.0)
+        found.append(decider.choice(place, reached, at))
+    return found
+
+
+def test_balls_say_of_a_law_what_floats_say() -> None:
+    exact_system = enclosed_system(declared(5, 2, [0, 1]), {"sign": "1"})(128)
+    structure, exact = exact_system.structure, exact_system.exact
+    law = structure.law
+    assert law is not None
+    cut = ([f[:-1] for f in exact.fields], exact.rows, [r[:-1] for r in exact.resets])
+    decider = Decider(structure, *map(floats, cut))
+    source = structure.configuration("stick-stick")
+    boundaries = [b for b, s in enumerate(structure.boundaries[source]) if s.name in law.limits]
+    rng, decided = np.random.default_rng(3), set()
+    for _ in range(60):
+        reached = boundaries[int(rng.integers(len(boundaries)))]
+        row = structure.boundaries[source][reached].row
+        state = state_where(rng, [exact.rows[row], *(exact.rows[c.relative] for c in law.contacts)])
+        if state is None:
+            continue
+        at = decider.located(source, floats([*state, fmpq(1)]), 0.0)
+        found = decider.choice(source, frozenset({reached}), at, frozenset({row}))
+        with flint_precision(128):
+            balls = [arb(x) for x in state]
+            judge = BallJudge(exact_system, source, whole(state), balls)
+            proved = choose(structure, source, frozenset({reached}), judge)
+        assert proved.verdict in ("chosen", "undecided")
+        if proved.verdict == "chosen":
+            assert told_of(proved) == told_of(found)
+            decided.add(told_of(proved))
+    assert len(decided) > 2
+
+
+def mirrored(name: str) -> str:
+    swaps = {"slip": "overshoot", "overshoot": "slip", "forward": "backward", "backward": "forward"}
+    return "-".join(swaps.get(part, part) for part in name.split("-"))
+
+
+@pytest.mark.parametrize(("seed", "count"), [(2, 2), (4, 3)])
+def test_the_law_says_the_same_of_mirrored_and_reordered_declarations(
+    seed: int, count: int
+) -> None:
+    order = list(range(count))
+    plain, other = (declared(seed, count, o) for o in (order, order[::-1]))
+    point: PiecewiseLinear = piecewise(plain, {"sign": 1})
+    law = point.structure.law
+    assert law is not None
+    directions = np.array([point.rows[c.relative][count : 2 * count] for c in law.contacts])
+    at_rest = np.linalg.solve(directions, [-point.rows[c.relative][-1] for c in law.contacts])
+    rng = np.random.default_rng(seed)
+    stuck = "-".join(["stick"] * count)
+    shapes = point.structure.boundaries[point.structure.configuration(stuck)]
+    boundaries = [b.name for b in shapes if b.name in law.limits]
+    cases, images = [], []
+    for _ in range(40):
+        state = np.array([*rng.normal(size=count) * 0.6, *at_rest])
+        boundary = boundaries[int(rng.integers(len(boundaries)))]
+        cases.append(([*state, 1.0, 0.0], stuck, boundary))
+        images.append(([*-state, 1.0, 0.0], stuck, mirrored(boundary)))
+    names = {}
+    for key, system, sign, given in (
+        ("plain", plain, 1, cases), ("order", other, 1, cases), ("mirror", plain, -1, images),
+    ):  # fmt: skip
+        configurations = piecewise(system, {"sign": sign}).structure.configurations
+        names[key] = [
+            (c.verdict, c.transition and configurations[c.transition.target])
+            for c in law_choices(system, sign, given)
+        ]
+    assert [(v, n and "-".join(n.split("-")[::-1])) for v, n in names["order"]] == names["plain"]
+    assert [(v, n and mirrored(n)) for v, n in names["mirror"]] == names["plain"]
+    assert len(set(names["plain"])) > 3
+
+
+def hit(reverse: bool, sign: int, at: list[float]) -> tuple[str, list[float]]:
+    """Verdict and state behind two coupled stops that are struck together."""
+    low = sign < 0
+    pair = [
+        RigidStop("x1", sign, "1/2", side="lower" if low else "upper", name="a"),
+        RigidStop("x2", sign, "1/2", side="lower" if low else "upper", name="b"),
+    ]
+    system = oscillator(
+        "hit", ["x1", "x2"], sp.Matrix([[1, "1/4"], ["1/4", 2]]), sp.eye(2),
+        elements=pair[::-1] if reverse else pair,
+    )  # fmt: skip
+    point = piecewise(system, {})
+    structure = point.structure
+    decider = Decider(structure, point.fields, point.rows, point.resets)
+    source = structure.configuration("free-free")
+    known = np.array([sign * x for x in at] + [1.0])
+    found = decider.choice(source, frozenset({0, 1}), decider.located(source, known, 0.0))
+    if found.transition is None:
+        return found.verdict, []
+    return found.verdict, (sign * (point.resets[found.transition.reset] @ known)).tolist()
+
+
+@pytest.mark.parametrize("state", [[1.0, 1.0, 1.0, 2.0], [1.0, 1.0, 0.0, 1.0]])
+def test_stops_struck_together_have_no_order_and_no_side(state: list[float]) -> None:
+    expected, behind = hit(False, 1, state)
+    for reverse in (False, True):
+        for sign in (1, -1):
+            verdict, after = hit(reverse, sign, state)
+            assert verdict == expected
+            np.testing.assert_allclose(after, behind, atol=1e-14)
+
+
+def altered(*transitions: TransitionShape) -> tuple[Decider, frozenset[int], np.ndarray]:
+    """Dry friction with other transitions, at a state where both masses reach the belt."""
+    point = piecewise("dry-friction", FRICTION)
+    none: tuple[TransitionShape, ...] = ()
+    listed = (transitions, *(none for _ in point.structure.configurations[1:]))
+    structure = replace(point.structure, transitions=listed)
+    known = np.array([0.5, 0.25, 1.0, 1.0, 1.0])
+    return Decider(structure, point.fields, point.rows, point.resets), frozenset({0, 1}), known
+
+
+def test_an_order_in_which_nothing_follows_leaves_it_open() -> None:
+    both = frozenset({0, 1})
+    never = ((0, 0, True), (0, 0, False))
+    for conditions, verdict in (((), "chosen"), (never, "ambiguous")):
+        decider, reached, known = altered(
+            TransitionShape(both, (), 0, 3, 1), TransitionShape(both, conditions, 0, 3, 2)
+        )
+        found = decider.choice(0, reached, decider.located(0, known, 0.0))
+        assert found.verdict == verdict
+    assert found.options == (3,)
+    alone = decider.choice(0, frozenset({0}), decider.located(0, known, 0.0))
+    assert alone.verdict == "undeclared"
+
+
+def test_a_row_that_is_known_to_be_zero_is_judged_by_its_rate() -> None:
+    row = piecewise("dry-friction", FRICTION).structure.boundaries[0][0].row
+    both = frozenset({0, 1})
+    decider, reached, known = altered(
+        TransitionShape(both, ((row, 0, True),), 0, 3), TransitionShape(both, (), 0, 4)
+    )
+    for sign in (1, -1):  # beyond the boundary by more than roundings, or before it
+        off = known + np.array([0, 0, sign * 1e-9, 0, 0])
+        at = decider.located(0, off, 0.0)
+        told = [decider.choice(0, reached, at, zero) for zero in (frozenset({row}), frozenset())]
+        targets = [choice.transition.target for choice in told if choice.transition]
+        assert targets == [4 if rate(decider, row, known) < 0 else 3, 3 if sign > 0 else 4]
+
+
+def rate(decider: Decider, row: int, known: np.ndarray) -> float:
+    return float(decider.rows[row] @ square(decider.fields[0]) @ known)
+
+
+class Given:
+    def __init__(self, *conditions: tuple[float, bool]) -> None:
+        self.conditions = conditions
+
+
+def test_what_is_open_matters_only_where_nothing_refutes_it() -> None:
+    def sign(value: float) -> int:
+        if np.isnan(value):
+            raise Undecided("open")
+        return int(np.sign(value))
+
+    nan, holds = float("nan"), Given((0.5, True), (0.0, False))
+    refuted, doubtful = Given((nan, True), (1.0, False)), Given((1.0, True), (nan, False))
+    assert first_following([refuted, holds, doubtful], sign) == (holds, None)
+    found, trouble = first_following([refuted, doubtful, holds], sign)
+    assert found is doubtful
+    assert trouble is not None
+    assert first_following([refuted], sign) == (None, None)
