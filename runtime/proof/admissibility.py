@@ -67,7 +67,7 @@ def judge(plans: Sequence[Plan], chain: Chain, now: Passage, dwell: Sequence[Any
     chain : Chain
     now : Passage
         Over the enclosures.
-    dwell : sequence of arb or Model
+    dwell : sequence of arb or TaylorModel
     """
     margins: list[Margin] = []
     undecided = ""

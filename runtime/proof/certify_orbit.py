@@ -21,9 +21,9 @@ from nonsmooth.runtime.proof.certificate import (
 )
 from nonsmooth.runtime.proof.closure import Closing
 from nonsmooth.runtime.proof.cycle_equations import chain_of
-from nonsmooth.runtime.proof.enclosure import Missing, Root, locate
+from nonsmooth.runtime.proof.enclosure import IsolatedOrbit, Missing, locate
 from nonsmooth.runtime.proof.exact_tables import Tables, exact_tables
-from nonsmooth.runtime.proof.invariants import Known, known_of
+from nonsmooth.runtime.proof.invariants import CycleInvariants, invariants_of
 from nonsmooth.runtime.proof.motion.exact_rows import Row
 from nonsmooth.runtime.proof.multipliers import (
     CORNER,
@@ -107,7 +107,7 @@ def certify(
         try:
             closing = closing_of(subject, tables, [float(x) for x in subject.start])
             shifts = closing.translations
-            known = known_of(tables, subject.cycle, shifts) if tables.exact else None
+            invariants = invariants_of(tables, subject.cycle, shifts) if tables.exact else None
             begin("existence")
             root = locate(subject, closing, bits)
         except (NotCovered, ZeroDivisionError) as reason:
@@ -116,15 +116,15 @@ def certify(
         except Missing as missing:
             return _certificate(subject, tables, closing, bits, missing)
         begin("stability")
-        stability = stability_of(subject, tables, closing, known, root)
+        stability = stability_of(subject, tables, closing, invariants, root)
         begin("admissibility")
-        if known is not None and any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
+        if invariants is not None and any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
             start = root.passage.starts[0].entries()[:-1]
             dwell = root.equations.dwell(root.contraction.image)
             zero = vanishing_along(tables, subject.cycle, shifts, start, dwell)
             closing = replace(closing, vanishing=zero)
-            known = known_of(tables, subject.cycle, shifts, zero)
-        judgement = _admissible(subject, tables, shifts, known, root, work)
+            invariants = invariants_of(tables, subject.cycle, shifts, zero)
+        judgement = _admissible(subject, tables, shifts, invariants, root, work)
         return _certificate(subject, tables, closing, bits, root, stability, judgement)
 
 
@@ -139,14 +139,18 @@ class Stability(NamedTuple):
 
 
 def stability_of(
-    subject: Subject, tables: Tables, closing: Closing, known: Known | None, root: Root
+    subject: Subject,
+    tables: Tables,
+    closing: Closing,
+    invariants: CycleInvariants | None,
+    root: IsolatedOrbit,
 ) -> Stability:
     """Trace, multipliers and the verdict, over the enclosure of the orbit."""
     claim = closing.stability
     maps = root.equations.maps(root.passage)
     if not all(x.is_finite() for matrix in maps for x in matrix.entries()):
         return Stability(claim, "undecided", "a boundary may be reached tangentially", None, ())
-    square = reduced_map(maps, known, closing, tables.number)
+    square = reduced_map(maps, invariants, closing, tables.number)
     trace = trace_of(square) + len(closing.translations)
     if closing.form is not None:
         inside, pairs = neutral_pairs(product_of(maps), trace)
@@ -171,16 +175,16 @@ def _admissible(
     subject: Subject,
     tables: Tables,
     translations: Sequence[Row],
-    known: Known | None,
-    root: Root,
+    invariants: CycleInvariants | None,
+    root: IsolatedOrbit,
     work: int,
 ) -> Judgement:
     """Judge the orbit, with few bits first: that it is as sharp as it is does not matter here."""
-    if known is None:
+    if invariants is None:
         reason = "the declaration takes a root or a sine: what is exactly zero is not known"
         return Judgement("undecided", reason, ())
     dwell = root.equations.dwell(root.contraction.image)
-    plans = plan_of(tables, subject.cycle, known)
+    plans = plan_of(tables, subject.cycle, invariants)
     found: Judgement | None = None
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
@@ -197,7 +201,7 @@ def _certificate(
     tables: Tables,
     closing: Closing,
     bits: int,
-    root: Root | Missing,
+    root: IsolatedOrbit | Missing,
     stability: Stability | None = None,
     judgement: Judgement | None = None,
 ) -> Certificate:
@@ -257,7 +261,9 @@ def _statement(
     return declared, closing_json(closing, cycle, declared["parameters"], variables, PERIOD)
 
 
-def _enclosures(subject: Subject, root: Root, trace: arb | None, bits: int) -> dict[str, Stated]:
+def _enclosures(
+    subject: Subject, root: IsolatedOrbit, trace: arb | None, bits: int
+) -> dict[str, Stated]:
     from flint import arb
 
     dwell = root.equations.dwell(root.contraction.image)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from nonsmooth.runtime.core.taylor_models import Model, matrix, middle_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of
 from nonsmooth.runtime.proof.closure import Closing, projected
 from nonsmooth.runtime.proof.exact_tables import Number, Tables, numbers
 from nonsmooth.runtime.proof.motion.exact_rows import Row
@@ -57,7 +57,7 @@ class Flows:
     def __call__(self, place: int, time: Any) -> Any:
         """Flow of a phase; over a box of times the wide factor has a small exponent."""
         rest = time - self.centres[place]
-        if not isinstance(rest, Model) and rest.is_zero():
+        if not isinstance(rest, TaylorModel) and rest.is_zero():
             return self.near[place]
         return (self.fields[place] * rest).exp() * self.near[place]
 
@@ -90,9 +90,9 @@ class Equations:
     ----------
     chain : Chain
     closing : Closing
-    period : arb, Model or None
+    period : arb, TaylorModel or None
         What the dwell times sum up to, where the closing says so.
-    speeds : sequence of arb or Model
+    speeds : sequence of arb or TaylorModel
         Of the closing's forcings, in the chain's numbers.
     directions : sequence of matrices (N + 1, 1)
         Those of the closing's translations.
@@ -216,7 +216,7 @@ def equations_in(chain: Chain, closing: Closing, number: Number, period: Any) ->
     closing : Closing
     number : function
         From the closing's exact entries to the chain's numbers.
-    period : arb, Model or None
+    period : arb, TaylorModel or None
         What the dwell times sum up to, where it is given.
     """
     from flint import arb

@@ -23,14 +23,14 @@ from nonsmooth.runtime.proof.statement import decimals, rational
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Missing", "Root", "equations_of", "locate", "unknown_names"]
+__all__ = ["IsolatedOrbit", "Missing", "equations_of", "locate", "unknown_names"]
 
 _NEAR = 1e-5  # how far from the given numbers an orbit is still theirs, in units of the states
 _ROUGH = 53  # bits that do for what nothing depends on
 _SHARES = (0.5, 0.7, 0.85)  # of the bits: radii of the boxes that are tried
 
 
-class Root(NamedTuple):
+class IsolatedOrbit(NamedTuple):
     """The orbit in its box, at the working precision."""
 
     equations: Equations
@@ -56,7 +56,7 @@ def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
     )
 
 
-def locate(subject: Subject, closing: Closing, bits: int) -> Root:
+def locate(subject: Subject, closing: Closing, bits: int) -> IsolatedOrbit:
     """Find the orbit and prove that it is the only one in a box, at the working precision.
 
     Parameters
@@ -102,7 +102,7 @@ def locate(subject: Subject, closing: Closing, bits: int) -> Root:
     passage = equations.passage(found.image, found.flows)
     if closing.form is not None:
         _check_dropped(closing, subject, tables, passage)
-    return Root(equations, found, passage, box)
+    return IsolatedOrbit(equations, found, passage, box)
 
 
 def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:

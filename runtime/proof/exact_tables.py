@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.arithmetic import Balls
-from nonsmooth.runtime.core.rational_functions import Quotient, symbols
+from nonsmooth.runtime.core.rational_functions import RationalFunction, symbols
 from nonsmooth.runtime.core.taylor_models import matrix
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
@@ -61,7 +61,7 @@ class Tables:
         """A ball around an entry, at the working precision."""
         from flint import arb, ctx
 
-        if isinstance(entry, Quotient):
+        if isinstance(entry, RationalFunction):
             return entry([value.ball(ctx.prec) for value in self.constants])
         return arb(entry)
 
@@ -114,13 +114,13 @@ def _symbolic(
     return replace(tables_over(kernels, point), constants=constants)
 
 
-def constant_symbols(names: Sequence[str], constants: Sequence[Value]) -> list[Quotient]:
+def constant_symbols(names: Sequence[str], constants: Sequence[Value]) -> list[RationalFunction]:
     """Parameters that vary, and irrational ones that do not."""
     own = [f"constant{k}" for k in range(len(constants))]
     return symbols([*names, *own], [value.ball(_SHARP) for value in constants])
 
 
-def tables_over(kernels: SystemKernels, values: Sequence[fmpq | Quotient]) -> Tables:
+def tables_over(kernels: SystemKernels, values: Sequence[fmpq | RationalFunction]) -> Tables:
     """Tables of a system where some of its parameters stand for all their values.
 
     Raises

@@ -24,7 +24,7 @@ class Contraction(NamedTuple):
 
     Attributes
     ----------
-    box, image : list of arb or Model
+    box, image : list of arb or TaylorModel
         The image contains every root of the box.
     unique : bool
         The image lies inside: the box contains exactly one root, and that is regular.
@@ -89,7 +89,7 @@ class Krawczyk:
     Parameters
     ----------
     equations : Equations
-    centre : sequence of arb or Model
+    centre : sequence of arb or TaylorModel
         Balls around the exact numbers that they stand for, or polynomials of parameters:
         then all is shown for each of their values, with boxes around those of the polynomials.
     """

@@ -9,7 +9,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.rational_functions import Quotient
+from nonsmooth.runtime.core.rational_functions import RationalFunction
 from nonsmooth.runtime.core.taylor_models import middle_of
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.piecewise import system_parameters
@@ -21,7 +21,7 @@ from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.closure import Closing
 from nonsmooth.runtime.proof.exact_tables import Tables, rational_of, tables_over
-from nonsmooth.runtime.proof.invariants import Known, known_of
+from nonsmooth.runtime.proof.invariants import CycleInvariants, invariants_of
 from nonsmooth.runtime.proof.orbit_cycle import (
     NotCovered,
     Subject,
@@ -63,8 +63,8 @@ class Region:
         Irrational parameters; they follow the box's in the rational functions.
     tables : Tables
     closing : Closing
-        Its period is a fmpq or a Quotient.
-    known : Known
+        Its period is a fmpq or a RationalFunction.
+    invariants : CycleInvariants
     plans : tuple of Plan
     at : tuple of Fraction
         The subject's point.
@@ -78,7 +78,7 @@ class Region:
     constants: tuple[Value, ...]
     tables: Tables
     closing: Closing
-    known: Known
+    invariants: CycleInvariants
     plans: tuple[Plan, ...]
     at: tuple[Fraction, ...]
     guess: Sequence[arb]
@@ -93,10 +93,10 @@ class Region:
         from flint import arb, ctx
 
         point = [*values, *(value.ball(ctx.prec) for value in self.constants)]
-        found: dict[Quotient, Any] = {}
+        found: dict[RationalFunction, Any] = {}
 
         def number(entry: Any) -> Any:
-            if not isinstance(entry, Quotient):
+            if not isinstance(entry, RationalFunction):
                 return arb(entry)
             if entry not in found:
                 found[entry] = entry(point)
@@ -237,10 +237,10 @@ def _region(orbit: Orbit | ComposedOrbit, subject: Subject, box: Mapping[str, In
     constants, entries = entries_over(box, numbers)
     period = entries.pop(PERIOD, None)
     tables = tables_over(subject.kernels, list(entries.values()))
-    known = known_of(tables, subject.cycle, translations_in(subject, tables))
+    invariants = invariants_of(tables, subject.cycle, translations_in(subject, tables))
     region = Region(
-        subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
-        plan_of(tables, subject.cycle, known), tuple(at), (),
+        subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), invariants,
+        plan_of(tables, subject.cycle, invariants), tuple(at), (),
     )  # fmt: skip
     near = region.near(at)
     closing = closing_of(subject, tables, [float(x) for x in subject.start], near)

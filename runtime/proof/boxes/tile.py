@@ -12,8 +12,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import (
-    Model,
     Space,
+    TaylorModel,
     matrix,
     middle_of,
     range_of,
@@ -74,12 +74,12 @@ class Tube:
     place : Place
     box : tuple of (Fraction, Fraction)
         Of all tiles.
-    unknowns : sequence of Model
+    unknowns : sequence of TaylorModel
     """
 
     place: Place
     box: tuple[Interval, ...]
-    unknowns: Sequence[Model]
+    unknowns: Sequence[TaylorModel]
 
     def at(self, point: Sequence[Fraction]) -> list[arb]:
         """Balls around the unknowns at a point of the tile."""
@@ -160,7 +160,7 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
     if closing.form is not None and not conserved(region, number, now):
         return _undecided("the energy does not give the coordinate that is left out")
     maps = equations.maps(now)
-    square = reduced_map(maps, region.known, closing, number)
+    square = reduced_map(maps, region.invariants, closing, number)
     total = trace_of(square)
     trace = range_of(total)
     inside: bool | None = None
@@ -212,7 +212,7 @@ def _undecided(reason: str) -> Proof:
     return Proof("undecided", "undecided", "undecided", {"existence": reason}, {}, None)
 
 
-def _variables(region: Region, place: Place, space: Space) -> list[Model]:
+def _variables(region: Region, place: Place, space: Space) -> list[TaylorModel]:
     """The parameters on a tile."""
     from flint import arb
 
@@ -232,9 +232,9 @@ def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[
     for order in (1, space.order):  # each step doubles the order that is right, and more
         rough = space_of(space.variables, order)
 
-        def cut(number: Any, rough: Space = rough) -> Model:
+        def cut(number: Any, rough: Space = rough) -> TaylorModel:
             middle = number.mid()
-            return middle.cast(rough) if isinstance(number, Model) else rough.constant(middle)
+            return middle.cast(rough) if isinstance(number, TaylorModel) else rough.constant(middle)
 
         centre = list(map(cut, found))
         missed = Krawczyk(_mapped(equations, cut), centre).missed

@@ -123,7 +123,7 @@ def _map(here: _Here) -> Any:
     if region.cycle.one_sided:
         raise NotCovered(CORNER)
     maps = here.equations.maps(here.now)
-    found = reduced_map(maps, region.known, region.closing, here.number)
+    found = reduced_map(maps, region.invariants, region.closing, here.number)
     if found.nrows() > _LARGEST_MAP:
         raise NotCovered(f"more than {_LARGEST_MAP} multipliers")
     return found

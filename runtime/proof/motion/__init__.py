@@ -1,7 +1,7 @@
 """Simulation in ball arithmetic: the sequence of configurations, proved.
 
 ================  ============================================================
-`facts`           what is known exactly of a state
+`invariants`           what is known exactly of a state
 `flow`            the flow of an affine field in balls: exponentials and expansions
 `enclosures`      a system: exact rows, fields and resets, and its flows
 `asymptotics`     whether an affine function stays negative for ever

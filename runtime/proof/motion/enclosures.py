@@ -1,6 +1,6 @@
 """A system at one parameter point, for proofs: exact rows, fields and resets, flows in balls.
 
-A state is known in two ways at once: by balls around its coordinates, and by `Facts`, affine
+A state is known in two ways at once: by balls around its coordinates, and by `Invariants`, affine
 functions of it that are zero exactly.
 """
 
@@ -18,7 +18,7 @@ from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import system_parameters
 from nonsmooth.runtime.model.structure import Structure, structure_of
 from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, evaluate, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, evaluate, product
 
 if TYPE_CHECKING:
     from flint import arb
@@ -85,13 +85,18 @@ class EnclosedSystem:
     exact: _Exact
     flows: tuple[AffineFlow, ...]
 
-    def value(self, row: Row, facts: Facts, state: Sequence[arb]) -> Any:
-        """An affine function of a state: exact if the facts give it, else a ball."""
-        reduced = facts.reduce(row)
+    def value(self, row: Row, invariants: Invariants, state: Sequence[arb]) -> Any:
+        """An affine function of a state: exact if the invariants give it, else a ball."""
+        reduced = invariants.reduce(row)
         return evaluate(reduced, state) if any(reduced[:-1]) else reduced[-1]
 
     def leading(
-        self, row: Row, configuration: int, facts: Facts, state: Sequence[arb], order: int = 0
+        self,
+        row: Row,
+        configuration: int,
+        invariants: Invariants,
+        state: Sequence[arb],
+        order: int = 0,
     ) -> tuple[int, int]:
         """Order and sign of the first nonzero derivative of a row along a field.
 
@@ -105,7 +110,7 @@ class EnclosedSystem:
         field = self.exact.fields[configuration]
         for k in range(len(row) + 1):
             if k >= order:
-                value = self.value(row, facts, state)
+                value = self.value(row, invariants, state)
                 if value > 0 or value < 0:
                     return k, 1 if value > 0 else -1
                 certain = value == 0  # of balls, neither this nor its contrary need hold

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.proof.motion.asymptotics import stays_negative
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, Undecided
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
 
 if TYPE_CHECKING:
     from flint import arb
@@ -168,8 +168,8 @@ class _Search:
 def first_crossing(
     system: EnclosedSystem,
     configuration: int,
-    facts: Facts,
-    lasting: Facts,
+    invariants: Invariants,
+    lasting: Invariants,
     state: Sequence[arb],
 ) -> Crossing | None:
     """When a phase ends, and which boundaries are reached then; None if it never does.
@@ -180,7 +180,7 @@ def first_crossing(
     ----------
     system : EnclosedSystem
     configuration : int
-    facts, lasting : Facts
+    invariants, lasting : Invariants
         Of the start, and those that stay true along the phase.
     state : sequence of arb
         The start.
@@ -197,7 +197,7 @@ def first_crossing(
     crossed, orders = [], {}
     for b, boundary in enumerate(structure.boundaries[configuration]):
         try:
-            order, sign = system.leading(exact.rows[boundary.row], configuration, facts, state)
+            order, sign = system.leading(exact.rows[boundary.row], configuration, invariants, state)
         except Undecided as unknown:
             raise Undecided(
                 f"whether {boundary.name} is passed at the start of the phase: {unknown.reason}"

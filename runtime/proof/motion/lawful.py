@@ -16,7 +16,7 @@ from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.contacts.law import Event
 from nonsmooth.runtime.model.contacts.stages import Combination, requirements
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, Undecided
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 
 if TYPE_CHECKING:
     from flint import arb
@@ -27,7 +27,7 @@ _ERROR = 2.0**-40  # of the guess
 
 
 def lawful(
-    system: EnclosedSystem, source: int, event: Event, facts: Facts, state: Sequence[arb]
+    system: EnclosedSystem, source: int, event: Event, invariants: Invariants, state: Sequence[arb]
 ) -> tuple[int, int] | None:
     """Target and reset behind an event of coupled contacts; None where that is not proved."""
     law, exact = system.structure.law, system.exact
@@ -43,14 +43,14 @@ def lawful(
             wanted = requirements(law, event, stage, lambda row: exact.rows[row][-1])
             for function, positive, _ in wanted:
                 row = _row(function, exact.rows)
-                order, sign = system.leading(row, target, facts, state)
+                order, sign = system.leading(row, target, invariants, state)
                 if (sign > 0) != positive or (stage is not path[-1] and (order or not sign)):
                     return None
         except (Undecided, ZeroDivisionError):
             return None
     reset, size = law.reset(event, target), len(known)
     unit = [[int(i == j) for j in range(size)] for i in range(size)]
-    return (target, reset) if facts.agree(exact.resets[reset], unit) else None
+    return (target, reset) if invariants.agree(exact.resets[reset], unit) else None
 
 
 def _floats(numbers: Any) -> np.ndarray:

@@ -19,7 +19,7 @@ from nonsmooth.runtime.proof.motion.enclosures import (
     Undecided,
     enclosed_system,
 )
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, evaluate
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, evaluate
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
 from nonsmooth.runtime.proof.motion.lawful import lawful
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactly
@@ -106,7 +106,7 @@ class _Motion:
 
         self.system, self.configuration = system, configuration
         size = len(start)
-        self.facts = Facts.of(
+        self.invariants = Invariants.of(
             [[*(fmpq(int(i == j)) for j in range(size)), -x] for i, x in enumerate(start)]
         )
         self.state = [arb(x) for x in start]
@@ -123,10 +123,10 @@ class _Motion:
         structure, exact = self.system.structure, self.system.exact
         name = structure.configurations[self.configuration]
         for boundary in structure.boundaries[self.configuration]:
-            if self.system.value(exact.rows[boundary.row], self.facts, self.state) > 0:
+            if self.system.value(exact.rows[boundary.row], self.invariants, self.state) > 0:
                 raise InputError(f"the state is not in {name}: it is beyond {boundary.name}")
         for row in _held(self.system, self.configuration).rows:
-            if any(self.facts.reduce(row)):
+            if any(self.invariants.reduce(row)):
                 raise InputError(f"the state is not in {name}, where {_equation(structure, row)}")
 
     def run(self, transitions: int) -> None:
@@ -148,26 +148,26 @@ class _Motion:
     def _transition(self) -> None:
         system, here = self.system, self.configuration
         exact, structure = system.exact, system.structure
-        lasting = self.facts.lasting(exact.fields[here])
-        found = first_crossing(system, here, self.facts, lasting, self.state)
+        lasting = self.invariants.lasting(exact.fields[here])
+        found = first_crossing(system, here, self.invariants, lasting, self.state)
         if found is None:
             self.quiet = True
             return
         dwell, reached, state = found
         rows = {structure.boundaries[here][b].row for b in reached}
         if dwell.is_zero():
-            time, facts = self.time, self.facts
+            time, invariants = self.time, self.invariants
         else:
             time = self.time + dwell
-            facts = Facts.of([*lasting.rows, *(exact.rows[row] for row in rows)])
-            state = facts.tighten(state)
+            invariants = Invariants.of([*lasting.rows, *(exact.rows[row] for row in rows)])
+            state = invariants.tighten(state)
         try:
-            target, reset = self._next(reached, rows, facts, state)
+            target, reset = self._next(reached, rows, invariants, state)
         except Undecided as trouble:
             raise Undecided(trouble.reason, dwell, digits=trouble.digits) from None
         matrix = exact.resets[reset]
-        self.facts = facts.reset(matrix)
-        self.state = self.facts.tighten([evaluate(row, state) for row in matrix[:-1]])
+        self.invariants = invariants.reset(matrix)
+        self.state = self.invariants.tighten([evaluate(row, state) for row in matrix[:-1]])
         self.time, self.configuration = time, target
         self.configurations.append(target)
         self.sets.append(reached)
@@ -175,19 +175,19 @@ class _Motion:
         self.states.append(self.state)
 
     def _next(
-        self, reached: tuple[int, ...], rows: set[int], facts: Facts, state: Sequence[arb]
+        self, reached: tuple[int, ...], rows: set[int], invariants: Invariants, state: Sequence[arb]
     ) -> tuple[int, int]:
         """Target and reset of what follows a set, in whatever order its stops act."""
         structure, exact = self.system.structure, self.system.exact
         orders = structure.orders(self.configuration, frozenset(reached))
-        found = [self._first(reached, rows, facts, state, order) for order in orders or (0,)]
+        found = [self._first(reached, rows, invariants, state, order) for order in orders or (0,)]
         first = found[0]
         if any(found):
             if not all(
                 first is not None
                 and other is not None
                 and other.target == first.target
-                and facts.agree(exact.resets[other.reset], exact.resets[first.reset])
+                and invariants.agree(exact.resets[other.reset], exact.resets[first.reset])
                 for other in found
             ):
                 both = self._names(reached, " and ")
@@ -199,7 +199,7 @@ class _Motion:
         event = None if law is None else law.event(self.configuration, names)
         if event is None:
             raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
-        told = lawful(self.system, self.configuration, event, facts, state)
+        told = lawful(self.system, self.configuration, event, invariants, state)
         if told is None:
             raise Undecided(f"what the contact law says at {self._names(reached)}")
         return told
@@ -208,7 +208,7 @@ class _Motion:
         self,
         reached: tuple[int, ...],
         rows: set[int],
-        facts: Facts,
+        invariants: Invariants,
         state: Sequence[arb],
         order: int,
     ) -> TransitionShape | None:
@@ -221,7 +221,7 @@ class _Motion:
             for row, along, holds in transition.conditions:
                 try:
                     _, sign = self.system.leading(
-                        self.system.exact.rows[row], along, facts, state, int(row in rows)
+                        self.system.exact.rows[row], along, invariants, state, int(row in rows)
                     )
                 except Undecided as trouble:
                     unknown = unknown or trouble
@@ -292,12 +292,12 @@ def _start(structure: Structure, state: Mapping[str, object] | Sequence[object])
     return [exactly(x, name) for name, x in zip(names, state, strict=True)]
 
 
-def _held(system: EnclosedSystem, configuration: int) -> Facts:
+def _held(system: EnclosedSystem, configuration: int) -> Invariants:
     """What is true in a configuration whatever the motion: what resets into it set for good.
 
     Nothing, if they contradict each other.
     """
-    exact, none = system.exact, Facts((), ())
+    exact, none = system.exact, Invariants((), ())
     resets = {
         transition.reset
         for found in system.structure.transitions
@@ -305,8 +305,8 @@ def _held(system: EnclosedSystem, configuration: int) -> Facts:
         if transition.target == configuration
     }
     rows = [row for reset in resets for row in none.reset(exact.resets[reset]).rows]
-    facts = Facts.of(rows)
-    return facts.lasting(exact.fields[configuration]) if facts.consistent else none
+    invariants = Invariants.of(rows)
+    return invariants.lasting(exact.fields[configuration]) if invariants.consistent else none
 
 
 def _equation(structure: Structure, row: Sequence[Any]) -> str:
