@@ -30,13 +30,9 @@ class Chain(NamedTuple):
 
 
 def chain_of(
-    tables: Tables,
-    cycle: Cycle,
-    number: Number | None = None,
-    translations: Sequence[Row] = (),
+    tables: Tables, cycle: Cycle, number: Number, translations: Sequence[Row] = ()
 ) -> Chain:
     """The chain of a cycle that closes up to translations, at the working precision."""
-    number = number or tables.number
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)
     return Chain(

@@ -90,13 +90,14 @@ def _returned(
     """What becomes of functions over one period, by their values; None where not they alone do."""
     from flint import arb, arb_mat
 
+    number = tables.number_at()
     first, count = invariants, len(invariants.rows)
     images = [[arb(int(i == j)) for j in range(count)] for i in range(count)]
 
     def combined(factors: Sequence[Sequence[Any]]) -> list[list[Any]]:
         return [
             [
-                sum((tables.number(x) * image[k] for x, image in zip(row, images, strict=True)),
+                sum((number(x) * image[k] for x, image in zip(row, images, strict=True)),
                     arb(0))
                 for k in range(count)
             ]
@@ -111,7 +112,7 @@ def _returned(
         images = combined([_factors(row, invariants) for row in lasting.rows])
         if lasting.rows:
             rates = [_factors(product(row, field), lasting) for row in lasting.rows]
-            flow = (arb_mat([list(map(tables.number, row)) for row in rates]) * dwell[place]).exp()
+            flow = (arb_mat([list(map(number, row)) for row in rates]) * dwell[place]).exp()
             images = (flow * arb_mat(images)).tolist()
         invariants = Invariants.of([*lasting.rows, leaves]).reset(reset)
         images = combined(

@@ -407,7 +407,7 @@ def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(line: int, tmp_
 
     def trace(frame: Any, event: str, argument: Any) -> Any:
         nonlocal lines
-        if not frame.f_code.co_filename.endswith("boxes/certify.py"):
+        if not frame.f_code.co_filename.endswith("boxes/certify_box.py"):
             return None
         lines += event == "line"
         if event == "line" and lines > line and "look" in _callers(frame):

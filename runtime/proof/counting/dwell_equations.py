@@ -154,7 +154,7 @@ class DwellProblem:
 
         self.domain, self.setting, self.given = tuple(domain), setting, given
         self.largest, self.last = largest, last
-        self.chain: Chain = chain_of(tables, cycle.rotated(setting.rotation))
+        self.chain: Chain = chain_of(tables, cycle.rotated(setting.rotation), tables.number_at())
         self.embedding = arb_mat([[arb(x) for x in row] for row in setting.embedding])
         self.speeds = [arb(speed) for speed in given.speeds]
         self.first = int(bool(given.pairs))
