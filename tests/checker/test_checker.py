@@ -424,13 +424,13 @@ def test_pairs_on_the_unit_circle_are_told_from_others(
         assert _neutral(wide, size) == verdict
 
 
-CERTIFICATION = files("nonsmooth.runtime.proof")
-ARITHMETIC = {"models", "quotients"}  # with tests of their own
+RUNTIME = files("nonsmooth.runtime")
+ARITHMETIC = {"taylor_models", "rational_functions"}  # with tests of their own
 
 
 def sources() -> dict[str, str]:
     """The checker's files."""
-    folder = CERTIFICATION.joinpath("checker").iterdir()
+    folder = RUNTIME.joinpath("checker").iterdir()
     return {file.name: file.read_text() for file in folder if file.name.endswith(".py")}
 
 
@@ -443,11 +443,9 @@ def test_the_checker_imports_nothing_of_the_prover() -> None:
             elif isinstance(node, ast.ImportFrom):
                 modules.add(str(node.module))
     own = {name for name in modules if name.startswith("nonsmooth.")}
-    home = "nonsmooth.runtime.proof."
-    allowed = {home + name for name in ARITHMETIC}
-    assert {name for name in own if not name.startswith(home + "checker.")} <= allowed | {
-        home + "checker"
-    }
+    home = "nonsmooth.runtime."
+    allowed = {f"{home}core.{name}" for name in ARITHMETIC}
+    assert {name for name in own if not f"{name}.".startswith(f"{home}checker.")} == allowed
     assert {name.partition(".")[0] for name in modules - own} - sys.stdlib_module_names == {"flint"}
 
 
@@ -455,13 +453,14 @@ def test_the_checker_imports_nothing_of_the_prover() -> None:
 def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The checker and its arithmetic, with nothing else of the package."""
     root = tmp_path_factory.mktemp("alone")
-    home = root / "nonsmooth" / "runtime" / "certification"
+    home = root / "nonsmooth" / "runtime"
     (home / "checker").mkdir(parents=True)
-    for folder in (home, *home.parents[:2]):
+    (home / "core").mkdir()
+    for folder in (home.parent, home, home / "core"):
         (folder / "__init__.py").touch()
     for name in ARITHMETIC:
-        file = f"{name}.py"
-        (home / file).write_text(CERTIFICATION.joinpath(file).read_text())
+        file = f"core/{name}.py"
+        (home / file).write_text(RUNTIME.joinpath(file).read_text())
     for file, source in sources().items():
         (home / "checker" / file).write_text(source)
     return root
