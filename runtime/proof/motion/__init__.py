@@ -1,7 +1,7 @@
 """Simulation in ball arithmetic: the sequence of configurations, proved.
 
 ================  ============================================================
-`invariants`           what is known exactly of a state
+`facts`           what is known exactly of a state
 `flow`            the flow of an affine field in balls: exponentials and expansions
 `enclosures`      a system: exact rows, fields and resets, and its flows
 `asymptotics`     whether an affine function stays negative for ever

@@ -127,20 +127,16 @@ class _Search:
         """Decide one window; the time and the state of the crossing if it is in it."""
         from flint import arb
 
-        function, (middle, radius) = self.function, self._window()
-        curve = function.at(2, arb(middle, radius))
-        rate = function.at(1, middle)
-        slope = rate + curve * arb(0, radius)
-        if not slope < 0:
-            half = radius * radius / 4
-            whole = function.at(0, middle) + rate * arb(0, radius)
-            if not whole + curve * arb(half, half) < 0:
-                last = function.at(0, self._place(2)) if slope > 0 else None
-                if last is not None and last > 0:
-                    return self._newton(arb(middle, radius), slope)
-                if last is None or not last < 0:
-                    self._halve("is reached tangentially, or comes closer than the digits tell")
-                    return None
+        places = arb(*self._window())
+        window = self.function.over(places)
+        slope = window.rates
+        if not (slope < 0 or window.values < 0):
+            last = self.function.at(0, self._place(2)) if slope > 0 else None
+            if last is not None and last > 0:
+                return self._newton(places, slope)
+            if last is None or not last < 0:
+                self._halve("is reached tangentially, or comes closer than the digits tell")
+                return None
         self._pass()
         return None
 
