@@ -35,6 +35,7 @@ _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measure
 _LOWEST = 2
 _CLOSE = 50  # bits of the orbit in the middle of a tile
 _TRIES = 4  # sizes of Krawczyk's box
+_SEEN = 30  # bits to which the check, whose tube is wider, tells the ends of an enclosure
 _ALIKE = 30  # bits to which numbers of one orbit agree, at least
 
 
@@ -157,7 +158,7 @@ def _wider(number: Any) -> arb:
     from flint import arb
 
     ball = range_of(number)
-    found: arb = ball + arb(0, number.rad() + (1 + abs(ball)) * arb(2) ** (16 - BITS))
+    found: arb = ball + arb(0, number.rad() + (1 + abs(ball)) * arb(2) ** -_SEEN)
     return found
 
 
