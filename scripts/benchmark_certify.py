@@ -14,14 +14,14 @@ from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.checking.check_file import check_certificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.certify_box import certify_box
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_at
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.certify_orbit import certify
 from nonsmooth.runtime.proof.counting.certify_all import certify_all
 from nonsmooth.runtime.proof.enclosure import locate
 from nonsmooth.runtime.proof.events.certify_event import certify_event
-from nonsmooth.runtime.proof.exact_tables import tables_of
 from nonsmooth.runtime.proof.multipliers import product_of, trace_of
-from nonsmooth.runtime.proof.orbit_cycle import closing_of, subject_of
+from nonsmooth.runtime.proof.orbit_cycle import subject_of
 
 __all__ = ["boxed", "certified", "counted"]
 
@@ -37,11 +37,8 @@ def certified(quick: bool) -> Iterator[Row]:
     runs = 7 if quick else 21
 
     def existence() -> object:
-        subject = subject_of(orbit)
         with flint_precision(BITS + GUARD):
-            tables = tables_of(subject.kernels, tuple(subject.values.values()), BITS + GUARD)
-            closing = closing_of(subject, tables, [float(x) for x in subject.start])
-            root = locate(subject, closing, BITS)
+            root = locate(region_at(subject_of(orbit), BITS + GUARD), BITS)
             return trace_of(product_of(root.equations.section_maps(root.passage)))
 
     many = round(DIGITS * 3.3219) + 8

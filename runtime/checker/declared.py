@@ -24,7 +24,7 @@ from nonsmooth.runtime.checker.exact import (
     product,
     reduced,
 )
-from nonsmooth.runtime.core.rational_functions import Quotient
+from nonsmooth.runtime.core.rational_functions import RationalFunction
 
 __all__ = ["Declared", "Phase", "Step", "Transition", "Watched", "Way", "gauge_of"]
 
@@ -107,7 +107,7 @@ class Declared:
     Parameters
     ----------
     content : dict
-    values : mapping of str to fmpq or Quotient
+    values : mapping of str to fmpq or RationalFunction
         Of all parameters that the file names: the declaration's entries are functions of them.
         Where it takes roots its entries are numbers, and bound to no names.
     """
@@ -226,7 +226,7 @@ class Declared:
     def number(self, entry: Any) -> Any:
         """A fraction, a ball, or a rational function."""
         found = number_of(entry, self.variables)
-        if isinstance(found, Quotient) and not found.below.is_one():
+        if isinstance(found, RationalFunction) and not found.below.is_one():
             self.poles.append(found)
         return found
 

@@ -23,7 +23,7 @@ from nonsmooth.runtime.checker.exact import (
     inside,
 )
 from nonsmooth.runtime.checker.orbit import Orbit
-from nonsmooth.runtime.checker.parameters import numbers_at, values_of
+from nonsmooth.runtime.checker.parameters import number_at, values_of
 from nonsmooth.runtime.checker.shape import EVENTS, check_bits, check_shape
 from nonsmooth.runtime.checker.stability import (
     characteristic,
@@ -75,7 +75,7 @@ def _check(event: dict[str, Any]) -> None:
         space = space_of(len(box), 1)
         sides = zip(middles, radii, strict=True)
         unknowns = [space.variable(k, m, r) for k, (m, r) in enumerate(sides)]
-        orbit = Orbit(declared, numbers_at([unknowns[place], *constants]))
+        orbit = Orbit(declared, number_at([unknowns[place], *constants]))
         demand(orbit.count == place, "the box is of another size")
         values = orbit.along(unknowns[:place])
         orbit.returns(energies)

@@ -12,7 +12,7 @@ from typing import Any
 
 from flint import arb, fmpq, fmpz
 
-from nonsmooth.runtime.core.rational_functions import Quotient
+from nonsmooth.runtime.core.rational_functions import RationalFunction
 
 __all__ = [
     "NUMBER",
@@ -116,7 +116,7 @@ def _polynomial(terms: list[Any], variables: Sequence[Any]) -> Any:
 
 def is_integer(number: Any) -> bool:
     """Whether a fraction or a function is one and the same integer."""
-    if isinstance(number, Quotient):
+    if isinstance(number, RationalFunction):
         if not (number.above.is_constant() and number.below.is_one()):
             return False
         number = number.above.leading_coefficient()

@@ -1,7 +1,7 @@
 """An orbit of a declared system: that there is one, its enclosures, its Poincare map.
 
 Everything is for one parameter point, in balls, or for all parameters of a tile at once, in
-Taylor models of them: numbers and matrices are arb and arb_mat, or Model.
+Taylor models of them: numbers and matrices are arb and arb_mat, or TaylorModel.
 
 Existence is one root of the equations in a box, by Krawczyk's theorem.
 """
@@ -14,7 +14,7 @@ from flint import arb, arb_mat
 
 from nonsmooth.runtime.checker.declared import Declared, gauge_of
 from nonsmooth.runtime.checker.exact import Failure, demand
-from nonsmooth.runtime.core.taylor_models import Model, matrix, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
 __all__ = ["Chain", "Cut", "Orbit", "Passage", "lower", "trace_of"]
 
@@ -244,12 +244,12 @@ class Orbit:
 
 def lower(number: Any) -> Any:
     """The same in a lower order: what is beyond it is in the radius of the constant term."""
-    if not isinstance(number, Model) or number.space.order <= _LOW:
+    if not isinstance(number, TaylorModel) or number.space.order <= _LOW:
         return number
     space, parts = space_of(number.space.variables, _LOW), number.parts
     count = len(space.exponents)
-    rest = Model(number.space, (parts[0], *(None,) * (count - 1), *parts[count:]))
-    return Model(space, (rest.range(), *parts[1:count]))
+    rest = TaylorModel(number.space, (parts[0], *(None,) * (count - 1), *parts[count:]))
+    return TaylorModel(space, (rest.range(), *parts[1:count]))
 
 
 def _exponentials(chain: Chain, times: Sequence[Any]) -> list[Any]:

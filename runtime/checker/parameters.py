@@ -12,7 +12,7 @@ from nonsmooth.runtime.checker.declared import Declared
 from nonsmooth.runtime.checker.exact import NUMBER, Failure, demand, exact
 from nonsmooth.runtime.core.rational_functions import symbols
 
-__all__ = ["independent", "number_in", "numbers_at", "values_of"]
+__all__ = ["independent", "number_at", "number_in", "values_of"]
 
 _OPERATORS = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
@@ -93,7 +93,7 @@ def values_of(
     return values, [*constants.values()]
 
 
-def numbers_at(values: Sequence[Any]) -> Callable[[Any], Any]:
+def number_at(values: Sequence[Any]) -> Callable[[Any], Any]:
     """Exact entries in numbers, at values of what they are functions of."""
     found: dict[Any, Any] = {}
 

@@ -15,7 +15,7 @@ from nonsmooth.runtime.checker.exact import (
 )
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import Orbit
-from nonsmooth.runtime.checker.parameters import independent, numbers_at, values_of
+from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape
 from nonsmooth.runtime.checker.stability import has_multipliers, stability
 
@@ -47,7 +47,7 @@ def check(content: dict[str, Any]) -> None:
         demand(content["stability"] == declared.stability, "stability of another kind")
         energies = declared.closes()
         independent(declared, constants)
-        orbit, box = Orbit(declared, numbers_at(constants)), content["box"]
+        orbit, box = Orbit(declared, number_at(constants)), content["box"]
         named = [side["name"] for side in box] == declared.unknowns
         demand(named, "the box is not that of the unknowns")
         centre, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))

@@ -20,10 +20,10 @@ from nonsmooth.runtime.checker.exact import (
 )
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import Orbit
-from nonsmooth.runtime.checker.parameters import independent, numbers_at, values_of
+from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import MAP, check_shape
 from nonsmooth.runtime.checker.stability import stability
-from nonsmooth.runtime.core.taylor_models import Model, Space, middle_of, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
 __all__ = ["check_tiles"]
 
@@ -165,15 +165,15 @@ def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callabl
         space.variable(axis, arb((low + high) / 2), arb((high - low) / 2))
         for axis, (low, high) in enumerate(where)
     ]
-    return numbers_at([*values, *constants])
+    return number_at([*values, *constants])
 
 
 def _cut(space: Space) -> Callable[[Any], Any]:
-    return lambda x: x.mid().cast(space) if isinstance(x, Model) else x.mid()
+    return lambda x: x.mid().cast(space) if isinstance(x, TaylorModel) else x.mid()
 
 
 def _at(number: Any, point: Sequence[Any]) -> Any:
-    return number.at(point) if isinstance(number, Model) else number
+    return number.at(point) if isinstance(number, TaylorModel) else number
 
 
 def _interval(step: int, level: int, low: Any, high: Any) -> Interval:

@@ -123,7 +123,7 @@ class Floats(_Entire):
 
     @staticmethod
     def rational(numerator: int, denominator: int) -> float:
-        """Quotient of two integers."""
+        """RationalFunction of two integers."""
         return numerator / denominator
 
     @staticmethod
@@ -175,7 +175,7 @@ class Mpmath(_Entire):
         return angle if angle >= 0 else angle + 2 * self.mp.pi
 
     def rational(self, numerator: int, denominator: int) -> Any:
-        """Quotient of two integers."""
+        """RationalFunction of two integers."""
         return self.mp.mpf(numerator) / denominator
 
     def eigenvalue(self, index: int, matrix: _Matrix) -> Any:
@@ -232,7 +232,7 @@ class Balls(_Entire):
         return turned if sine < 0 else angle.union(turned)
 
     def rational(self, numerator: int, denominator: int) -> Any:
-        """Quotient of two integers."""
+        """RationalFunction of two integers."""
         return self.flint.arb(numerator) / denominator
 
     def eigenvalue(self, index: int, matrix: _Matrix) -> Any:

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-__all__ = ["Quotient", "symbols"]
+__all__ = ["RationalFunction", "symbols"]
 
 
-def symbols(names: Sequence[str], constants: Sequence[arb] = ()) -> list[Quotient]:
+def symbols(names: Sequence[str], constants: Sequence[arb] = ()) -> list[RationalFunction]:
     """The parameters as rational functions of themselves.
 
     Parameters
@@ -29,10 +29,10 @@ def symbols(names: Sequence[str], constants: Sequence[arb] = ()) -> list[Quotien
 
     context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
     one = context.constant(1)
-    return [Quotient(variable, one, tuple(constants)) for variable in context.gens()]
+    return [RationalFunction(variable, one, tuple(constants)) for variable in context.gens()]
 
 
-class Quotient:
+class RationalFunction:
     """A quotient of polynomials without common factor; the denominator's first coefficient is 1."""
 
     __slots__ = ("above", "below", "constants")
@@ -57,10 +57,10 @@ class Quotient:
         other = self._like(other)
         return bool(self.above * other.below == other.above * self.below)
 
-    def __neg__(self) -> Quotient:
-        return Quotient(-self.above, self.below, self.constants)
+    def __neg__(self) -> RationalFunction:
+        return RationalFunction(-self.above, self.below, self.constants)
 
-    def __add__(self, other: Any) -> Quotient:
+    def __add__(self, other: Any) -> RationalFunction:
         other = self._like(other)
         if self.below == other.below:
             return self._of(self.above + other.above, self.below)
@@ -69,31 +69,31 @@ class Quotient:
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Quotient:
+    def __sub__(self, other: Any) -> RationalFunction:
         return self + -self._like(other)
 
-    def __rsub__(self, other: Any) -> Quotient:
+    def __rsub__(self, other: Any) -> RationalFunction:
         return (-self).__add__(other)
 
-    def __mul__(self, other: Any) -> Quotient:
+    def __mul__(self, other: Any) -> RationalFunction:
         other = self._like(other)
         return self._of(self.above * other.above, self.below * other.below)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Quotient:
+    def __truediv__(self, other: Any) -> RationalFunction:
         other = self._like(other)
         if self.constants and not _somewhere(other.above, self.constants):
             raise ZeroDivisionError("a divisor may be zero at the irrational parameters")
         return self._of(self.above * other.below, self.below * other.above)
 
-    def __rtruediv__(self, other: Any) -> Quotient:
+    def __rtruediv__(self, other: Any) -> RationalFunction:
         return self._like(other).__truediv__(self)
 
-    def __pow__(self, exponent: int) -> Quotient:
+    def __pow__(self, exponent: int) -> RationalFunction:
         if exponent < 0:
             return self._like(1) / self**-exponent
-        return Quotient(self.above**exponent, self.below**exponent, self.constants)
+        return RationalFunction(self.above**exponent, self.below**exponent, self.constants)
 
     def __str__(self) -> str:
         return str(self.above) if self.below.is_one() else f"({self.above})/({self.below})"
@@ -103,22 +103,22 @@ class Quotient:
         above = _evaluated(self.above, values)
         return above if self.below.is_one() else above / _evaluated(self.below, values)
 
-    def _like(self, other: Any) -> Quotient:
-        if isinstance(other, Quotient):
+    def _like(self, other: Any) -> RationalFunction:
+        if isinstance(other, RationalFunction):
             return other
         from flint import fmpq
 
         context = self.context
-        return Quotient(context.constant(fmpq(other)), context.constant(1), self.constants)
+        return RationalFunction(context.constant(fmpq(other)), context.constant(1), self.constants)
 
-    def _of(self, above: fmpq_mpoly, below: fmpq_mpoly) -> Quotient:
+    def _of(self, above: fmpq_mpoly, below: fmpq_mpoly) -> RationalFunction:
         if below.is_zero():
             raise ZeroDivisionError("a denominator is zero for all values of the parameters")
         common = above.gcd(below)
         if not common.is_one():
             above, below = above / common, below / common
         leading = below.leading_coefficient()
-        return Quotient(above / leading, below / leading, self.constants)
+        return RationalFunction(above / leading, below / leading, self.constants)
 
 
 def _somewhere(polynomial: fmpq_mpoly, constants: Sequence[arb]) -> bool:

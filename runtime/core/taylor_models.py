@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = ["Model", "Space", "matrix", "middle_of", "range_of", "space_of"]
+__all__ = ["Space", "TaylorModel", "matrix", "middle_of", "range_of", "space_of"]
 
 _SMALL = 0.25  # norm to which an exponent is halved
 _LARGEST = 2.0**40  # norm of an exponent about whose exponential anything is said
@@ -46,16 +46,16 @@ class Space:
     products: tuple[tuple[tuple[int, int], ...], ...]
     even: tuple[bool, ...]
 
-    def constant(self, value: Any) -> Model:
+    def constant(self, value: Any) -> TaylorModel:
         """A number or matrix that does not depend on the variables."""
-        return Model(self, (value, *(None,) * (len(self.exponents) - 1)))
+        return TaylorModel(self, (value, *(None,) * (len(self.exponents) - 1)))
 
-    def variable(self, number: int, middle: arb, half: arb) -> Model:
+    def variable(self, number: int, middle: arb, half: arb) -> TaylorModel:
         """The number middle + half * variable."""
         parts: list[Any] = [middle, *(None,) * (len(self.exponents) - 1)]
         wanted = tuple(int(k == number) for k in range(self.variables))
         parts[self.exponents.index(wanted)] = half
-        return Model(self, tuple(parts))
+        return TaylorModel(self, tuple(parts))
 
 
 @cache
@@ -76,7 +76,7 @@ def space_of(variables: int, order: int) -> Space:
     return Space(variables, order, tuple(exponents), tuple(map(tuple, pairs)), even)
 
 
-class Model:
+class TaylorModel:
     """A number (arb) or a matrix (arb_mat) for all values of a space's variables.
 
     Mixes with numbers and matrices of balls. Comparisons hold for all values of the variables;
@@ -88,25 +88,27 @@ class Model:
     def __init__(self, space: Space, parts: tuple[Any, ...]) -> None:
         self.space, self.parts = space, parts
 
-    def __add__(self, other: Any) -> Model:
-        if not isinstance(other, Model):
-            return Model(self.space, (_sum(self.parts[0], other), *self.parts[1:]))
-        return Model(self.space, tuple(map(_sum, self.parts, other.parts)))
+    def __add__(self, other: Any) -> TaylorModel:
+        if not isinstance(other, TaylorModel):
+            return TaylorModel(self.space, (_sum(self.parts[0], other), *self.parts[1:]))
+        return TaylorModel(self.space, tuple(map(_sum, self.parts, other.parts)))
 
     __radd__ = __add__
 
-    def __neg__(self) -> Model:
-        return Model(self.space, tuple(None if p is None else -p for p in self.parts))
+    def __neg__(self) -> TaylorModel:
+        return TaylorModel(self.space, tuple(None if p is None else -p for p in self.parts))
 
-    def __sub__(self, other: Any) -> Model:
+    def __sub__(self, other: Any) -> TaylorModel:
         return self.__add__(-other)
 
-    def __rsub__(self, other: Any) -> Model:
+    def __rsub__(self, other: Any) -> TaylorModel:
         return (-self).__add__(other)
 
-    def __mul__(self, other: Any) -> Model:
-        if not isinstance(other, Model):
-            return Model(self.space, tuple(None if p is None else p * other for p in self.parts))
+    def __mul__(self, other: Any) -> TaylorModel:
+        if not isinstance(other, TaylorModel):
+            return TaylorModel(
+                self.space, tuple(None if p is None else p * other for p in self.parts)
+            )
         left, right = self.parts, other.parts
         found = []
         for pairs in self.space.products:
@@ -116,20 +118,20 @@ class Model:
                     total = _sum(total, left[i] * right[j])
             found.append(total)
         found[0] = _sum(found[0], _cut(self, other))
-        return Model(self.space, tuple(found))
+        return TaylorModel(self.space, tuple(found))
 
-    def __rmul__(self, other: Any) -> Model:
-        return Model(self.space, tuple(None if p is None else other * p for p in self.parts))
+    def __rmul__(self, other: Any) -> TaylorModel:
+        return TaylorModel(self.space, tuple(None if p is None else other * p for p in self.parts))
 
-    def __truediv__(self, other: Any) -> Model:
-        if isinstance(other, Model):
+    def __truediv__(self, other: Any) -> TaylorModel:
+        if isinstance(other, TaylorModel):
             return self * other.reciprocal()
-        return Model(self.space, tuple(None if p is None else p / other for p in self.parts))
+        return TaylorModel(self.space, tuple(None if p is None else p / other for p in self.parts))
 
-    def __rtruediv__(self, other: Any) -> Model:
+    def __rtruediv__(self, other: Any) -> TaylorModel:
         return self.reciprocal().__mul__(other)
 
-    def __pow__(self, exponent: int) -> Model:
+    def __pow__(self, exponent: int) -> TaylorModel:
         if exponent < 0:
             return self.reciprocal() ** -exponent
         power = self.space.constant(_one())
@@ -137,8 +139,8 @@ class Model:
             power = power * self
         return power
 
-    def __getitem__(self, place: tuple[int, int]) -> Model:
-        return Model(self.space, tuple(None if p is None else p[place] for p in self.parts))
+    def __getitem__(self, place: tuple[int, int]) -> TaylorModel:
+        return TaylorModel(self.space, tuple(None if p is None else p[place] for p in self.parts))
 
     def __abs__(self) -> Any:
         return abs(self.range())
@@ -157,26 +159,28 @@ class Model:
         """Columns of a matrix."""
         return int(self.parts[0].ncols())
 
-    def entries(self) -> list[Model]:
+    def entries(self) -> list[TaylorModel]:
         """Entries of a matrix, row by row."""
         return [self[i, j] for i in range(self.nrows()) for j in range(self.ncols())]
 
-    def transpose(self) -> Model:
+    def transpose(self) -> TaylorModel:
         """Of a matrix."""
-        return Model(self.space, tuple(None if p is None else p.transpose() for p in self.parts))
+        return TaylorModel(
+            self.space, tuple(None if p is None else p.transpose() for p in self.parts)
+        )
 
     def rad(self) -> Any:
         """Radius of a number's constant term: what is not known of the polynomial, as a rule."""
         return self.parts[0].rad()
 
-    def mid(self) -> Model:
+    def mid(self) -> TaylorModel:
         """The same polynomial with its middles as exact coefficients."""
-        return Model(self.space, tuple(None if p is None else p.mid() for p in self.parts))
+        return TaylorModel(self.space, tuple(None if p is None else p.mid() for p in self.parts))
 
-    def cast(self, space: Space) -> Model:
+    def cast(self, space: Space) -> TaylorModel:
         """The polynomial in a space of another order: what is cut off is forgotten."""
         count = len(space.exponents)
-        return Model(space, (*self.parts[:count], *(None,) * (count - len(self.parts))))
+        return TaylorModel(space, (*self.parts[:count], *(None,) * (count - len(self.parts))))
 
     def at(self, point: Sequence[Any]) -> Any:
         """The value where the variables have these values in [-1, 1]."""
@@ -200,7 +204,7 @@ class Model:
                 total = _sum(total, part * (square if even else either))
         return total
 
-    def reciprocal(self) -> Model:
+    def reciprocal(self) -> TaylorModel:
         """One over a number; balls without bounds where that may be zero."""
         guess = self.space.constant(1 / self.parts[0].mid())
         for _ in range(self.space.order.bit_length()):
@@ -209,7 +213,7 @@ class Model:
         # 1 / q = y / (1 - e) with e = 1 - q y, whatever y is
         return guess.__add__(guess * missed * (1 / (1 - range_of(missed))))
 
-    def inv(self) -> Model:
+    def inv(self) -> TaylorModel:
         """About the inverse of a matrix; nothing is proved of it.
 
         Raises
@@ -223,7 +227,7 @@ class Model:
             found = (found * (2 * unit - self * found)).mid()
         return found
 
-    def sin_cos(self) -> tuple[Model, Model]:
+    def sin_cos(self) -> tuple[TaylorModel, TaylorModel]:
         """Sine and cosine of a number."""
         turned = matrix([[0, -self], [self, 0]]).exp()
         return turned[1, 0], turned[0, 0]
@@ -264,22 +268,22 @@ class Model:
 
 def range_of(number: Any) -> Any:
     """All values of a model, or of what is a ball already."""
-    return number.range() if isinstance(number, Model) else number
+    return number.range() if isinstance(number, TaylorModel) else number
 
 
 def middle_of(number: Any) -> Any:
     """The middle of a number or matrix, of a model at the origin of its variables."""
-    return (number.parts[0] if isinstance(number, Model) else number).mid()
+    return (number.parts[0] if isinstance(number, TaylorModel) else number).mid()
 
 
 def matrix(rows: Sequence[Sequence[Any]]) -> Any:
     """A matrix of balls and models: a model if any entry is one."""
     from flint import arb_mat
 
-    space = next((x.space for row in rows for x in row if isinstance(x, Model)), None)
+    space = next((x.space for row in rows for x in row if isinstance(x, TaylorModel)), None)
     if space is None:
         return arb_mat([list(row) for row in rows])
-    return Model(space, tuple(_stacked(space, rows)))
+    return TaylorModel(space, tuple(_stacked(space, rows)))
 
 
 def _stacked(space: Space, rows: Sequence[Sequence[Any]]) -> Iterator[arb_mat | None]:
@@ -287,11 +291,14 @@ def _stacked(space: Space, rows: Sequence[Sequence[Any]]) -> Iterator[arb_mat | 
 
     for k in range(len(space.exponents)):
         part = [
-            [(x.parts[k] if isinstance(x, Model) else x if k == 0 else None) or 0 for x in row]
+            [
+                (x.parts[k] if isinstance(x, TaylorModel) else x if k == 0 else None) or 0
+                for x in row
+            ]
             for row in rows
         ]
         empty = k > 0 and not any(
-            isinstance(x, Model) and x.parts[k] is not None for row in rows for x in row
+            isinstance(x, TaylorModel) and x.parts[k] is not None for row in rows for x in row
         )
         yield None if empty else arb_mat(part)
 
@@ -300,7 +307,7 @@ def _sum(left: Any, right: Any) -> Any:
     return right if left is None else left if right is None else left + right
 
 
-def _cut(left: Model, right: Model) -> Any:
+def _cut(left: TaylorModel, right: TaylorModel) -> Any:
     """What a product has beyond the order."""
     from flint import arb
 

@@ -17,7 +17,7 @@ from nonsmooth.runtime.events.transition_choice import first_following
 from nonsmooth.runtime.proof.admissibility_conditions import Derivative, Follower, Plan, Watched
 from nonsmooth.runtime.proof.cycle_equations import Chain, Passage
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
-from nonsmooth.runtime.proof.sign_along_phase import Crossed, Ends, Waves
+from nonsmooth.runtime.proof.sign_along_phase import Crossed, EventFunctions, ExactZeros
 
 if TYPE_CHECKING:
     from flint import arb
@@ -68,7 +68,7 @@ def judge(plans: Sequence[Plan], chain: Chain, now: Passage, dwell: Sequence[Any
     chain : Chain
     now : Passage
         Over the enclosures.
-    dwell : sequence of arb or Model
+    dwell : sequence of arb or TaylorModel
     """
     margins: list[Margin] = []
     undecided = ""
@@ -106,7 +106,7 @@ class _Phase:
                 raise _Refuted("what it holds does not hold where it begins")
             raise Undecided("whether what it holds holds where it begins", digits=False)
         found: list[Margin] = []
-        waves = None
+        functions = None
         for watched in self.plan.watched:
             name, begins = watched.name, watched.begins
             if begins is not None:
@@ -121,8 +121,8 @@ class _Phase:
                 if begins is not None and not begins.order:
                     found.append(self._margin(name, "distance", -value))
                 continue
-            waves = waves or Waves(self.field, self.first, self.dwell)
-            least = self._distance(waves, watched)
+            functions = functions or EventFunctions(self.field, self.first, self.dwell)
+            least = self._distance(functions, watched)
             if least is not None:
                 found.append(self._margin(name, "distance", least))
         self._follows()
@@ -147,21 +147,21 @@ class _Phase:
             raise _Refuted(f"{name} is reached from outside")
         raise Undecided(f"{name} may be reached tangentially")
 
-    def _distance(self, waves: Waves, watched: Watched) -> arb | None:
+    def _distance(self, functions: EventFunctions, watched: Watched) -> arb | None:
         """Prove that a boundary is not reached inside the phase; by how much, if anything."""
         order = 0 if watched.begins is None else watched.begins.order
-        ends = Ends(order, watched.reached)
-        function = waves.function(matrix([watched.row]))
+        zeros = ExactZeros(order, watched.reached)
+        function = functions.function(matrix([watched.row]))
         try:
-            if not (ends.order or ends.last):
-                least = (-waves.largest(function) / 2).mid()
+            if not (zeros.order or zeros.last):
+                least = (-functions.largest(function) / 2).mid()
                 if least > 0:
                     try:
-                        waves.stays_negative([p + least for p in function], ends)
+                        functions.stays_negative([part.raised(least) for part in function], zeros)
                         return least
                     except (Crossed, Undecided):
                         pass  # a smaller distance may do
-            waves.stays_negative(function, ends)
+            functions.stays_negative(function, zeros)
         except Crossed as found:
             raise _Refuted(
                 f"{watched.name} is crossed before it ends, {found.time.str(6, radius=False)}"

@@ -12,8 +12,8 @@ from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.contacts.stages import signs
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
 from nonsmooth.runtime.proof.exact_tables import Matrix, Tables
-from nonsmooth.runtime.proof.invariants import Known
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, product
+from nonsmooth.runtime.proof.invariants import CycleInvariants
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
 from nonsmooth.runtime.shooting.shooting_map import Cycle
 
 __all__ = ["Condition", "Derivative", "Follower", "Plan", "Watched", "plan_of"]
@@ -95,7 +95,7 @@ class Plan(NamedTuple):
     ----------
     place : int
     configuration : str
-    starts, ends : Facts
+    starts, ends : Invariants
     held : tuple of Row
         What the configuration holds, as far as it is not known to be zero.
     watched : tuple of Watched
@@ -106,8 +106,8 @@ class Plan(NamedTuple):
 
     place: int
     configuration: str
-    starts: Facts
-    ends: Facts
+    starts: Invariants
+    ends: Invariants
     held: tuple[Row, ...]
     watched: tuple[Watched, ...]
     orders: tuple[tuple[Follower, ...], ...]
@@ -121,12 +121,12 @@ class Plan(NamedTuple):
         def derivative(found: Derivative | None) -> Derivative | None:
             return found and Derivative(found.order, numbers(found.row))
 
-        def facts(found: Facts) -> Facts:
-            return Facts(tuple(map(numbers, found.rows)), found.pivots)
+        def invariants(found: Invariants) -> Invariants:
+            return Invariants(tuple(map(numbers, found.rows)), found.pivots)
 
         return self._replace(
-            starts=facts(self.starts),
-            ends=facts(self.ends),
+            starts=invariants(self.starts),
+            ends=invariants(self.ends),
             held=tuple(map(numbers, self.held)),
             watched=tuple(
                 w._replace(
@@ -155,17 +155,17 @@ _ZERO: Any = (0,)
 _OPEN = Derivative(0, _ZERO)  # of no sign that could be told
 
 
-def plan_of(tables: Tables, cycle: Cycle, known: Known) -> tuple[Plan, ...]:
+def plan_of(tables: Tables, cycle: Cycle, invariants: CycleInvariants) -> tuple[Plan, ...]:
     """What has to be shown, for each phase of a cycle of a system whose numbers are exact."""
-    return tuple(_plan(tables, cycle, known, place) for place in range(len(cycle)))
+    return tuple(_plan(tables, cycle, invariants, place) for place in range(len(cycle)))
 
 
-def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
+def _plan(tables: Tables, cycle: Cycle, invariants: CycleInvariants, place: int) -> Plan:
     structure = cycle.structure
     configuration = cycle.configurations[place]
     wanted = cycle.transitions[place]
     field = tables.fields[configuration]
-    starts, lasting, ends = (part[place] for part in known)
+    starts, lasting, ends = (part[place] for part in invariants)
     boundaries = structure.boundaries[configuration]
     watched = []
     for index, boundary in enumerate(boundaries):
@@ -199,7 +199,7 @@ def _plan(tables: Tables, cycle: Cycle, known: Known, place: int) -> Plan:
 
 
 def _followers(
-    tables: Tables, cycle: Cycle, place: int, order: int, ends: Facts
+    tables: Tables, cycle: Cycle, place: int, order: int, ends: Invariants
 ) -> tuple[Follower, ...]:
     """What may follow in an order in which stops act, 0 where there is but one."""
     structure, wanted = cycle.structure, cycle.transitions[place]
@@ -255,14 +255,14 @@ def _decided(
     )
 
 
-def _puts_nothing(reset: Matrix, facts: Facts) -> bool:
-    """Whether a reset leaves the state alone for which the facts hold."""
+def _puts_nothing(reset: Matrix, invariants: Invariants) -> bool:
+    """Whether a reset leaves the state alone for which the invariants hold."""
     size = len(reset)
-    return facts.agree(reset, [[int(j == k) for j in range(size)] for k in range(size)])
+    return invariants.agree(reset, [[int(j == k) for j in range(size)] for k in range(size)])
 
 
-def _first(row: Row, field: Matrix, facts: Facts, order: int = 0) -> Derivative | None:
+def _first(row: Row, field: Matrix, invariants: Invariants, order: int = 0) -> Derivative | None:
     """The first derivative from an order on that is not known to be zero."""
-    functions = map(facts.reduce, derivatives(row, field, len(row), product))
+    functions = map(invariants.reduce, derivatives(row, field, len(row), product))
     found = leading(functions, lambda _, reduced: any(reduced), order)
     return None if found is None else Derivative(found.order, found.derivative)

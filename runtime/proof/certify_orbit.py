@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.admissibility import Judgement, Margin, judge
-from nonsmooth.runtime.proof.admissibility_conditions import plan_of
+from nonsmooth.runtime.proof.admissibility import Judgement, Margin
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_at
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     GUARD,
@@ -18,35 +18,15 @@ from nonsmooth.runtime.proof.certificate import (
     Certificate,
     Stated,
 )
-from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.cycle_equations import chain_of
-from nonsmooth.runtime.proof.enclosure import Missing, Root, locate
-from nonsmooth.runtime.proof.exact_tables import Tables, exact_tables
-from nonsmooth.runtime.proof.invariants import Known, known_of
-from nonsmooth.runtime.proof.motion.exact_rows import Row
-from nonsmooth.runtime.proof.multipliers import (
-    CORNER,
-    apart,
-    eigenvalues_of,
-    inside_circle,
-    neutral_pairs,
-    product_of,
-    reduced_map,
-    trace_of,
-)
-from nonsmooth.runtime.proof.orbit_cycle import (
-    NotCovered,
-    Subject,
-    closing_of,
-    subject_of,
-    system_of,
-)
+from nonsmooth.runtime.proof.enclosure import IsolatedOrbit, Missing, locate
+from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, judged, named_numbers
+from nonsmooth.runtime.proof.orbit_cycle import NotCovered, Subject, subject_of, system_of
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
 from nonsmooth.runtime.proof.statement import closing_json, decimals
 from nonsmooth.runtime.proof.vanishing import vanishing_along
 
 if TYPE_CHECKING:
-    from flint import acb, arb
+    from flint import arb
 
 __all__ = ["FEWEST_BITS", "MOST_BITS", "certify", "stated"]
 
@@ -101,90 +81,41 @@ def certify(
         return _uncovered(orbit, bits, str(reason))
     work = bits + GUARD
     with flint_precision(work):
-        tables = exact_tables(subject.kernels, tuple(subject.values.values()), work)
-        closing = Closing("state")
+        region = None
         try:
-            closing = closing_of(subject, tables, [float(x) for x in subject.start])
-            shifts = closing.translations
-            known = known_of(tables, subject.cycle, shifts) if tables.exact else None
+            region = region_at(subject, work)
+            _ = region.plans  # divides exactly
             begin("existence")
-            root = locate(subject, closing, bits)
+            root = locate(region, bits)
         except (NotCovered, ZeroDivisionError) as reason:
-            missing = Missing("undecided", str(reason))
-            return _certificate(subject, tables, closing, bits, missing)
+            return _certificate(subject, region, bits, Missing("undecided", str(reason)))
         except Missing as missing:
-            return _certificate(subject, tables, closing, bits, missing)
+            return _certificate(subject, region, bits, missing)
         begin("stability")
-        stability = stability_of(subject, tables, closing, known, root)
+        number = region.tables.number_at()
+        stability = claim_of_map(region, number, root.equations, root.passage)
         begin("admissibility")
-        if known is not None and any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
-            start = root.passage.starts[0].entries()[:-1]
-            dwell = root.equations.dwell(root.contraction.image)
-            zero = vanishing_along(tables, subject.cycle, shifts, start, dwell)
-            closing = replace(closing, vanishing=zero)
-            known = known_of(tables, subject.cycle, shifts, zero)
-        judgement = _admissible(subject, tables, shifts, known, root, work)
-        return _certificate(subject, tables, closing, bits, root, stability, judgement)
+        dwell = root.equations.dwell(root.contraction.image)
+        if region.tables.exact and any(len(t.boundaries) > 1 for t in region.cycle.transitions):
+            region = _with_vanishing(region, root, dwell)
+        judgement = _admissible(region, root, dwell, work)
+        return _certificate(subject, region, bits, root, stability, judgement)
 
 
-class Stability(NamedTuple):
-    """What is claimed of the multipliers, the verdict and its reason, trace and multipliers."""
-
-    claim: str
-    verdict: str
-    reason: str
-    trace: arb | None
-    multipliers: tuple[acb, ...]
+def _with_vanishing(region: Region, root: IsolatedOrbit, dwell: Sequence[arb]) -> Region:
+    """The region with what vanishes along this orbit alone, because it closes."""
+    closing, start = region.closing, root.passage.starts[0].entries()[:-1]
+    found = vanishing_along(region.tables, region.cycle, closing.translations, start, dwell)
+    return replace(region, closing=replace(closing, vanishing=found))
 
 
-def stability_of(
-    subject: Subject, tables: Tables, closing: Closing, known: Known | None, root: Root
-) -> Stability:
-    """Trace, multipliers and the verdict, over the enclosure of the orbit."""
-    claim = closing.stability
-    maps = root.equations.maps(root.passage)
-    if not all(x.is_finite() for matrix in maps for x in matrix.entries()):
-        return Stability(claim, "undecided", "a boundary may be reached tangentially", None, ())
-    square = reduced_map(maps, known, closing, tables.number)
-    trace = trace_of(square) + len(closing.translations)
-    if closing.form is not None:
-        inside, pairs = neutral_pairs(product_of(maps), trace)
-    else:
-        inside, pairs = inside_circle(square), eigenvalues_of(square)
-    multipliers = apart(pairs or (), len(root.equations.free), trivial=closing.form is not None)
-    multipliers = tuple(sorted(multipliers, key=lambda m: -float(abs(m).mid())))
-    if subject.cycle.one_sided:
-        return Stability(claim, "undecided", CORNER, trace, ())
-    if inside is None:
-        reason = "a multiplier cannot be told from the unit circle"
-        if closing.form is not None:
-            reason = "a nontrivial pair of multipliers cannot be told from a double one"
-        return Stability(claim, "undecided", reason, trace, multipliers)
-    if not inside:
-        reason = "a multiplier lies outside the unit circle"
-        return Stability(claim, "refuted", reason, trace, multipliers)
-    return Stability(claim, "proved", "", trace, multipliers)
-
-
-def _admissible(
-    subject: Subject,
-    tables: Tables,
-    translations: Sequence[Row],
-    known: Known | None,
-    root: Root,
-    work: int,
-) -> Judgement:
+def _admissible(region: Region, root: IsolatedOrbit, dwell: Sequence[arb], work: int) -> Judgement:
     """Judge the orbit, with few bits first: that it is as sharp as it is does not matter here."""
-    if known is None:
-        reason = "the declaration takes a root or a sine: what is exactly zero is not known"
-        return Judgement("undecided", reason, ())
-    dwell = root.equations.dwell(root.contraction.image)
-    plans = plan_of(tables, subject.cycle, known)
     found: Judgement | None = None
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
-            chain = chain_of(tables, subject.cycle, None, translations)
-            found = judge([plan.at(tables.number) for plan in plans], chain, root.passage, dwell)
+            number = region.tables.number_at()
+            found = judged(region, number, region.chain(number), root.passage, dwell)
         if found.verdict != "undecided":
             break
     assert found is not None
@@ -193,11 +124,10 @@ def _admissible(
 
 def _certificate(
     subject: Subject,
-    tables: Tables,
-    closing: Closing,
+    region: Region | None,
     bits: int,
-    root: Root | Missing,
-    stability: Stability | None = None,
+    root: IsolatedOrbit | Missing,
+    stability: MapClaim | None = None,
     judgement: Judgement | None = None,
 ) -> Certificate:
     """Everything by name."""
@@ -210,19 +140,24 @@ def _certificate(
         claims["existence"], reasons["existence"] = root.verdict, root.reason
         reasons |= dict.fromkeys(CLAIMS[1:], NO_ORBIT)
     else:
+        assert region is not None
         assert stability is not None
         assert judgement is not None
         claims = dict(zip(CLAIMS, ("proved", judgement.verdict, stability.verdict), strict=True))
         told = zip(CLAIMS[1:], (judgement.reason, stability.reason), strict=True)
         reasons = {name: reason for name, reason in told if reason}
-        enclosures = _enclosures(subject, root, stability.trace, bits)
+        dwell = root.equations.dwell(root.contraction.image)
+        named = named_numbers(region, root.equations, root.passage, dwell, stability.trace)
+        enclosures = {name: stated(x, bits, int(name == "trace")) for name, x in named.items()}
         multipliers = tuple(
-            (stated(m.real, bits, 1), stated(m.imag, bits, 1)) for m in stability.multipliers
+            (stated(m.real, bits, 1), stated(m.imag, bits, 1))
+            for m in stability.multipliers(region)
         )
         margins = tuple(_margin(m) for m in judgement.margins)
-    declaration, how = _statement(
-        subject, tables, closing, claimed=claims["existence"] != "undecided"
-    )
+    declaration: dict[str, Any] = {}
+    how: dict[str, Any] = {}
+    if region is not None and claims["existence"] != "undecided":
+        declaration, how = _statement(region)
     return Certificate(
         orbit=subject.label,
         system=subject.kernels.name,
@@ -230,7 +165,7 @@ def _certificate(
         chosen=subject.chosen,
         itinerary=subject.cycle.itinerary,
         claims=claims,
-        stability="stable" if stability is None else stability.claim,
+        stability="stable" if region is None or stability is None else region.closing.stability,
         reasons=reasons,
         enclosures=enclosures,
         multipliers=multipliers,
@@ -239,18 +174,15 @@ def _certificate(
         bits=bits,
         start_names=subject.start_names,
         dwell_names=subject.dwell_names,
-        given_period=closing.period,
+        given_period=None if region is None else region.closing.period,
         declaration=declaration,
         closing=how,
     )
 
 
-def _statement(
-    subject: Subject, tables: Tables, closing: Closing, *, claimed: bool
-) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Declaration and closing as the file states them; empty where nothing is claimed."""
-    if not claimed:
-        return {}, {}
+def _statement(region: Region) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Declaration and closing as the file states them."""
+    subject, tables, closing = region.subject, region.tables, region.closing
     cycle, timed = subject.cycle, closing.kind == "period"
     declared = system_declaration(
         subject.kernels, cycle, tables, subject.start_names, subject.dwell_names, timed=timed
@@ -258,19 +190,6 @@ def _statement(
     own = {value: name for name, value in reversed(subject.values.items())}
     variables = [own[value] for value in tables.constants]
     return declared, closing_json(closing, cycle, declared["parameters"], variables, PERIOD)
-
-
-def _enclosures(subject: Subject, root: Root, trace: arb | None, bits: int) -> dict[str, Stated]:
-    from flint import arb
-
-    dwell = root.equations.dwell(root.contraction.image)
-    period = root.equations.period
-    found = {} if trace is None else {"trace": trace}
-    found["period"] = sum(dwell, arb(0)) if period is None else period
-    found |= dict(zip(subject.dwell_names, dwell, strict=True))
-    start = root.passage.starts[0].entries()[:-1]
-    found |= dict(zip(subject.start_names, start, strict=True))
-    return {name: stated(ball, bits, int(name == "trace")) for name, ball in found.items()}
 
 
 def stated(ball: arb, bits: int, size: int = 0) -> Stated:

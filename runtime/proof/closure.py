@@ -29,7 +29,7 @@ from nonsmooth.runtime.shooting.translations import deciding_rows, gauges_of, ta
 
 __all__ = [
     "Closing",
-    "Form",
+    "SymplecticForm",
     "exact_translations",
     "forcing_speeds",
     "projected",
@@ -41,7 +41,7 @@ _LARGEST_DENOMINATOR = 10**6  # of a direction
 
 
 @dataclass(frozen=True, eq=False)
-class Form:
+class SymplecticForm:
     """Omega (N, N) and the energies: E_c = (y, 1) H_c (y, 1) / 2, of the visited configurations."""
 
     omega: Matrix
@@ -56,12 +56,12 @@ class Closing:
     Attributes
     ----------
     kind : {"state", "period", "forcing"}
-    period : Value, fmpq, Quotient or None
+    period : Value, fmpq, RationalFunction or None
         What the dwell times sum up to, for "period": over a box of parameters exactly.
     dropped : int
         The coordinate whose closure follows from the energy; -1 for none.
-    form : Form or None
-    speeds : tuple of fmpq or Quotient
+    form : SymplecticForm or None
+    speeds : tuple of fmpq or RationalFunction
         Angular frequencies of the forcings.
     turns : int
         How often the first forcing turns in one period.
@@ -76,7 +76,7 @@ class Closing:
     kind: str
     period: Any = None
     dropped: int = -1
-    form: Form | None = None
+    form: SymplecticForm | None = None
     speeds: tuple[Any, ...] = ()
     turns: int = 0
     pairs: tuple[tuple[int, int], ...] = field(default=())
@@ -155,7 +155,7 @@ def forcing_speeds(tables: Tables, cycle: Cycle) -> tuple[Any, ...] | str:
     return tuple(found)
 
 
-def symplectic_form(tables: Tables, cycle: Cycle) -> Form | None:
+def symplectic_form(tables: Tables, cycle: Cycle) -> SymplecticForm | None:
     """A nondegenerate form and energies that the cycle keeps exactly, if there are such."""
     from flint import fmpq
 
@@ -177,7 +177,7 @@ def symplectic_form(tables: Tables, cycle: Cycle) -> Form | None:
 
 def _form(
     tables: Tables, visited: Sequence[int], pairs: Sequence[tuple[int, int]], values: Sequence[Any]
-) -> Form:
+) -> SymplecticForm:
     """The form of given entries, and half of each energy's matrix: the lower rows follow."""
     from flint import fmpq
 
@@ -192,10 +192,10 @@ def _form(
         upper = _times(omega, tables.fields[configuration][:-1])
         below = (*(row[-1] for row in upper), constants[configuration])
         energies[configuration] = (*upper, below)
-    return Form(omega, constants, energies)
+    return SymplecticForm(omega, constants, energies)
 
 
-def _missed(tables: Tables, cycle: Cycle, form: Form) -> list[Any]:
+def _missed(tables: Tables, cycle: Cycle, form: SymplecticForm) -> list[Any]:
     """What a form misses of being kept: linear in its entries."""
     missed: list[Any] = []
     for energy in form.energies.values():

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from nonsmooth.runtime.core.taylor_models import Model, matrix, middle_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of
 from nonsmooth.runtime.proof.closure import Closing, projected
 from nonsmooth.runtime.proof.exact_tables import Number, Tables, numbers
 from nonsmooth.runtime.proof.motion.exact_rows import Row
@@ -30,13 +30,9 @@ class Chain(NamedTuple):
 
 
 def chain_of(
-    tables: Tables,
-    cycle: Cycle,
-    number: Number | None = None,
-    translations: Sequence[Row] = (),
+    tables: Tables, cycle: Cycle, number: Number, translations: Sequence[Row] = ()
 ) -> Chain:
     """The chain of a cycle that closes up to translations, at the working precision."""
-    number = number or tables.number
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)
     return Chain(
@@ -57,7 +53,7 @@ class Flows:
     def __call__(self, place: int, time: Any) -> Any:
         """Flow of a phase; over a box of times the wide factor has a small exponent."""
         rest = time - self.centres[place]
-        if not isinstance(rest, Model) and rest.is_zero():
+        if not isinstance(rest, TaylorModel) and rest.is_zero():
             return self.near[place]
         return (self.fields[place] * rest).exp() * self.near[place]
 
@@ -90,9 +86,9 @@ class Equations:
     ----------
     chain : Chain
     closing : Closing
-    period : arb, Model or None
+    period : arb, TaylorModel or None
         What the dwell times sum up to, where the closing says so.
-    speeds : sequence of arb or Model
+    speeds : sequence of arb or TaylorModel
         Of the closing's forcings, in the chain's numbers.
     directions : sequence of matrices (N + 1, 1)
         Those of the closing's translations.
@@ -216,7 +212,7 @@ def equations_in(chain: Chain, closing: Closing, number: Number, period: Any) ->
     closing : Closing
     number : function
         From the closing's exact entries to the chain's numbers.
-    period : arb, Model or None
+    period : arb, TaylorModel or None
         What the dwell times sum up to, where it is given.
     """
     from flint import arb

@@ -6,31 +6,26 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.certificate import GUARD, Unknown
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
+from nonsmooth.runtime.proof.certificate import Unknown
 from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.cycle_equations import (
-    Equations,
-    Flows,
-    Passage,
-    chain_of,
-    equations_in,
-)
-from nonsmooth.runtime.proof.exact_tables import Tables, exact_tables, numbers
+from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Passage
 from nonsmooth.runtime.proof.krawczyk import Contraction, krawczyk, newton
-from nonsmooth.runtime.proof.orbit_cycle import Subject, guess_of
+from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED, conserved
+from nonsmooth.runtime.proof.orbit_cycle import Subject
 from nonsmooth.runtime.proof.statement import decimals, rational
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Missing", "Root", "equations_of", "locate", "unknown_names"]
+__all__ = ["IsolatedOrbit", "Missing", "locate", "unknown_names"]
 
 _NEAR = 1e-5  # how far from the given numbers an orbit is still theirs, in units of the states
 _ROUGH = 53  # bits that do for what nothing depends on
 _SHARES = (0.5, 0.7, 0.85)  # of the bits: radii of the boxes that are tried
 
 
-class Root(NamedTuple):
+class IsolatedOrbit(NamedTuple):
     """The orbit in its box, at the working precision."""
 
     equations: Equations
@@ -47,22 +42,15 @@ class Missing(Exception):
         self.verdict, self.reason, self.box = verdict, reason, box
 
 
-def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
-    """Equations of a subject, at the working precision of so many bits."""
-    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
-    period = None if closing.period is None else closing.period.ball(bits)
-    return equations_in(
-        chain_of(tables, subject.cycle, None, closing.translations), closing, tables.number, period
-    )
-
-
-def locate(subject: Subject, closing: Closing, bits: int) -> Root:
+def locate(region: Region, bits: int) -> IsolatedOrbit:
     """Find the orbit and prove that it is the only one in a box, at the working precision.
 
     Parameters
     ----------
+    region : Region
+        Of one parameter point.
     bits : int
-        Of the enclosures; the working precision is larger by `GUARD`.
+        Of the enclosures; the working precision is larger.
 
     Raises
     ------
@@ -70,15 +58,15 @@ def locate(subject: Subject, closing: Closing, bits: int) -> Root:
     """
     from flint import arb
 
-    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
-    guess = guess_of(subject, closing, tables.near)
-    equations = equations_of(subject, closing, bits + GUARD)
+    closing, guess, number_at = region.closing, region.guess, region.tables.number_at
+    number = number_at()
+    equations = region.equations(number)
     with flint_precision(_ROUGH):
-        sizes = _sizes(equations_of(subject, closing, _ROUGH), guess)
-    names = unknown_names(subject, closing)
+        sizes = _sizes(region.equations(number_at()), guess)
+    names = unknown_names(region.subject, closing)
     # the box is much wider than this point is exact, and Krawczyk's map finds the rest
     enough = bits // 2 + 16
-    point = newton(lambda precision: equations_of(subject, closing, precision), guess, enough)
+    point = newton(lambda: region.equations(number_at()), guess, enough)
     if point is None or not all(
         abs(x - g) < _NEAR * size for x, g, size in zip(point, guess, sizes, strict=True)
     ):
@@ -100,9 +88,9 @@ def locate(subject: Subject, closing: Closing, bits: int) -> Root:
             " are needed",
         )
     passage = equations.passage(found.image, found.flows)
-    if closing.form is not None:
-        _check_dropped(closing, subject, tables, passage)
-    return Root(equations, found, passage, box)
+    if not conserved(region, number, passage):
+        raise Missing("undecided", NOT_CONSERVED)
+    return IsolatedOrbit(equations, found, passage, box)
 
 
 def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
@@ -140,15 +128,3 @@ def unknown_names(subject: Subject, closing: Closing) -> list[str]:
     """Names of the unknowns of the equations."""
     free = [name for k, name in enumerate(subject.start_names) if k not in closing.forced]
     return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]
-
-
-def _check_dropped(closing: Closing, subject: Subject, tables: Tables, now: Passage) -> None:
-    """The coordinate whose closure was dropped: the energy, monotone in it, returns it."""
-    assert closing.form is not None
-    first, last, k = now.starts[0], now.starts[-1], closing.dropped
-    state = first * 1
-    state[k, 0] = first[k, 0].union(last[k, 0])
-    energy = closing.form.energies[subject.cycle.configurations[0]]
-    slope = (numbers(energy, tables.number) * state)[k, 0]
-    if not (slope > 0 or slope < 0):
-        raise Missing("undecided", "the energy does not give the coordinate that is left out")

@@ -1,4 +1,4 @@
-"""A system's numbers at one parameter point: rational where the parameters are, else balls."""
+"""A system's numbers: rational or rational functions where the parameters are, else balls."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.arithmetic import Balls
-from nonsmooth.runtime.core.rational_functions import Quotient, symbols
-from nonsmooth.runtime.core.taylor_models import matrix
+from nonsmooth.runtime.core.rational_functions import RationalFunction, symbols
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.proof.motion.exact_rows import Row
@@ -21,12 +21,14 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Matrix",
+    "NotRational",
     "Number",
     "Tables",
     "constant_symbols",
     "exact_tables",
     "numbers",
     "rational_of",
+    "rational_tables",
     "tables_of",
     "tables_over",
 ]
@@ -35,6 +37,19 @@ _SHARP = 256  # bits that tell what irrational numbers make zero
 
 Matrix = tuple[Row, ...]  # acts on (y, 1)
 Number = Callable[[Any], Any]  # from an exact entry to a ball or a model
+
+
+class NotRational(Exception):
+    """A declaration takes a root or a sine of its parameters.
+
+    Attributes
+    ----------
+    function : str
+    """
+
+    def __init__(self, function: str) -> None:
+        super().__init__(f"the declaration takes {function} of its parameters")
+        self.function = function
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +63,7 @@ class Tables:
     exact : bool
         Whether the entries are rational numbers or functions; else they are balls.
     constants : tuple of Value
-        The irrational parameters, of which entries are functions.
+        The irrational parameters that do not vary: the last of which entries are functions.
     """
 
     fields: tuple[Matrix, ...]
@@ -57,17 +72,30 @@ class Tables:
     exact: bool
     constants: tuple[Value, ...] = ()
 
-    def number(self, entry: Any) -> Any:
-        """A ball around an entry, at the working precision."""
+    def number_at(self, values: Sequence[Any] = ()) -> Number:
+        """The map from entries to numbers, at values of the parameters that vary.
+
+        Numbers are balls of the working precision, or Taylor models where values are.
+        """
         from flint import arb, ctx
 
-        if isinstance(entry, Quotient):
-            return entry([value.ball(ctx.prec) for value in self.constants])
-        return arb(entry)
+        point = [*values, *(value.ball(ctx.prec) for value in self.constants)]
+        found: dict[RationalFunction, Any] = {}
 
-    def near(self, entry: Any) -> float:
+        def number(entry: Any) -> Any:
+            if isinstance(entry, Value):
+                return entry.ball(ctx.prec)
+            if not isinstance(entry, RationalFunction):
+                return arb(entry)
+            if entry not in found:
+                found[entry] = entry(point)
+            return found[entry]
+
+        return number
+
+    def near(self, entry: Any, values: Sequence[Any] = ()) -> float:
         """An entry, about."""
-        return float(self.number(entry).mid())
+        return float(middle_of(self.number_at(values)(entry)))
 
 
 class _Rationals:
@@ -79,6 +107,9 @@ class _Rationals:
 
         return fmpq(numerator, denominator)
 
+    def __getattr__(self, name: str) -> Any:
+        raise NotRational(name)
+
 
 def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
     """Tables of a system at the values of all its parameters, in their order.
@@ -88,10 +119,8 @@ def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tab
     """
     exactly = tuple(value.exact for value in values)
     if None not in exactly:
-        try:
-            return _exact(kernels, exactly)
-        except AttributeError:  # the declaration has a root or a sine
-            pass
+        with suppress(NotRational):
+            return rational_tables(kernels, exactly)
     return _tables(kernels, [value.ball(bits) for value in values], Balls(), exact=False)
 
 
@@ -99,7 +128,7 @@ def exact_tables(kernels: SystemKernels, values: Sequence[Value], bits: int) -> 
     """As `tables_of`, but exact in irrational parameters too: entries are functions of them."""
     constants = tuple(dict.fromkeys(value for value in values if value.exact is None))
     if constants:
-        with suppress(AttributeError):  # the declaration has a root or a sine
+        with suppress(NotRational):
             return _symbolic(kernels, tuple(values), constants)
     return tables_of(kernels, values, bits)
 
@@ -111,28 +140,45 @@ def _symbolic(
     found = constant_symbols((), constants)
     place = dict(zip(constants, found, strict=True))
     point = [rational_of(v.exact) if v.exact is not None else place[v] for v in values]
-    return replace(tables_over(kernels, point), constants=constants)
+    return tables_over(kernels, point, constants)
 
 
-def constant_symbols(names: Sequence[str], constants: Sequence[Value]) -> list[Quotient]:
+def constant_symbols(names: Sequence[str], constants: Sequence[Value]) -> list[RationalFunction]:
     """Parameters that vary, and irrational ones that do not."""
     own = [f"constant{k}" for k in range(len(constants))]
     return symbols([*names, *own], [value.ball(_SHARP) for value in constants])
 
 
-def tables_over(kernels: SystemKernels, values: Sequence[fmpq | Quotient]) -> Tables:
+def tables_over(
+    kernels: SystemKernels,
+    values: Sequence[fmpq | RationalFunction],
+    constants: tuple[Value, ...] = (),
+) -> Tables:
     """Tables of a system where some of its parameters stand for all their values.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    values : sequence of fmpq or RationalFunction
+        Of all its parameters, in their order.
+    constants : tuple of Value
+        Those of the last parameters of the functions, which are irrational and do not vary.
 
     Raises
     ------
-    AttributeError
-        If the declaration has a root or a sine.
+    NotRational
     """
-    return _tables(kernels, values, _Rationals(), exact=True)
+    return replace(_tables(kernels, values, _Rationals(), exact=True), constants=constants)
 
 
 @lru_cache(maxsize=64)
-def _exact(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
+def rational_tables(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
+    """Tables of a system whose parameters have rational values, in their order.
+
+    Raises
+    ------
+    NotRational
+    """
     return _tables(kernels, list(map(rational_of, fractions)), _Rationals(), exact=True)
 
 

@@ -24,7 +24,7 @@ class Contraction(NamedTuple):
 
     Attributes
     ----------
-    box, image : list of arb or Model
+    box, image : list of arb or TaylorModel
         The image contains every root of the box.
     unique : bool
         The image lies inside: the box contains exactly one root, and that is regular.
@@ -42,11 +42,22 @@ class Contraction(NamedTuple):
 
 
 def newton(
-    equations_at: Callable[[int], Equations], guess: Sequence[arb], bits: int
+    equations_at: Callable[[], Equations], guess: Sequence[arb], bits: int
 ) -> list[arb] | None:
-    """A point near a root, by Newton's method with growing precision; nothing is proved.
+    """Find a point near a root, by Newton's method with growing precision; nothing is proved.
 
-    None where the method does not converge.
+    Parameters
+    ----------
+    equations_at : function
+        Gives the equations at the working precision.
+    guess : sequence of arb
+    bits : int
+        To which the point is found.
+
+    Returns
+    -------
+    list of arb or None
+        None where the method does not converge.
     """
     point, steps = list(guess), [bits]
     while steps[-1] > 2 * _DOUBLE:
@@ -55,7 +66,7 @@ def newton(
     before: Any = None
     for count, precision in enumerate(steps):
         with flint_precision(precision + 16):
-            equations = equations_at(precision + 16)
+            equations = equations_at()
             point = [x.mid() for x in point]
             change = _step(equations.passage(point, _flows(equations, point)))
             if change is None:
@@ -89,7 +100,7 @@ class Krawczyk:
     Parameters
     ----------
     equations : Equations
-    centre : sequence of arb or Model
+    centre : sequence of arb or TaylorModel
         Balls around the exact numbers that they stand for, or polynomials of parameters:
         then all is shown for each of their values, with boxes around those of the polynomials.
     """

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.proof.closure import Closing
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
-from nonsmooth.runtime.proof.invariants import Known
-from nonsmooth.runtime.proof.motion.exact_rows import Facts
+from nonsmooth.runtime.proof.invariants import CycleInvariants
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.shooting.translations import gauges_of
 
 if TYPE_CHECKING:
@@ -31,7 +31,9 @@ _MOST_SQUARINGS = 48
 _LEAST_SLOPE = 2.0**-72
 
 
-def reduced_map(maps: Sequence[Any], known: Known | None, closing: Closing, number: Number) -> Any:
+def reduced_map(
+    maps: Sequence[Any], invariants: CycleInvariants | None, closing: Closing, number: Number
+) -> Any:
     """The product of the phases' maps on the smallest section that is known.
 
     Its other multipliers are exactly zero.
@@ -39,20 +41,23 @@ def reduced_map(maps: Sequence[Any], known: Known | None, closing: Closing, numb
     Parameters
     ----------
     maps : sequence of matrices (N, N)
-    known : Known or None
+    invariants : CycleInvariants or None
     closing : Closing
-        Where the maps are at fixed times, only facts that last hold for changes, and the states
-        of forcings do not change from period to period.
+        Where the maps are at fixed times, only invariants that last hold for changes, and the
+        states of forcings do not change from period to period.
     number : function
-        From the facts' exact entries to the maps' numbers.
+        From the invariants' exact entries to the maps' numbers.
     """
     size = maps[0].nrows()
-    facts: Sequence[Facts] = [Facts((), ())] * len(maps)
-    if known is not None:
-        facts = known.lasting if closing.timed else known.starts
+    places: Sequence[Invariants] = [Invariants((), ())] * len(maps)
+    if invariants is not None:
+        places = invariants.lasting if closing.timed else invariants.starts
     # where the cycle closes the first coordinates of translations are zero
-    fixed = [(*closing.forced, *gauges_of(closing.translations)), *(closing.forced for _ in facts)]
-    tangents = [_tangent(f, still, size) for f, still in zip(facts, fixed, strict=False)]
+    fixed = [
+        (*closing.forced, *gauges_of(closing.translations)),
+        *(closing.forced for _ in places),
+    ]
+    tangents = [_tangent(f, still, size) for f, still in zip(places, fixed, strict=False)]
     first = min(range(len(maps)), key=lambda k: len(tangents[k][0]))
     free, basis = tangents[first]
     found = numbers(basis, number)
@@ -184,13 +189,15 @@ def _of_sums(polynomial: arb_poly) -> arb_poly:
     return total
 
 
-def _tangent(facts: Facts, forced: Sequence[int], size: int) -> tuple[list[int], list[list[Any]]]:
+def _tangent(
+    invariants: Invariants, forced: Sequence[int], size: int
+) -> tuple[list[int], list[list[Any]]]:
     """Free coordinates of a section, and how a change moves along it by theirs: (N, free)."""
     from flint import fmpq
 
-    rows = [(*row[:-1], fmpq(0)) for row in facts.rows]
+    rows = [(*row[:-1], fmpq(0)) for row in invariants.rows]
     rows += [tuple(fmpq(int(j == k)) for j in range(size + 1)) for k in forced]
-    kept = Facts.of(rows)
+    kept = Invariants.of(rows)
     free = [k for k in range(size) if k not in kept.pivots]
     basis = [[fmpq(int(i == k)) for k in free] for i in range(size)]
     for row, pivot in zip(kept.rows, kept.pivots, strict=True):

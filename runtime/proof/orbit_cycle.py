@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -213,7 +214,7 @@ def closing_of(
     subject: Subject,
     tables: Tables,
     centre: Any,
-    near: Callable[[Any], float] | None = None,
+    at: Sequence[Any] = (),
 ) -> Closing:
     """How the subject's cycle closes.
 
@@ -221,14 +222,14 @@ def closing_of(
     ----------
     centre : floats (N)
         About where it starts: the coordinate whose closure the energy gives is chosen by it.
-    near : function, optional
-        Gives an exact entry at the orbit, about; by default the tables' own.
+    at : sequence of arb
+        Values at the orbit of what the tables are functions of.
 
     Raises
     ------
     NotCovered
     """
-    cycle, near = subject.cycle, near or tables.near
+    cycle, near = subject.cycle, partial(tables.near, values=at)
     shifts = translations_in(subject, tables)
     if cycle.structure.forcing:
         if not tables.exact:

@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
-from nonsmooth.runtime.proof.exact_tables import Tables, rational_of, tables_over
+from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, rational_of, tables_over
 from nonsmooth.runtime.proof.orbit_cycle import NotCovered
 from nonsmooth.runtime.proof.statement import declaration_json
 from nonsmooth.runtime.shooting.shooting_map import Cycle
@@ -41,7 +41,7 @@ def system_declaration(
     names = tuple(table.name for table in kernels.parameters) + (PERIOD,) * timed
     try:
         return declaration_json(_tables(kernels, None, names), cycle, names, start, dwell)
-    except AttributeError:  # a root or a sine
+    except NotRational:
         return declaration_json(tables, cycle, (), start, dwell)
 
 
@@ -57,8 +57,7 @@ def orbit_declaration(
 
     Raises
     ------
-    AttributeError
-        If the declaration has a root or a sine.
+    NotRational
     """
     return declaration_json(_tables(kernels, orbit, tuple(names)), cycle, names, start, dwell)
 

@@ -16,11 +16,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.proof.expansion import Expansion
 
 if TYPE_CHECKING:
-    from flint import arb, arb_mat, arb_poly
+    from flint import arb, arb_mat
 
-__all__ = ["Crossed", "Ends", "Waves", "scales_of"]
+__all__ = ["Crossed", "EventFunctions", "ExactZeros", "scales_of"]
 
 _ORDER = 12
 _DEEPEST = 60  # halvings of a window
@@ -35,7 +36,7 @@ class Crossed(Exception):
         self.time = time
 
 
-class Ends(NamedTuple):
+class ExactZeros(NamedTuple):
     """Where a function is exactly zero.
 
     Attributes
@@ -50,7 +51,7 @@ class Ends(NamedTuple):
     last: bool
 
 
-class Waves:
+class EventFunctions:
     """The affine functions along one phase, at the working precision.
 
     Parameters
@@ -89,8 +90,8 @@ class Waves:
             state = step * state
             self.middles.append((state, over * state))
 
-    def function(self, row: arb_mat) -> list[arb_poly]:
-        """An affine function on each segment, as a polynomial of u in [-1, 1]."""
+    def function(self, row: arb_mat) -> list[Expansion]:
+        """Expand an affine function on each segment."""
         from flint import arb_poly
 
         last = row * _diagonal(self.scales)
@@ -100,21 +101,25 @@ class Waves:
             rows.append(last.entries())
         below = matrix(rows[:-1])
         return [
-            arb_poly([*range_of(below * middle).entries(), range_of(last * over)[0, 0]])
-            for middle, over in self.middles
+            Expansion(
+                2 * self.half * number,
+                self.half,
+                arb_poly([*range_of(below * middle).entries(), range_of(last * over)[0, 0]]),
+            )
+            for number, (middle, over) in enumerate(self.middles)
         ]
 
-    def largest(self, function: list[arb_poly]) -> arb:
+    def largest(self, function: list[Expansion]) -> arb:
         """About the largest value: of some that are looked at, nothing is proved."""
         from flint import arb
 
         seen = []
-        for number, polynomial in enumerate(function):
+        for number, expansion in enumerate(function):
             last = min(1.0, float(self._place(self.end, number)))
-            seen += [polynomial(arb(u * (last + 1) / 4 - 1)).mid() for u in range(5)]
+            seen += [expansion.at(0, arb(u * (last + 1) / 4 - 1)).mid() for u in range(5)]
         return max(seen, key=float)
 
-    def stays_negative(self, function: list[arb_poly], ends: Ends) -> None:
+    def stays_negative(self, function: list[Expansion], zeros: ExactZeros) -> None:
         """Prove that a function is negative inside the phase.
 
         Raises
@@ -125,43 +130,34 @@ class Waves:
         """
         from flint import arb
 
-        for number, polynomial in enumerate(function):
+        for number, expansion in enumerate(function):
             final = number == self.count - 1
             last = self._place(self.end, number).upper() if final else arb(1)
-            order = ends.order if number == 0 else 0
+            order = zeros.order if number == 0 else 0
             # where the last window may not rise: it has nothing negative or zero behind it
-            falling = last if final and not ends.last else None
-            self._segment(polynomial, number, last, order, falling)
+            falling = last if final and not zeros.last else None
+            self._segment(expansion, last, order, falling)
 
     def _place(self, time: arb, number: int) -> arb:
         """The place u of a time in a segment."""
         return time / self.half - (2 * number + 1)
 
-    def _segment(
-        self, polynomial: arb_poly, number: int, last: arb, order: int, falling: arb | None
-    ) -> None:
+    def _segment(self, function: Expansion, last: arb, order: int, falling: arb | None) -> None:
         from flint import arb
 
-        slope = polynomial.derivative()
-        curve = slope.derivative()
-        leading = polynomial
-        for _ in range(order):
-            leading = leading.derivative()
         windows = [(arb(-1), last, 0)]
         while windows:
             begin, end, depth = windows.pop()
-            middle, window = ((begin + end) / 2).mid(), begin.union(end)
+            places = begin.union(end)
+            middle = places.mid()
             if order and begin == -1:
-                done = bool(leading(window) < 0)
-            elif (falling is None or end < falling) and slope(window) > 0:
-                done = True
+                done = bool(function.at(order, places) < 0)
             else:
-                value, away = polynomial(middle), window - middle
-                bound = value + slope(middle) * away
-                bound += curve(window) * arb(0).union(away.abs_upper() ** 2 / 2)
-                done = bool(bound < 0)
-                if not done and value > 0:
-                    time = self.half * (middle + 2 * number + 1)
+                window = function.over(places)
+                rising = falling is None or end < falling
+                done = bool((rising and window.rates > 0) or window.values < 0)
+                if not done and window.value > 0:
+                    time = function.time(middle)
                     if time < self.dwell:
                         raise Crossed(time)
             if done:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.core.rational_functions import Quotient
+from nonsmooth.runtime.core.rational_functions import RationalFunction
 from nonsmooth.runtime.proof.closure import Closing
 from nonsmooth.runtime.proof.contact_statement import law_json, steps_json
 from nonsmooth.runtime.proof.exact_tables import Tables, rational_of
@@ -183,7 +183,7 @@ def _row(row: Sequence[Any]) -> list[Any]:
 
 def _entry(number: Any) -> Any:
     """A fraction as text, a rational function by its polynomials, a ball by middle and radius."""
-    if isinstance(number, Quotient):
+    if isinstance(number, RationalFunction):
         return {"above": _terms(number.above), "below": _terms(number.below)}
     if not hasattr(number, "rad"):
         return str(number)

@@ -16,7 +16,7 @@ from scipy.linalg import expm
 
 from nonsmooth.runtime.proof.closure import projected
 from nonsmooth.runtime.proof.exact_tables import Matrix, Tables, rational_of
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
 from nonsmooth.runtime.shooting.shooting_map import Cycle
 
 __all__ = ["vanishing_along"]
@@ -47,18 +47,18 @@ def vanishing_along(
     from flint import arb_mat, fmpq
 
     field = tables.fields[cycle.configurations[0]]
-    facts = _guessed(tables, field, [float(x.mid()) for x in start], float(dwell[0].mid()))
-    facts = facts.lasting(field)
-    images = _returned(tables, cycle, translations, facts, dwell)
+    invariants = _guessed(tables, field, [float(x.mid()) for x in start], float(dwell[0].mid()))
+    invariants = invariants.lasting(field)
+    images = _returned(tables, cycle, translations, invariants, dwell)
     if not images:
         return ()
     size = range(len(images))
     missed = arb_mat([[int(i == j) - images[i][j] for j in size] for i in size]).det()
-    rational = all(isinstance(x, fmpq) for row in facts.rows for x in row)
-    return facts.rows if rational and (missed > 0 or missed < 0) else ()
+    rational = all(isinstance(x, fmpq) for row in invariants.rows for x in row)
+    return invariants.rows if rational and (missed > 0 or missed < 0) else ()
 
 
-def _guessed(tables: Tables, field: Matrix, start: Sequence[float], dwell: float) -> Facts:
+def _guessed(tables: Tables, field: Matrix, start: Sequence[float], dwell: float) -> Invariants:
     """Rational functions that are about zero at instants of the first phase."""
     rates = np.array([[tables.near(x) for x in row] for row in field])
     size = len(rates)
@@ -77,26 +77,27 @@ def _guessed(tables: Tables, field: Matrix, start: Sequence[float], dwell: float
             left = left - left[:, column, None] * taken
             found = [*(row - row[column] * taken for row in found), taken]
     near = [[Fraction(x).limit_denominator(_LARGEST_DENOMINATOR) for x in row] for row in found]
-    return Facts.of([[rational_of(x) for x in row] for row in near])
+    return Invariants.of([[rational_of(x) for x in row] for row in near])
 
 
 def _returned(
     tables: Tables,
     cycle: Cycle,
     translations: Sequence[Row],
-    facts: Facts,
+    invariants: Invariants,
     dwell: Sequence[Any],
 ) -> list[list[Any]] | None:
     """What becomes of functions over one period, by their values; None where not they alone do."""
     from flint import arb, arb_mat
 
-    first, count = facts, len(facts.rows)
+    number = tables.number_at()
+    first, count = invariants, len(invariants.rows)
     images = [[arb(int(i == j)) for j in range(count)] for i in range(count)]
 
     def combined(factors: Sequence[Sequence[Any]]) -> list[list[Any]]:
         return [
             [
-                sum((tables.number(x) * image[k] for x, image in zip(row, images, strict=True)),
+                sum((number(x) * image[k] for x, image in zip(row, images, strict=True)),
                     arb(0))
                 for k in range(count)
             ]
@@ -107,26 +108,28 @@ def _returned(
     resets[-1] = projected(resets[-1], translations)
     for place, (configuration, reset) in enumerate(zip(cycle.configurations, resets, strict=True)):
         field, leaves = tables.fields[configuration], tables.rows[cycle.rows[place]]
-        lasting = facts.lasting(field)
-        images = combined([_factors(row, facts) for row in lasting.rows])
+        lasting = invariants.lasting(field)
+        images = combined([_factors(row, invariants) for row in lasting.rows])
         if lasting.rows:
             rates = [_factors(product(row, field), lasting) for row in lasting.rows]
-            flow = (arb_mat([list(map(tables.number, row)) for row in rates]) * dwell[place]).exp()
+            flow = (arb_mat([list(map(number, row)) for row in rates]) * dwell[place]).exp()
             images = (flow * arb_mat(images)).tolist()
-        facts = Facts.of([*lasting.rows, leaves]).reset(reset)
-        images = combined([_at_exit(product(row, reset), leaves, lasting) for row in facts.rows])
-    if any(any(facts.reduce(row)) for row in first.rows):
+        invariants = Invariants.of([*lasting.rows, leaves]).reset(reset)
+        images = combined(
+            [_at_exit(product(row, reset), leaves, lasting) for row in invariants.rows]
+        )
+    if any(any(invariants.reduce(row)) for row in first.rows):
         return None
-    return combined([_factors(row, facts) for row in first.rows])
+    return combined([_factors(row, invariants) for row in first.rows])
 
 
-def _factors(row: Row, facts: Facts) -> list[Any]:
-    """A combination of facts by its factors."""
-    return [row[pivot] for pivot in facts.pivots]
+def _factors(row: Row, invariants: Invariants) -> list[Any]:
+    """A combination of invariants by its factors."""
+    return [row[pivot] for pivot in invariants.pivots]
 
 
-def _at_exit(row: Row, leaves: Row, lasting: Facts) -> list[Any]:
-    """The same where it is a combination of facts and of a function that is zero."""
+def _at_exit(row: Row, leaves: Row, lasting: Invariants) -> list[Any]:
+    """The same where it is a combination of invariants and of a function that is zero."""
     rest, zero = lasting.reduce(row), lasting.reduce(leaves)
     for x, y in zip(rest, zero, strict=True):
         if y:

@@ -12,25 +12,25 @@ from flint import arb, arb_mat, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.core.rational_functions import Quotient, symbols
-from nonsmooth.runtime.core.taylor_models import Model, matrix, range_of, space_of
+from nonsmooth.runtime.core.rational_functions import RationalFunction, symbols
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, left_kernel, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, left_kernel, product
 
 SPACES = [(1, 1), (1, 4), (2, 1), (2, 3), (3, 2)]
 
 
-def random_number(rng: np.random.Generator, variables: int, order: int, size: float) -> Model:
+def random_number(rng: np.random.Generator, variables: int, order: int, size: float) -> TaylorModel:
     space = space_of(variables, order)
     parts = [arb(float(rng.normal())) * size ** sum(e) for e in space.exponents]
-    return Model(space, tuple(parts))
+    return TaylorModel(space, tuple(parts))
 
 
-def random_matrix(rng: np.random.Generator, variables: int, order: int, size: int) -> Model:
+def random_matrix(rng: np.random.Generator, variables: int, order: int, size: int) -> TaylorModel:
     entries = [
         [random_number(rng, variables, order, 0.05) for _ in range(size)] for _ in range(size)
     ]
-    found: Model = matrix(entries)
+    found: TaylorModel = matrix(entries)
     return found
 
 
@@ -114,7 +114,7 @@ rationals = st.fractions(min_value=-5, max_value=5, max_denominator=12)
 
 
 @st.composite
-def quotients(draw: st.DrawFn) -> Quotient:
+def quotients(draw: st.DrawFn) -> RationalFunction:
     a, b, c, d = (draw(rationals) for _ in range(4))
     numbers = [fmpq(x.numerator, x.denominator) for x in (a, b, c, d)]
     above = numbers[0] + numbers[1] * V + numbers[2] * V * ETA
@@ -124,7 +124,7 @@ def quotients(draw: st.DrawFn) -> Quotient:
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(quotients(), quotients(), quotients(), rationals, rationals)
 def test_rational_functions_are_a_field(
-    x: Quotient, y: Quotient, z: Quotient, v: Fraction, eta: Fraction
+    x: RationalFunction, y: RationalFunction, z: RationalFunction, v: Fraction, eta: Fraction
 ) -> None:
     assert x * (y + z) == x * y + x * z
     assert not (x + y) - y - x
@@ -143,10 +143,10 @@ def test_rational_functions_are_a_field(
 def test_facts_over_rational_functions() -> None:
     # x = V y and x + y = eta are known; what follows holds for all V and eta
     zero, one = V - V, V / V
-    facts = Facts.of([(one, -V, zero), (one, one, -ETA)])
-    assert facts.pivots == (0, 1)
-    assert not any(facts.reduce((one + V, zero, -V * ETA)))
-    assert any(facts.reduce((one, zero, -V)))
+    invariants = Invariants.of([(one, -V, zero), (one, one, -ETA)])
+    assert invariants.pivots == (0, 1)
+    assert not any(invariants.reduce((one + V, zero, -V * ETA)))
+    assert any(invariants.reduce((one, zero, -V)))
     kernel = left_kernel([(V, ETA), (V * V, V * ETA), (1, 0)])
     assert len(kernel) == 1
     assert not any(product(kernel[0], [(V, ETA), (V * V, V * ETA), (one, zero)]))
@@ -160,7 +160,7 @@ def test_what_irrational_constants_make_zero_divides_nothing() -> None:
         with pytest.raises(ZeroDivisionError, match="irrational"):
             1 / apart
         with pytest.raises(ZeroDivisionError, match="irrational"):
-            Facts.of([(apart, x, x - x)])
+            Invariants.of([(apart, x, x - x)])
         with pytest.raises(ZeroDivisionError, match="irrational"):
             x / (two * two - 2)
         assert (x * apart + two) / (x * apart + two) == 1

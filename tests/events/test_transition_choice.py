@@ -28,7 +28,7 @@ from nonsmooth.runtime.events.transition_choice import Choice, Decider, choose, 
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, evaluate, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, evaluate, product
 from nonsmooth.runtime.proof.motion.validate import BallJudge
 from tests.certified import struck
 from tests.simulation.test_contact_law import declared
@@ -43,7 +43,7 @@ def rational(rng: np.random.Generator) -> Any:
 
 def state_where(rng: np.random.Generator, zero: list[Row]) -> list[Any] | None:
     """A random rational state at which rows vanish; None where there is none."""
-    facts = Facts.of(zero)
+    facts = Invariants.of(zero)
     if not facts.consistent:
         return None
     state = [rational(rng) for _ in zero[0][:-1]]
@@ -54,9 +54,11 @@ def state_where(rng: np.random.Generator, zero: list[Row]) -> list[Any] | None:
     return state
 
 
-def whole(state: list[Any]) -> Facts:
+def whole(state: list[Any]) -> Invariants:
     size = len(state)
-    return Facts.of([[*(fmpq(int(i == j)) for j in range(size)), -x] for i, x in enumerate(state)])
+    return Invariants.of(
+        [[*(fmpq(int(i == j)) for j in range(size)), -x] for i, x in enumerate(state)]
+    )
 
 
 def floats(numbers: Any) -> np.ndarray:
@@ -79,7 +81,9 @@ def exact_leading(row: Row, field: Any, state: list[Any]) -> Leading[Row] | None
     return leading(derivatives(row, field, len(row), product), sign)
 
 
-def leading_in_balls(row: Row, field: Any, facts: Facts, state: list[Any]) -> Leading[Row] | None:
+def leading_in_balls(
+    row: Row, field: Any, facts: Invariants, state: list[Any]
+) -> Leading[Row] | None:
     balls = [arb(x) + arb(0, 2.0**-30) for x in state]
 
     def sign(_: int, reduced: Row) -> int:
@@ -114,7 +118,7 @@ def test_the_leading_derivative_is_the_same_in_every_arithmetic() -> None:
             signs = located.signs(both, abs(both), along)
             assert signs.tolist() == [told(expected)[1], -told(expected)[1]]
 
-        assert told(leading_in_balls(row, field, Facts.of(zero), state)) == told(expected)
+        assert told(leading_in_balls(row, field, Invariants.of(zero), state)) == told(expected)
         # the terms of a field of doubles are those of its exact rows
         rows = list(derivatives(floats(row), square(floats(field[:-1])), size + 1))
         np.testing.assert_allclose(
@@ -175,7 +179,7 @@ def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
             judge = BallJudge(system, source, whole(state), balls)
             found.append(choose(structure, source, boundaries, judge))
             wide = [x + arb(0, 2.0**-40) for x in balls]
-            doubtful = BallJudge(system, source, Facts.of(zero[: len(rows)]), wide)
+            doubtful = BallJudge(system, source, Invariants.of(zero[: len(rows)]), wide)
             less = choose(structure, source, boundaries, doubtful)
         assert len({told_of(choice) for choice in found}) == 1
         seen.add(found[0].verdict)
@@ -203,7 +207,7 @@ def test_starts_of_boundary_functions_have_the_exact_signs() -> None:
         expected = told(exact_leading(row, field, state))
         assert Start.of(function).sign == expected[1]
         with flint_precision(128):
-            found = system.leading(row, c, Facts.of(zero), [arb(x) for x in state])
+            found = system.leading(row, c, Invariants.of(zero), [arb(x) for x in state])
         assert told(found) == expected
         seen.add(expected)
     assert len(seen) > 4

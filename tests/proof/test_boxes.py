@@ -402,6 +402,31 @@ def test_domains_hold_in_every_corner() -> None:
             ns.certify_box(loop(), box)
 
 
+@pytest.mark.parametrize("width", [Fraction(1, 10**4), Fraction(1, 10**9)])
+@pytest.mark.parametrize(
+    ("name", "point", "axis"),
+    [
+        (SYMMETRIC, {"V": "391/500", "eta": "4319/1000"}, "V"),
+        (STICK, {"V": "57/50", "eta": "96/125", "chi": "353/1000"}, "e1"),
+    ],
+)
+def test_a_narrow_box_says_what_its_point_does_and_its_file_is_proved_again(
+    name: str, point: dict[str, str], axis: str, width: Fraction, tmp_path: Path
+) -> None:
+    orbit = ns.solve(name, point)
+    middle = orbit.given[axis].exact
+    assert middle is not None
+    ends = (str(middle * (1 - width)), str(middle * (1 + width)))
+    found, alone = ns.certify_box(orbit, {axis: ends}, tiles=1), ns.certify(orbit)
+    (tile,) = found.tiles
+    assert tile.claims == alone.claims
+    for text, enclosure in alone.enclosures.items():
+        assert tile.enclosures[text].lower < enclosure.lower
+        assert enclosure.upper < tile.enclosures[text].upper
+    found.save(tmp_path / "map.json")
+    assert ns.check_certificate(tmp_path / "map.json").difference is None
+
+
 @pytest.mark.parametrize("line", random.Random(7).sample(range(150), 6))
 def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(line: int, tmp_path: Path) -> None:
     orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}

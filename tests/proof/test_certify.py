@@ -17,18 +17,16 @@ import nonsmooth as ns
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision, parse
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_at
 from nonsmooth.runtime.proof.certify_orbit import MOST_BITS
 from nonsmooth.runtime.proof.closure import symplectic_form
 from nonsmooth.runtime.proof.cycle_equations import Equations
-from nonsmooth.runtime.proof.enclosure import equations_of
 from nonsmooth.runtime.proof.exact_tables import tables_of
 from nonsmooth.runtime.proof.krawczyk import krawczyk, newton
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
 from nonsmooth.runtime.proof.multipliers import inside_circle, neutral_pairs
 from nonsmooth.runtime.proof.orbit_cycle import (
     Subject,
-    closing_of,
-    guess_of,
     subject_of,
 )
 from tests.certified import FORCED, forced, loop
@@ -211,16 +209,14 @@ def test_perturbed_orbits_are_not_proved(size: float) -> None:
 
 def problem(subject: Subject, bits: int) -> tuple[Equations, list[arb]]:
     """Equations of a subject, and a point near their root."""
-    values = tuple(subject.values.values())
-    tables = tables_of(subject.kernels, values, bits)
-    closing = closing_of(subject, tables, [float(x) for x in subject.start])
+    region = region_at(subject, bits)
 
-    def equations(precision: int) -> Equations:
-        return equations_of(subject, closing, precision)
+    def equations() -> Equations:
+        return region.equations(region.tables.number_at())
 
-    point = newton(equations, guess_of(subject, closing, tables.near), bits)
+    point = newton(equations, region.guess, bits)
     assert point is not None
-    return equations(bits), point
+    return equations(), point
 
 
 def test_boxes_with_no_orbit_with_one_and_with_two() -> None:

@@ -17,7 +17,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.proof import certify_orbit as certify
+from nonsmooth.runtime.proof.boxes import orbit_over_box
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from tests.certified import struck, struck_together
 
@@ -115,7 +115,7 @@ def test_orders_that_do_not_agree_are_left_open(monkeypatch: pytest.MonkeyPatch)
         ]
         return replace(tables, resets=tuple(resets))
 
-    monkeypatch.setattr(certify, "exact_tables", tables_with_another_second_order)
+    monkeypatch.setattr(orbit_over_box, "exact_tables", tables_with_another_second_order)
     found = ns.certify(orbit)
     assert found.claims["admissibility"] == "undecided"
     assert OPEN in found.reasons["admissibility"]

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.structure import BoundaryShape
 from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Facts
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
 from nonsmooth.runtime.proof.motion.validate import Proof, validate
 
@@ -378,16 +378,16 @@ def test_facts_stay_as_long_as_the_field_keeps_them() -> None:
     at = enclosed_system("dry-friction", FIRST)(64)
     velocity = [0, 0, 1, 0, fmpq(-1)]
     position = [1, 0, 0, 0, fmpq(-2)]
-    facts = Facts.of([velocity, position])
+    invariants = Invariants.of([velocity, position])
     stuck, slipping = (at.structure.configuration(c) for c in ("stick-slip", "slip-slip"))
-    assert facts.lasting(at.exact.fields[stuck]) == Facts.of([velocity])
-    assert facts.lasting(at.exact.fields[slipping]) == Facts.of([])
+    assert invariants.lasting(at.exact.fields[stuck]) == Invariants.of([velocity])
+    assert invariants.lasting(at.exact.fields[slipping]) == Invariants.of([])
     # one mode of slip-slip alone: x1 + x2/2 and its velocity keep their values
-    both = Facts.of([[2, 1, 0, 0, fmpq(-88, 5)], [0, 0, 2, 1, fmpq(0)]])
+    both = Invariants.of([[2, 1, 0, 0, fmpq(-88, 5)], [0, 0, 2, 1, fmpq(0)]])
     commensurate = enclosed_system("dry-friction", COMMENSURATE)(64)
     assert both.lasting(commensurate.exact.fields[slipping]) == both
     # a velocity set by a reset is known whatever came before
-    assert Facts.of([]).reset(at.exact.resets[2]) == Facts.of([velocity])
+    assert Invariants.of([]).reset(at.exact.resets[2]) == Invariants.of([velocity])
 
 
 def test_boundaries_that_are_multiples_are_reached_together() -> None:
@@ -406,9 +406,9 @@ def test_boundaries_that_are_multiples_are_reached_together() -> None:
     )
     with flint_precision(128):
         state = [arb("0.5"), arb("0.2"), arb(1), arb(0)]
-        facts = Facts.of([[0, 0, 0, 1, fmpq(0)]])
-        found = first_crossing(more, 0, facts, facts.lasting(at.exact.fields[0]), state)
-        alone = first_crossing(at, 0, facts, facts.lasting(at.exact.fields[0]), state)
+        invariants = Invariants.of([[0, 0, 0, 1, fmpq(0)]])
+        found = first_crossing(more, 0, invariants, invariants.lasting(at.exact.fields[0]), state)
+        alone = first_crossing(at, 0, invariants, invariants.lasting(at.exact.fields[0]), state)
     assert found is not None
     assert alone is not None
     assert found[1] == (0, 1)

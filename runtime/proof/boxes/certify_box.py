@@ -23,7 +23,7 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     region_of,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.boxes.tile import Anchor, Proof, Tube, prove
+from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, prove
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
 from nonsmooth.runtime.proof.orbit_cycle import NotCovered, system_of
@@ -248,7 +248,7 @@ def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
     return entry[:2]
 
 
-def _judged(tile: Tile, proof: Proof, region: Region) -> Tile:
+def _judged(tile: Tile, proof: TileProof, region: Region) -> Tile:
     """A tile that was looked at, with what was proved of it before where that is more."""
     if proof.tube is None:
         reached = tile.claims["existence"] == "proved"

@@ -23,7 +23,7 @@ class Entries(NamedTuple):
     ----------
     constants : tuple of Value
         Irrational numbers; they follow the box's parameters in the functions.
-    entries : dict of str to fmpq or Quotient
+    entries : dict of str to fmpq or RationalFunction
     """
 
     constants: tuple[Value, ...]

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property, partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.rational_functions import Quotient
-from nonsmooth.runtime.core.taylor_models import middle_of
-from nonsmooth.runtime.core.values import Value, as_value, flint_precision
+from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
@@ -20,8 +19,16 @@ from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
 from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.exact_tables import Tables, rational_of, tables_over
-from nonsmooth.runtime.proof.invariants import Known, known_of
+from nonsmooth.runtime.proof.cycle_equations import Chain, Equations, chain_of, equations_in
+from nonsmooth.runtime.proof.exact_tables import (
+    NotRational,
+    Number,
+    Tables,
+    exact_tables,
+    rational_of,
+    tables_over,
+)
+from nonsmooth.runtime.proof.invariants import CycleInvariants, invariants_of
 from nonsmooth.runtime.proof.orbit_cycle import (
     NotCovered,
     Subject,
@@ -31,7 +38,6 @@ from nonsmooth.runtime.proof.orbit_cycle import (
     period_name,
     physical_values,
     subject_near,
-    translations_in,
 )
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD as PERIOD_NAME
 from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration
@@ -41,14 +47,14 @@ from nonsmooth.runtime.shooting.shooting_map import Cycle
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["BITS", "Region", "checked_box", "given_of", "region_of", "with_open_ones"]
+__all__ = ["BITS", "Region", "checked_box", "given_of", "region_at", "region_of", "with_open_ones"]
 
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
 
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """What is to be proved of an orbit for all parameters of a box.
+    """What is to be proved of an orbit for all parameters of a box: a point is one of none.
 
     Attributes
     ----------
@@ -57,13 +63,10 @@ class Region:
     names : tuple of str
         Of the box's parameters.
     box : tuple of (Fraction, Fraction)
-    constants : tuple of Value
-        Irrational parameters; they follow the box's in the rational functions.
     tables : Tables
+        Irrational parameters follow the box's in the rational functions.
     closing : Closing
-        Its period is a fmpq or a Quotient.
-    known : Known
-    plans : tuple of Plan
+        Its period is a Value, a fmpq or a RationalFunction.
     at : tuple of Fraction
         The subject's point.
     guess : list of arb
@@ -73,11 +76,8 @@ class Region:
     subject: Subject
     names: tuple[str, ...]
     box: tuple[Interval, ...]
-    constants: tuple[Value, ...]
     tables: Tables
     closing: Closing
-    known: Known
-    plans: tuple[Plan, ...]
     at: tuple[Fraction, ...]
     guess: Sequence[arb]
 
@@ -86,31 +86,28 @@ class Region:
         """The orbit's cycle."""
         return self.subject.cycle
 
-    def number(self, values: Sequence[Any]) -> Callable[[Any], Any]:
-        """The map from exact entries to numbers, at values of the box's parameters."""
-        from flint import arb, ctx
+    @cached_property
+    def invariants(self) -> CycleInvariants | None:
+        """What is exactly true along the orbit; None where the tables are not exact."""
+        if not self.tables.exact:
+            return None
+        closing = self.closing
+        return invariants_of(self.tables, self.cycle, closing.translations, closing.vanishing)
 
-        point = [*values, *(value.ball(ctx.prec) for value in self.constants)]
-        found: dict[Quotient, Any] = {}
+    @cached_property
+    def plans(self) -> tuple[Plan, ...]:
+        """What makes it admissible, for each phase; none where the tables are not exact."""
+        found = self.invariants
+        return () if found is None else plan_of(self.tables, self.cycle, found)
 
-        def number(entry: Any) -> Any:
-            if not isinstance(entry, Quotient):
-                return arb(entry)
-            if entry not in found:
-                found[entry] = entry(point)
-            return found[entry]
+    def chain(self, number: Number) -> Chain:
+        """The cycle's fields, rows and resets in numbers."""
+        return chain_of(self.tables, self.cycle, number, self.closing.translations)
 
-        return number
-
-    def near(self, point: Sequence[Fraction]) -> Callable[[Any], float]:
-        """The map from exact entries to floats, at a point of the box."""
-        from flint import arb
-
-        def near(entry: Any) -> float:
-            with flint_precision(BITS):
-                return float(middle_of(self.number([arb(rational_of(x)) for x in point])(entry)))
-
-        return near
+    def equations(self, number: Number) -> Equations:
+        """The orbit's equations in numbers."""
+        period = None if self.closing.period is None else number(self.closing.period)
+        return equations_in(self.chain(number), self.closing, number, period)
 
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing as a file states them.
@@ -124,7 +121,7 @@ class Region:
             subject.kernels, kernels, self.cycle, names, subject.start_names, subject.dwell_names
         )
         own = {value: name for name, value in reversed(given.items())}
-        variables = [*self.names, *(own.get(value, "") for value in self.constants)]
+        variables = [*self.names, *(own.get(value, "") for value in self.tables.constants)]
         period = PERIOD_NAME if kernels is None else period_name(kernels) or ""
         return declared, closing_json(self.closing, self.cycle, names, variables, period)
 
@@ -214,30 +211,49 @@ def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
         If a declaration takes roots, or what `subject_near` and `closing_of` say.
     """
     subject = subject_near(orbit)
-    try:
-        return _region(orbit, subject, box)
-    except AttributeError:
-        raise NotCovered("the declaration takes a root or a sine of its parameters") from None
-    except ZeroDivisionError as problem:
-        raise NotCovered(str(problem)) from None
-
-
-def _region(orbit: Orbit, subject: Subject, box: Mapping[str, Interval]) -> Region:
     numbers, at = _numbers(orbit, subject, tuple(box))
     constants, entries = entries_over(box, numbers)
     period = entries.pop(PERIOD, None)
-    tables = tables_over(subject.kernels, list(entries.values()))
-    known = known_of(tables, subject.cycle, translations_in(subject, tables))
-    region = Region(
-        subject, tuple(box), tuple(box.values()), constants, tables, Closing("state"), known,
-        plan_of(tables, subject.cycle, known), tuple(at), (),
-    )  # fmt: skip
-    near = region.near(at)
-    closing = closing_of(subject, tables, [float(x) for x in subject.start], near)
-    guess = guess_of(subject, closing, near)
-    if closing.kind == "period":
-        closing = replace(closing, period=period)
-    return replace(region, closing=closing, guess=guess)
+    try:
+        tables = tables_over(subject.kernels, list(entries.values()), constants)
+        region = _region(subject, box, tables, at)
+        if region.closing.kind == "period":
+            region = replace(region, closing=replace(region.closing, period=period))
+        _ = region.plans  # divides exactly
+    except NotRational:
+        raise NotCovered("the declaration takes a root or a sine of its parameters") from None
+    except ZeroDivisionError as problem:
+        raise NotCovered(str(problem)) from None
+    return region
+
+
+def region_at(subject: Subject, bits: int) -> Region:
+    """The region of an orbit at its own parameter point: a box of no parameters.
+
+    Parameters
+    ----------
+    subject : Subject
+    bits : int
+        Of the tables, where the declaration takes a root or a sine.
+
+    Raises
+    ------
+    NotCovered
+        As for `closing_of`.
+    """
+    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
+    return _region(subject, {}, tables, ())
+
+
+def _region(
+    subject: Subject, box: Mapping[str, Interval], tables: Tables, at: Sequence[Fraction]
+) -> Region:
+    from flint import arb
+
+    point = [arb(rational_of(x)) for x in at]
+    closing = closing_of(subject, tables, [float(x) for x in subject.start], point)
+    guess = guess_of(subject, closing, partial(tables.near, values=point))
+    return Region(subject, tuple(box), tuple(box.values()), tables, closing, tuple(at), guess)
 
 
 def _numbers(

@@ -11,51 +11,32 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.core.taylor_models import (
-    Model,
-    Space,
-    matrix,
-    middle_of,
-    range_of,
-    space_of,
-)
+from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.admissibility import judge
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
-from nonsmooth.runtime.proof.cycle_equations import (
-    Chain,
-    Equations,
-    Passage,
-    chain_of,
-    equations_in,
-)
-from nonsmooth.runtime.proof.exact_tables import Number, numbers, rational_of
+from nonsmooth.runtime.proof.cycle_equations import Chain, Equations
+from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, krawczyk, newton
-from nonsmooth.runtime.proof.multipliers import (
-    CORNER,
-    inside_circle,
-    neutral_pairs,
-    product_of,
-    reduced_map,
-    trace_of,
+from nonsmooth.runtime.proof.orbit_claims import (
+    NOT_CONSERVED,
+    claim_of_map,
+    conserved,
+    judged,
+    named_numbers,
 )
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Anchor", "Proof", "Tube", "conserved", "equations_over", "prove"]
+__all__ = ["Anchor", "TileProof", "Tube", "prove"]
 
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
 _LOWEST = 2
 _CLOSE = 50  # bits of the orbit in the middle of a tile
 _TRIES = 4  # sizes of Krawczyk's box
+_SEEN = 30  # bits to which the check, whose tube is wider, tells the ends of an enclosure
 _ALIKE = 30  # bits to which numbers of one orbit agree, at least
-_STABILITY = {
-    True: "",
-    False: "a multiplier lies outside the unit circle",
-    None: "a multiplier may lie on the unit circle",
-}
 
 
 class Anchor(NamedTuple):
@@ -74,12 +55,12 @@ class Tube:
     place : Place
     box : tuple of (Fraction, Fraction)
         Of all tiles.
-    unknowns : sequence of Model
+    unknowns : sequence of TaylorModel
     """
 
     place: Place
     box: tuple[Interval, ...]
-    unknowns: Sequence[Model]
+    unknowns: Sequence[TaylorModel]
 
     def at(self, point: Sequence[Fraction]) -> list[arb]:
         """Balls around the unknowns at a point of the tile."""
@@ -94,7 +75,7 @@ class Tube:
 
 
 @dataclass(frozen=True, eq=False)
-class Proof:
+class TileProof:
     """What is proved on a tile.
 
     Attributes
@@ -116,7 +97,7 @@ class Proof:
     tube: Tube | None
 
 
-def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> Proof:
+def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> TileProof:
     """Prove what can be proved on a tile.
 
     Parameters
@@ -134,18 +115,9 @@ def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> Proof
         return _prove(region, place, anchor, space)
 
 
-def equations_over(region: Region, number: Number) -> Equations:
-    """The equations of a region's orbit in numbers."""
-    closing = region.closing
-    period = None if closing.period is None else number(closing.period)
-    chain = chain_of(region.tables, region.cycle, number, closing.translations)
-    return equations_in(chain, closing, number, period)
-
-
-def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
-    number = region.number(_variables(region, place, space))
-    equations = equations_over(region, number)
-    chain, closing = equations.chain, equations.closing
+def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> TileProof:
+    number = region.tables.number_at(_variables(region, place, space))
+    equations = region.equations(number)
     start = _followed(equations, anchor.numbers, space)
     if start is None:
         return _undecided("Newton's method finds no orbit in the middle")
@@ -155,48 +127,30 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
     tube = Tube(place, region.box, found.image)
     if not _joined(region, anchor, tube.at(anchor.point)):
         return _undecided("another orbit may have been found")
-    now = equations.passage(found.image, found.flows)
+    passage = equations.passage(found.image, found.flows)
     dwell = equations.dwell(found.image)
-    if closing.form is not None and not conserved(region, number, now):
-        return _undecided("the energy does not give the coordinate that is left out")
-    maps = equations.maps(now)
-    square = reduced_map(maps, region.known, closing, number)
-    total = trace_of(square)
-    trace = range_of(total)
-    inside: bool | None = None
-    told = _STABILITY[None]
-    if region.cycle.one_sided:
-        told = CORNER
-    elif trace.is_finite():
-        if closing.form is not None:
-            inside, _ = neutral_pairs(range_of(product_of(maps)), trace)
-        else:
-            inside = inside_circle(square)
-        told = _STABILITY[inside]
-    stability = {True: "proved", False: "refuted", None: "undecided"}[inside]
-    judgement = judge([plan.at(number) for plan in region.plans], chain, now, dwell)
-    subject = region.subject
-    shown = total + len(closing.translations)
-    named = {"trace": shown, "period": sum(dwell[1:], dwell[0])}
-    named |= dict(zip(subject.dwell_names, dwell, strict=True))
-    named |= dict(zip(subject.start_names, now.starts[0].entries()[:-1], strict=True))
+    if not conserved(region, number, passage):
+        return _undecided(NOT_CONSERVED)
+    stability = claim_of_map(region, number, equations, passage)
+    judgement = judged(region, number, equations.chain, passage, dwell)
+    named = named_numbers(region, equations, passage, dwell, stability.trace)
     enclosures = {name: _wider(number) for name, number in named.items()}
-    reasons = {"admissibility": judgement.reason, "stability": told}
+    reasons = {"admissibility": judgement.reason, "stability": stability.reason}
     reasons = {name: reason for name, reason in reasons.items() if reason}
-    return Proof("proved", judgement.verdict, stability, reasons, enclosures, tube)
+    return TileProof("proved", judgement.verdict, stability.verdict, reasons, enclosures, tube)
 
 
 def _joined(region: Region, anchor: Anchor, found: Sequence[arb]) -> bool:
     """Whether what was found is the anchor's orbit: one box there holds both, and one root."""
     from flint import arb
 
-    number = region.number([arb(rational_of(x)) for x in anchor.point])
+    number = region.tables.number_at([arb(rational_of(x)) for x in anchor.point])
     both = [x.union(y) for x, y in zip(found, anchor.numbers, strict=True)]
     centre = [x.mid() for x in both]
     radii = [2 * x.rad() + (1 + abs(x)) * arb(2) ** -_ALIKE for x in both]
     if not all(r.is_finite() for r in radii):
         return False
-    return krawczyk(equations_over(region, number), centre, [r.upper() for r in radii]).unique
+    return krawczyk(region.equations(number), centre, [r.upper() for r in radii]).unique
 
 
 def _wider(number: Any) -> arb:
@@ -204,15 +158,15 @@ def _wider(number: Any) -> arb:
     from flint import arb
 
     ball = range_of(number)
-    found: arb = ball + arb(0, number.rad() + (1 + abs(ball)) * arb(2) ** (16 - BITS))
+    found: arb = ball + arb(0, number.rad() + (1 + abs(ball)) * arb(2) ** -_SEEN)
     return found
 
 
-def _undecided(reason: str) -> Proof:
-    return Proof("undecided", "undecided", "undecided", {"existence": reason}, {}, None)
+def _undecided(reason: str) -> TileProof:
+    return TileProof("undecided", "undecided", "undecided", {"existence": reason}, {}, None)
 
 
-def _variables(region: Region, place: Place, space: Space) -> list[Model]:
+def _variables(region: Region, place: Place, space: Space) -> list[TaylorModel]:
     """The parameters on a tile."""
     from flint import arb
 
@@ -226,15 +180,15 @@ def _variables(region: Region, place: Place, space: Space) -> list[Model]:
 def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[Any] | None:
     """Polynomials near the orbit, by Newton's method; nothing is proved of them."""
     middle = _mapped(equations, middle_of)
-    found = newton(lambda precision: middle, guess, _CLOSE)
+    found = newton(lambda: middle, guess, _CLOSE)
     if found is None:
         return None
     for order in (1, space.order):  # each step doubles the order that is right, and more
         rough = space_of(space.variables, order)
 
-        def cut(number: Any, rough: Space = rough) -> Model:
+        def cut(number: Any, rough: Space = rough) -> TaylorModel:
             middle = number.mid()
-            return middle.cast(rough) if isinstance(number, Model) else rough.constant(middle)
+            return middle.cast(rough) if isinstance(number, TaylorModel) else rough.constant(middle)
 
         centre = list(map(cut, found))
         missed = Krawczyk(_mapped(equations, cut), centre).missed
@@ -269,18 +223,3 @@ def _contracted(test: Krawczyk) -> Contraction | None:
             return found
         moved = [abs(range_of(x - c)) for x, c in zip(found.image, test.centre, strict=True)]
     return None
-
-
-def conserved(region: Region, number: Number, now: Passage) -> bool:
-    """Whether the energy returns the coordinate whose closure was dropped."""
-    closing, first, last = region.closing, now.starts[0], now.starts[-1]
-    assert closing.form is not None
-    omega = range_of(numbers(closing.form.omega, number))
-    if omega.det().contains(0):
-        return False
-    k = closing.dropped
-    between = range_of(first).entries()
-    between[k] = between[k].union(range_of(last)[k, 0])
-    energy = range_of(numbers([closing.form.energies[region.cycle.configurations[0]][k]], number))
-    slope = (energy * matrix([[x] for x in between]))[0, 0]
-    return bool(slope > 0 or slope < 0)

@@ -21,8 +21,8 @@ from nonsmooth.runtime.proof.counting.contraction import (
 )
 from nonsmooth.runtime.proof.cycle_equations import Chain, chain_of
 from nonsmooth.runtime.proof.exact_tables import Tables
-from nonsmooth.runtime.proof.invariants import known_of
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, product
+from nonsmooth.runtime.proof.invariants import invariants_of
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
 from nonsmooth.runtime.shooting.shooting_map import Cycle
 
 if TYPE_CHECKING:
@@ -83,14 +83,14 @@ def setting_of(tables: Tables, cycle: Cycle) -> Setting:
     """The setting with the fewest coordinates; all states, where the numbers are not exact."""
     size, count = len(tables.fields[0]) - 1, len(cycle)
     forced = [state for pair in cycle.structure.forcing for state in pair]
-    starts: Sequence[Facts] = [Facts((), ())] * count
+    starts: Sequence[Invariants] = [Invariants((), ())] * count
     if tables.exact:
-        starts = known_of(tables, cycle).starts
-    if not all(facts.consistent for facts in starts):
+        starts = invariants_of(tables, cycle).starts
+    if not all(invariants.consistent for invariants in starts):
         return Setting(0, (), (), (0,) * count, False)
 
-    def solved(facts: Facts) -> dict[int, Sequence[Any]]:
-        pairs = zip(facts.pivots, facts.rows, strict=True)
+    def solved(invariants: Invariants) -> dict[int, Sequence[Any]]:
+        pairs = zip(invariants.pivots, invariants.rows, strict=True)
         return {pivot: row for pivot, row in pairs if pivot not in forced}
 
     rotation = max(range(count), key=lambda k: (len(solved(starts[k])), -k))
@@ -154,7 +154,7 @@ class DwellProblem:
 
         self.domain, self.setting, self.given = tuple(domain), setting, given
         self.largest, self.last = largest, last
-        self.chain: Chain = chain_of(tables, cycle.rotated(setting.rotation))
+        self.chain: Chain = chain_of(tables, cycle.rotated(setting.rotation), tables.number_at())
         self.embedding = arb_mat([[arb(x) for x in row] for row in setting.embedding])
         self.speeds = [arb(speed) for speed in given.speeds]
         self.first = int(bool(given.pairs))

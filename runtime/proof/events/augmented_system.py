@@ -10,11 +10,11 @@ from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of, sp
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, Watched
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.boxes.tile import conserved, equations_over
 from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Passage
 from nonsmooth.runtime.proof.exact_tables import Number
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
 from nonsmooth.runtime.proof.multipliers import CORNER, reduced_map
+from nonsmooth.runtime.proof.orbit_claims import conserved
 from nonsmooth.runtime.proof.orbit_cycle import NotCovered
 
 if TYPE_CHECKING:
@@ -75,8 +75,8 @@ class Augmented(NamedTuple):
             space.variable(k, x, r) for k, (x, r) in enumerate(zip(middles, halves, strict=True))
         ]
         count = self.own
-        number = region.number([box[count]])
-        equations = equations_over(region, number)
+        number = region.tables.number_at([box[count]])
+        equations = region.equations(number)
         flows = Flows(equations.chain, equations.dwell(box[:count]))
         now = equations.passage(box[:count], flows)
         return _Here(region, number, equations, now, box[:count], box[count + 1 :])
@@ -123,7 +123,7 @@ def _map(here: _Here) -> Any:
     if region.cycle.one_sided:
         raise NotCovered(CORNER)
     maps = here.equations.maps(here.now)
-    found = reduced_map(maps, region.known, region.closing, here.number)
+    found = reduced_map(maps, region.invariants, region.closing, here.number)
     if found.nrows() > _LARGEST_MAP:
         raise NotCovered(f"more than {_LARGEST_MAP} multipliers")
     return found

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
@@ -213,7 +214,7 @@ def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
         )
     system = augmented(region, event, unknown_names(subject, region.closing))
     guess = [
-        *guess_of(subject, region.closing, region.near([Fraction(event.value)])),
+        *guess_of(subject, region.closing, partial(region.tables.near, values=[arb(event.value)])),
         arb(event.value),
     ]
     if event.kind == "grazing":

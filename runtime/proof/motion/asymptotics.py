@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from math import comb, factorial
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row, left_kernel, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, left_kernel, product
 
 if TYPE_CHECKING:
     from flint import acb, arb
@@ -20,7 +20,7 @@ __all__ = ["stays_negative"]
 
 
 def stays_negative(
-    row: Row, field: Sequence[Row], lasting: Facts, state: Sequence[arb], time: arb
+    row: Row, field: Sequence[Row], lasting: Invariants, state: Sequence[arb], time: arb
 ) -> bool:
     """Whether an affine function is proved to be negative from a time on.
 
@@ -29,7 +29,7 @@ def stays_negative(
     row : Row
     field : rows of fmpq
         Acts on (y, 1).
-    lasting : Facts
+    lasting : Invariants
         True along the motion.
     state : sequence of arb
         At time 0.
@@ -55,7 +55,7 @@ def stays_negative(
     return bool(total < 0)
 
 
-def _sequence(row: Row, field: Sequence[Row], lasting: Facts) -> tuple[list[Row], Row]:
+def _sequence(row: Row, field: Sequence[Row], lasting: Invariants) -> tuple[list[Row], Row]:
     """Rows of the derivatives, as many as are independent, and what the next one is of them."""
     rows = [lasting.reduce(row)]
     while not (kernel := left_kernel(rows)):

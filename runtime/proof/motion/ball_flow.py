@@ -13,66 +13,22 @@ units of the states.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cache, cached_property, lru_cache
 from math import factorial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from flint import arb, arb_mat, arb_poly
+from nonsmooth.runtime.proof.expansion import Expansion
 
-__all__ = ["AffineFlow", "Expansion"]
+if TYPE_CHECKING:
+    from flint import arb, arb_mat
+
+__all__ = ["AffineFlow"]
 
 _GROWTH = 4  # how much faster than those before them later derivatives may grow, at most
 _KEPT = 64  # segments whose exponentials are kept for the next phase
-
-
-class Expansion:
-    """An affine function of the state along one segment of time.
-
-    Time is counted by u from -1 to 1 over the segment, derivatives are those by u.
-
-    Parameters
-    ----------
-    start, half : arb
-        Of the segment: its start, and half of its length. Exact.
-    polynomial : arb_poly
-    remainder : arb
-        Bound of all derivatives beyond the polynomial's degree.
-    factor : function of the order of a derivative
-        Its remainder in units of that bound.
-    """
-
-    def __init__(
-        self,
-        start: arb,
-        half: arb,
-        polynomial: arb_poly,
-        remainder: arb,
-        factor: Callable[[int], arb],
-    ) -> None:
-        self.start, self.half = start, half
-        self._remainder, self._factor = remainder, factor
-        self._found = [(polynomial, self._error(0))]
-
-    def at(self, order: int, u: arb) -> arb:
-        """A derivative at a place in [-1, 1], or over a ball of places."""
-        while len(self._found) <= order:
-            polynomial = self._found[-1][0].derivative()
-            self._found.append((polynomial, self._error(len(self._found))))
-        polynomial, error = self._found[order]
-        return polynomial(u) + error
-
-    def _error(self, order: int) -> arb:
-        from flint import arb
-
-        return arb(0, (self._remainder * self._factor(order)).upper())
-
-    def time(self, u: arb) -> arb:
-        """Time at a place."""
-        return self.start + self.half * (1 + u)
 
 
 class AffineFlow:
@@ -172,9 +128,11 @@ class AffineFlow:
         remainder = arb(0)
         for entry in (beyond * middle).entries():
             remainder = remainder.max(abs(entry).upper())
-        return Expansion(
-            start, half, arb_poly((rows * middle).entries()), remainder, self._error_factor
-        )
+
+        def error(order: int) -> arb:
+            return arb(0, (remainder * self._error_factor(order)).upper())
+
+        return Expansion(start, half, arb_poly((rows * middle).entries()), error)
 
     def _flow(self, number: int) -> arb_mat:
         """From the start of the phase to the middle of a segment."""

@@ -1,7 +1,7 @@
 """What is known exactly of a state: affine functions that are zero, and rows of rationals.
 
 A velocity set to the belt's by a reset, a boundary that was just reached and a coordinate at
-rest on a stop are facts; balls alone could never tell them from nearly so.
+rest on a stop are invariants; balls alone could never tell them from nearly so.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from flint import arb, fmpq
 
-__all__ = ["Facts", "Row", "evaluate", "left_kernel", "product"]
+__all__ = ["Invariants", "Row", "evaluate", "left_kernel", "product"]
 
 Row = tuple["fmpq", ...]  # n y + c: n, then c
 
 
 @dataclass(frozen=True)
-class Facts:
+class Invariants:
     """Affine functions of a state that are exactly zero: independent rows, reduced.
 
     Attributes
@@ -34,12 +34,12 @@ class Facts:
     pivots: tuple[int, ...]
 
     @staticmethod
-    def of(rows: Sequence[Sequence[Any]]) -> Facts:
-        """Facts from rows that need not be independent."""
+    def of(rows: Sequence[Sequence[Any]]) -> Invariants:
+        """Invariants from rows that need not be independent."""
         if not rows:
-            return Facts((), ())
+            return Invariants((), ())
         reduced = [row for row in _echelon(rows) if any(row)]
-        return Facts(
+        return Invariants(
             tuple(reduced),
             tuple(next(j for j, entry in enumerate(row) if entry) for row in reduced),
         )
@@ -57,20 +57,20 @@ class Facts:
                 found = [x - factor * y for x, y in zip(found, fact, strict=True)]
         return tuple(found)
 
-    def lasting(self, field: Sequence[Row]) -> Facts:
+    def lasting(self, field: Sequence[Row]) -> Invariants:
         """Those that stay true along a field: the largest part that it maps into itself."""
-        facts = self
-        while facts.rows:
-            rates = [facts.reduce(product(row, field)) for row in facts.rows]
-            kept = [product(c, facts.rows) for c in left_kernel(rates)]
-            if len(kept) == len(facts.rows):
+        invariants = self
+        while invariants.rows:
+            rates = [invariants.reduce(product(row, field)) for row in invariants.rows]
+            kept = [product(c, invariants.rows) for c in left_kernel(rates)]
+            if len(kept) == len(invariants.rows):
                 break
-            facts = Facts.of(kept)
-        return facts
+            invariants = Invariants.of(kept)
+        return invariants
 
-    def reset(self, reset: Sequence[Row]) -> Facts:
+    def reset(self, reset: Sequence[Row]) -> Invariants:
         """What is true behind a reset of a state for which these are."""
-        return Facts.of(left_kernel([self.reduce(row) for row in reset]))
+        return Invariants.of(left_kernel([self.reduce(row) for row in reset]))
 
     def agree(self, first: Sequence[Sequence[Any]], second: Sequence[Sequence[Any]]) -> bool:
         """Whether two resets take every state for which these are true to one state."""

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.motion.asymptotics import stays_negative
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
 
 if TYPE_CHECKING:
     from flint import arb
@@ -128,20 +128,16 @@ class _Search:
         """Decide one window; the time and the state of the crossing if it is in it."""
         from flint import arb
 
-        function, (middle, radius) = self.function, self._window()
-        curve = function.at(2, arb(middle, radius))
-        rate = function.at(1, middle)
-        slope = rate + curve * arb(0, radius)
-        if not slope < 0:
-            half = radius * radius / 4
-            whole = function.at(0, middle) + rate * arb(0, radius)
-            if not whole + curve * arb(half, half) < 0:
-                last = function.at(0, self._place(2)) if slope > 0 else None
-                if last is not None and last > 0:
-                    return self._newton(arb(middle, radius), slope)
-                if last is None or not last < 0:
-                    self._halve("is reached tangentially, or comes closer than the digits tell")
-                    return None
+        places = arb(*self._window())
+        window = self.function.over(places)
+        slope = window.rates
+        if not (slope < 0 or window.values < 0):
+            last = self.function.at(0, self._place(2)) if slope > 0 else None
+            if last is not None and last > 0:
+                return self._newton(places, slope)
+            if last is None or not last < 0:
+                self._halve("is reached tangentially, or comes closer than the digits tell")
+                return None
         self._pass()
         return None
 
@@ -169,8 +165,8 @@ class _Search:
 def first_crossing(
     system: EnclosedSystem,
     configuration: int,
-    facts: Facts,
-    lasting: Facts,
+    invariants: Invariants,
+    lasting: Invariants,
     state: Sequence[arb],
 ) -> Crossing | None:
     """When a phase ends, and which boundaries are reached then; None if it never does.
@@ -181,7 +177,7 @@ def first_crossing(
     ----------
     system : EnclosedSystem
     configuration : int
-    facts, lasting : Facts
+    invariants, lasting : Invariants
         Of the start, and those that stay true along the phase.
     state : sequence of arb
         The start.
@@ -198,7 +194,7 @@ def first_crossing(
     crossed, orders = [], {}
     for b, boundary in enumerate(structure.boundaries[configuration]):
         try:
-            begins = system.leading(exact.rows[boundary.row], configuration, facts, state)
+            begins = system.leading(exact.rows[boundary.row], configuration, invariants, state)
         except Undecided as unknown:
             raise Undecided(
                 f"whether {boundary.name} is passed at the start of the phase: {unknown.reason}"

@@ -17,7 +17,7 @@ from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.contacts.law import Event
 from nonsmooth.runtime.model.contacts.stages import Combination, requirements
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, Row
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 
 if TYPE_CHECKING:
     from flint import arb
@@ -28,7 +28,7 @@ _ERROR = 2.0**-40  # of the guess
 
 
 def lawful(
-    system: EnclosedSystem, source: int, event: Event, facts: Facts, state: Sequence[arb]
+    system: EnclosedSystem, source: int, event: Event, invariants: Invariants, state: Sequence[arb]
 ) -> int | None:
     """Target behind an event of coupled contacts; None where that is not proved."""
     law, exact = system.structure.law, system.exact
@@ -45,7 +45,7 @@ def lawful(
             wanted = requirements(law, event, stage, lambda row: exact.rows[row][-1])
             for function, positive, _ in wanted:
                 row = _row(function, exact.rows)
-                found = system.leading(row, target, facts, state)
+                found = system.leading(row, target, invariants, state)
                 if (found is not None and found.sign > 0) != positive:
                     return None
                 if stage is not path[-1] and (found is None or found.order):
@@ -54,7 +54,7 @@ def lawful(
             return None
     reset, size = law.reset(event, target), len(known)
     unit = [[int(i == j) for j in range(size)] for i in range(size)]
-    return target if facts.agree(exact.resets[reset], unit) else None
+    return target if invariants.agree(exact.resets[reset], unit) else None
 
 
 def _floats(numbers: Any) -> np.ndarray:

@@ -19,7 +19,7 @@ from nonsmooth.runtime.model.contacts.law import Event
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Facts, evaluate
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, evaluate
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
 from nonsmooth.runtime.proof.motion.lawful import lawful
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactly
@@ -111,7 +111,7 @@ class _Motion:
 
         self.system, self.configuration = system, configuration
         size = len(start)
-        self.facts = Facts.of(
+        self.invariants = Invariants.of(
             [[*(fmpq(int(i == j)) for j in range(size)), -x] for i, x in enumerate(start)]
         )
         self.state = [arb(x) for x in start]
@@ -128,10 +128,10 @@ class _Motion:
         structure, exact = self.system.structure, self.system.exact
         name = structure.configurations[self.configuration]
         for boundary in structure.boundaries[self.configuration]:
-            if self.system.value(exact.rows[boundary.row], self.facts, self.state) > 0:
+            if self.system.value(exact.rows[boundary.row], self.invariants, self.state) > 0:
                 raise InputError(f"the state is not in {name}: it is beyond {boundary.name}")
         for row in _held(self.system, self.configuration).rows:
-            if any(self.facts.reduce(row)):
+            if any(self.invariants.reduce(row)):
                 raise InputError(f"the state is not in {name}, where {_equation(structure, row)}")
 
     def run(self, transitions: int) -> None:
@@ -153,27 +153,27 @@ class _Motion:
     def _transition(self) -> None:
         system, here = self.system, self.configuration
         exact, structure = system.exact, system.structure
-        lasting = self.facts.lasting(exact.fields[here])
-        found = first_crossing(system, here, self.facts, lasting, self.state)
+        lasting = self.invariants.lasting(exact.fields[here])
+        found = first_crossing(system, here, self.invariants, lasting, self.state)
         if found is None:
             self.quiet = True
             return
         dwell, reached, state = found
         if dwell.is_zero():
-            time, facts = self.time, self.facts
+            time, invariants = self.time, self.invariants
         else:
             time = self.time + dwell
             rows = [exact.rows[structure.boundaries[here][b].row] for b in reached]
-            facts = Facts.of([*lasting.rows, *rows])
-            state = facts.tighten(state)
-        judge = BallJudge(system, here, facts, state)
+            invariants = Invariants.of([*lasting.rows, *rows])
+            state = invariants.tighten(state)
+        judge = BallJudge(system, here, invariants, state)
         try:
             target, reset = self._next(reached, judge)
         except Undecided as trouble:
             raise Undecided(trouble.reason, dwell, digits=trouble.digits) from None
         matrix = exact.resets[reset]
-        self.facts = facts.reset(matrix)
-        self.state = self.facts.tighten([evaluate(row, state) for row in matrix[:-1]])
+        self.invariants = invariants.reset(matrix)
+        self.state = self.invariants.tighten([evaluate(row, state) for row in matrix[:-1]])
         self.time, self.configuration = time, target
         self.configurations.append(target)
         self.sets.append(reached)
@@ -245,14 +245,14 @@ class BallJudge:
     system : EnclosedSystem
     source : int
         The configuration in which boundaries are reached.
-    facts : Facts
+    facts : Invariants
         Of the state: a boundary that was reached is zero.
     state : sequence of arb
     """
 
     system: EnclosedSystem
     source: int
-    facts: Facts
+    facts: Invariants
     state: Sequence[arb]
 
     def sign(self, row: int, along: int) -> int:
@@ -290,12 +290,12 @@ def _start(structure: Structure, state: Mapping[str, object] | Sequence[object])
     return [exactly(x, name) for name, x in zip(names, state, strict=True)]
 
 
-def _held(system: EnclosedSystem, configuration: int) -> Facts:
+def _held(system: EnclosedSystem, configuration: int) -> Invariants:
     """What is true in a configuration whatever the motion: what resets into it set for good.
 
     Nothing, if they contradict each other.
     """
-    exact, none = system.exact, Facts((), ())
+    exact, none = system.exact, Invariants((), ())
     resets = {
         transition.reset
         for found in system.structure.transitions
@@ -303,8 +303,8 @@ def _held(system: EnclosedSystem, configuration: int) -> Facts:
         if transition.target == configuration
     }
     rows = [row for reset in resets for row in none.reset(exact.resets[reset]).rows]
-    facts = Facts.of(rows)
-    return facts.lasting(exact.fields[configuration]) if facts.consistent else none
+    invariants = Invariants.of(rows)
+    return invariants.lasting(exact.fields[configuration]) if invariants.consistent else none
 
 
 def _equation(structure: Structure, row: Sequence[Any]) -> str:

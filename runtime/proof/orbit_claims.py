@@ -1,0 +1,132 @@
+"""What follows for an orbit that is proved to exist: stability, admissibility, enclosures.
+
+All is for every parameter of a tile, in Taylor models of them. A point is a tile of no
+parameters, and its Taylor models are balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.proof.admissibility import Judgement, judge
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
+from nonsmooth.runtime.proof.cycle_equations import Chain, Equations, Passage
+from nonsmooth.runtime.proof.exact_tables import Number, numbers
+from nonsmooth.runtime.proof.multipliers import (
+    CORNER,
+    apart,
+    eigenvalues_of,
+    inside_circle,
+    neutral_pairs,
+    product_of,
+    reduced_map,
+    trace_of,
+)
+
+if TYPE_CHECKING:
+    from flint import acb
+
+__all__ = ["NOT_CONSERVED", "MapClaim", "claim_of_map", "conserved", "judged", "named_numbers"]
+
+NOT_CONSERVED = "the energy does not give the coordinate that is left out"
+
+
+class MapClaim(NamedTuple):
+    """What is proved of an orbit's multipliers.
+
+    Attributes
+    ----------
+    verdict : {"proved", "refuted", "undecided"}
+    reason : str
+        Why it is not proved.
+    trace : arb, TaylorModel or None
+        None where a boundary may be reached tangentially.
+    section : matrix or None
+        The Poincare map's derivative on the smallest section that is known.
+    pairs : tuple of acb
+        Nontrivial multipliers of a conservative orbit, where they are told apart.
+    """
+
+    verdict: str
+    reason: str
+    trace: Any = None
+    section: Any = None
+    pairs: tuple[acb, ...] = ()
+
+    def multipliers(self, region: Region) -> tuple[acb, ...]:
+        """Those that are clearly apart, the largest first; none where the map has a corner."""
+        if self.section is None or region.cycle.one_sided:
+            return ()
+        closing = region.closing
+        conservative = closing.form is not None
+        pairs = self.pairs if conservative else eigenvalues_of(self.section)
+        free = len(region.subject.start) - len(closing.forced)
+        found = apart(pairs or (), free, trivial=conservative)
+        return tuple(sorted(found, key=lambda m: -float(abs(m).mid())))
+
+
+def claim_of_map(
+    region: Region, number: Number, equations: Equations, passage: Passage
+) -> MapClaim:
+    """Enclose trace and multipliers, and tell on which side of the unit circle they are."""
+    closing = region.closing
+    maps = equations.maps(passage)
+    if not all(x.is_finite() for found in maps for x in range_of(found).entries()):
+        return MapClaim("undecided", "a boundary may be reached tangentially")
+    section = reduced_map(maps, region.invariants, closing, number)
+    trace = trace_of(section) + len(closing.translations)
+    pairs: tuple[acb, ...] | None = ()
+    if closing.form is not None:
+        inside, pairs = neutral_pairs(range_of(product_of(maps)), range_of(trace))
+        unknown = "a nontrivial pair of multipliers cannot be told from a double one"
+    else:
+        inside = inside_circle(section)
+        unknown = "a multiplier cannot be told from the unit circle"
+    verdict, reason = {
+        True: ("proved", ""),
+        False: ("refuted", "a multiplier lies outside the unit circle"),
+        None: ("undecided", unknown),
+    }[inside]
+    if region.cycle.one_sided:
+        verdict, reason = "undecided", CORNER
+    return MapClaim(verdict, reason, trace, section, pairs or ())
+
+
+def judged(
+    region: Region, number: Number, chain: Chain, passage: Passage, dwell: Sequence[Any]
+) -> Judgement:
+    """Judge whether an orbit is a motion of the system, in the numbers of a chain."""
+    if region.invariants is None:
+        reason = "the declaration takes a root or a sine: what is exactly zero is not known"
+        return Judgement("undecided", reason, ())
+    return judge([plan.at(number) for plan in region.plans], chain, passage, dwell)
+
+
+def named_numbers(
+    region: Region, equations: Equations, passage: Passage, dwell: Sequence[Any], trace: Any
+) -> dict[str, Any]:
+    """Trace, period, dwell times and start by name, in the equations' numbers."""
+    subject, period = region.subject, equations.period
+    named = {} if trace is None else {"trace": trace}
+    named["period"] = sum(dwell[1:], dwell[0]) if period is None else period
+    named |= dict(zip(subject.dwell_names, dwell, strict=True))
+    named |= dict(zip(subject.start_names, passage.starts[0].entries()[:-1], strict=True))
+    return named
+
+
+def conserved(region: Region, number: Number, passage: Passage) -> bool:
+    """Whether the energy returns the coordinate whose closure was dropped, if one was."""
+    closing, first, last = region.closing, passage.starts[0], passage.starts[-1]
+    if closing.form is None:
+        return True
+    omega = range_of(numbers(closing.form.omega, number))
+    if omega.det().contains(0):
+        return False
+    k = closing.dropped
+    between = range_of(first).entries()
+    between[k] = between[k].union(range_of(last)[k, 0])
+    energy = range_of(numbers([closing.form.energies[region.cycle.configurations[0]][k]], number))
+    slope = (energy * matrix([[x] for x in between]))[0, 0]
+    return bool(slope > 0 or slope < 0)
