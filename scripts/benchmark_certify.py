@@ -42,7 +42,7 @@ def certified(quick: bool) -> Iterator[Row]:
             tables = tables_of(subject.kernels, tuple(subject.values.values()), BITS + GUARD)
             closing = closing_of(subject, tables, [float(x) for x in subject.start])
             root = locate(subject, closing, BITS)
-            return trace_of(product_of(root.equations.section_maps(root.passage)))
+            return trace_of(product_of(root.equations.section_maps(root.linearised.shooting)))
 
     many = round(DIGITS * 3.3219) + 8
     with tempfile.TemporaryDirectory() as folder:

@@ -37,7 +37,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     cycle_of,
     guesses,
     numbers_in,
-    pass_through,
+    shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import (
     closing,
@@ -178,19 +178,19 @@ def _digits(part: Cycle, system: PiecewiseLinear, found: Found, period: float) -
     if found.status[0] != CONVERGED:
         return 0
     dwell, start, numbers = found.dwell[0], found.starts[0, 0], numbers_in(system)
-    now = pass_through(part, numbers, dwell, start, np)
+    now = shoot(part, numbers, dwell, start, np)
     directions = translations_of(system)  # how far it drifts is no size
     starts, ends, fields = (
-        up_to_shift(part, directions) for part in (now.starts, now.ends, now.fields)
+        up_to_shift(part, directions) for part in (now.starts, now.ends, now.velocities)
     )
-    size_of = sizes(now._replace(starts=starts, ends=ends, fields=fields), dwell)
+    size_of = sizes(now._replace(starts=starts, ends=ends, velocities=fields), dwell)
     matrix, right = equations(now, dwell, size_of, np.float64(period))
     matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, FLOATS)
     least = float(np.linalg.svd(matrix, compute_uv=False)[-1])
     missed = float(np.abs(right).max()) + _ROUNDING * len(part)
     relative = missed / least if least else math.inf
     by_start = relative * (np.abs(now.rates[:, :-1]) @ size_of)
-    by_gap = np.abs(now.gaps / now.speeds) + _ROUNDING * dwell
+    by_gap = np.abs(now.residual / now.speeds) + _ROUNDING * dwell
     errors = [
         *(relative * size_of / np.maximum(1, np.abs(start))),
         *((by_start + by_gap) / np.maximum(1, dwell)),

@@ -35,10 +35,9 @@ from nonsmooth.runtime.shooting.section_map import ComposedStability, assess, sa
 from nonsmooth.runtime.shooting.shooting_map import (
     Cycle,
     Numbers,
-    Passage,
     cycle_of,
     numbers_in,
-    pass_through,
+    shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import Symmetry, closing, part_of, whole_orbit
 from nonsmooth.runtime.shooting.translations import (
@@ -46,6 +45,7 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
     up_to_shift,
 )
+from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.simulate import checked_count
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -178,7 +178,7 @@ class ComposedOrbit:
     @property
     def shift(self) -> dict[str, Any]:
         """By how much each state is moved behind one period: zero but along translations."""
-        moved = self.passage.starts[-1][gauges_of(self.translations)] @ self.translations
+        moved = self.shooting.starts[-1][gauges_of(self.translations)] @ self.translations
         return dict(zip(self.state_names, moved.tolist(), strict=True))
 
     def translates(self, state: str) -> bool:
@@ -191,10 +191,10 @@ class ComposedOrbit:
         return up_to_shift(self.states, self.translations)
 
     @cached_property
-    def passage(self) -> Passage:
+    def shooting(self) -> Shooting:
         """One passage of the cycle and its linearisation."""
         numbers, lib = self._numbers, self._functions
-        return pass_through(self.cycle, numbers, self.dwell_times, self.states[0], lib)
+        return shoot(self.cycle, numbers, self.dwell_times, self.states[0], lib)
 
     @cached_property
     def family(self) -> bool:
@@ -268,12 +268,12 @@ class ComposedOrbit:
         Both times are those of the transition: it maps onto the tangent space of the section,
         and has a multiplier zero for each dimension that the section lacks.
         """
-        return np.asarray(self.passage.matrix[:, :-1])
+        return np.asarray(self.shooting.variational[:, :-1])
 
     @property
     def saltations(self) -> np.ndarray:
         """Saltation matrix of each transition (p, N, N)."""
-        return np.asarray(saltations(self.cycle, self._numbers, self.passage))
+        return np.asarray(saltations(self.cycle, self._numbers, self.shooting))
 
     @property
     def monodromy(self) -> np.ndarray:
@@ -282,7 +282,7 @@ class ComposedOrbit:
         It maps the vector field at the start to itself.
         """
         matrix = np.eye(self.states.shape[1], dtype=self.states.dtype)
-        for flow, jump in zip(self.passage.flows, self.saltations, strict=True):
+        for flow, jump in zip(self.shooting.flows, self.saltations, strict=True):
             matrix = jump @ flow[:, :-1] @ matrix
         return np.asarray(matrix)
 
@@ -299,7 +299,7 @@ class ComposedOrbit:
         system = piecewise(self.kernels, self.parameters)
         cycle = self.cycle.at(system.structure)
         dwell, start = self.dwell_times.astype(float), self.states[0].astype(float)
-        now = pass_through(cycle, numbers_in(system), dwell, start, np)
+        now = shoot(cycle, numbers_in(system), dwell, start, np)
         return assess_cycle(cycle, system, now, dwell)
 
     def trajectory(self, periods: int = 1) -> Trajectory:
@@ -318,7 +318,7 @@ class ComposedOrbit:
             self.cycle,
             self.dwell_times.astype(float),
             self.states.astype(float),
-            self.passage.ends.astype(float),
+            self.shooting.ends.astype(float),
             np.array([float(x) for x in self.shift.values()]),
             checked_count("periods", periods, 1),
         )
@@ -390,17 +390,17 @@ class ComposedOrbit:
         return text
 
     @cached_property
-    def _part(self) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
+    def _part(self) -> tuple[Cycle, Numbers, Shooting, np.ndarray]:
         """The part that the symmetry closes: cycle, numbers, passage and dwell times."""
         return self._closed(self.symmetry)
 
-    def _closed(self, symmetry: Symmetry | None) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
+    def _closed(self, symmetry: Symmetry | None) -> tuple[Cycle, Numbers, Shooting, np.ndarray]:
         system, part = closing(self.piecewise, self.cycle, symmetry)
         numbers, dwell = numbers_in(system), self.dwell_times[: len(part)]
-        now = pass_through(part, numbers, dwell, self.states[0], self._functions)
+        now = shoot(part, numbers, dwell, self.states[0], self._functions)
         return part, numbers, now, dwell
 
-    def _assessed(self, closed: tuple[Cycle, Numbers, Passage, np.ndarray]) -> ComposedStability:
+    def _assessed(self, closed: tuple[Cycle, Numbers, Shooting, np.ndarray]) -> ComposedStability:
         return assess(*closed, self.translations, self.family, self._functions, self._error)
 
     @property

@@ -14,7 +14,7 @@ from nonsmooth.runtime.orbits.compose_many import ComposedOrbits, compose_many
 from nonsmooth.runtime.orbits.composed_admissible import assess_cycle
 from nonsmooth.runtime.orbits.many import Orbits
 from nonsmooth.runtime.orbits.named import solve_declared, unknowns_of
-from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, shoot
 
 __all__ = ["solve_declared_many"]
 
@@ -91,7 +91,7 @@ def _admissible(
     for place in np.flatnonzero(found.converged.ravel()).tolist():
         system = piecewise_at(kernels.system, points[place])
         cycle = cycle_of(system.structure, phases)
-        now = pass_through(cycle, numbers_in(system), dwell[place], starts[place], np)
+        now = shoot(cycle, numbers_in(system), dwell[place], starts[place], np)
         positive = bool((dwell[place] > 0).all())
         allowed[place] = positive and assess_cycle(cycle, system, now, dwell[place]).verdict is True
     return allowed.reshape(shape)

@@ -20,7 +20,7 @@ from nonsmooth.runtime.proof.certificate import (
     Stated,
 )
 from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.cycle_equations import chain_of
+from nonsmooth.runtime.proof.cycle_equations import phases_of
 from nonsmooth.runtime.proof.enclosure import Missing, Root, locate
 from nonsmooth.runtime.proof.exact_tables import Tables, exact_tables
 from nonsmooth.runtime.proof.invariants import Known, known_of
@@ -119,7 +119,7 @@ def certify(
         stability = stability_of(subject, tables, closing, known, root)
         begin("admissibility")
         if known is not None and any(len(t.boundaries) > 1 for t in subject.cycle.transitions):
-            start = root.passage.starts[0].entries()[:-1]
+            start = root.linearised.shooting.starts[0].entries()[:-1]
             dwell = root.equations.dwell(root.contraction.image)
             zero = vanishing_along(tables, subject.cycle, shifts, start, dwell)
             closing = replace(closing, vanishing=zero)
@@ -143,7 +143,7 @@ def stability_of(
 ) -> Stability:
     """Trace, multipliers and the verdict, over the enclosure of the orbit."""
     claim = closing.stability
-    maps = root.equations.maps(root.passage)
+    maps = root.equations.maps(root.linearised.shooting)
     if not all(x.is_finite() for matrix in maps for x in matrix.entries()):
         return Stability(claim, "undecided", "a boundary may be reached tangentially", None, ())
     square = reduced_map(maps, known, closing, tables.number)
@@ -184,8 +184,9 @@ def _admissible(
     found: Judgement | None = None
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
-            chain = chain_of(tables, subject.cycle, None, translations)
-            found = judge([plan.at(tables.number) for plan in plans], chain, root.passage, dwell)
+            phases = phases_of(tables, subject.cycle, None, translations)
+            here = [plan.at(tables.number) for plan in plans]
+            found = judge(here, phases, root.linearised.shooting, dwell)
         if found.verdict != "undecided":
             break
     assert found is not None
@@ -265,7 +266,7 @@ def _enclosures(subject: Subject, root: Root, trace: arb | None, bits: int) -> d
     found = {} if trace is None else {"trace": trace}
     found["period"] = sum(dwell, arb(0)) if period is None else period
     found |= dict(zip(subject.dwell_names, dwell, strict=True))
-    start = root.passage.starts[0].entries()[:-1]
+    start = root.linearised.shooting.starts[0].entries()[:-1]
     found |= dict(zip(subject.start_names, start, strict=True))
     return {name: stated(ball, bits, int(name == "trace")) for name, ball in found.items()}
 

@@ -11,14 +11,15 @@ from nonsmooth.runtime.proof.closure import Closing
 from nonsmooth.runtime.proof.cycle_equations import (
     Equations,
     Flows,
-    Passage,
-    chain_of,
+    Linearised,
     equations_in,
+    phases_of,
 )
 from nonsmooth.runtime.proof.exact_tables import Tables, exact_tables, numbers
 from nonsmooth.runtime.proof.krawczyk import Contraction, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_cycle import Subject, guess_of
 from nonsmooth.runtime.proof.statement import decimals, rational
+from nonsmooth.runtime.shooting.variational import Shooting
 
 if TYPE_CHECKING:
     from flint import arb
@@ -35,7 +36,7 @@ class Root(NamedTuple):
 
     equations: Equations
     contraction: Contraction
-    passage: Passage
+    linearised: Linearised
     box: tuple[Unknown, ...]
 
 
@@ -52,7 +53,7 @@ def equations_of(subject: Subject, closing: Closing, bits: int) -> Equations:
     tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
     period = None if closing.period is None else closing.period.ball(bits)
     return equations_in(
-        chain_of(tables, subject.cycle, None, closing.translations), closing, tables.number, period
+        phases_of(tables, subject.cycle, None, closing.translations), closing, tables.number, period
     )
 
 
@@ -99,22 +100,22 @@ def locate(subject: Subject, closing: Closing, bits: int) -> Root:
             "Krawczyk's test fails: the equations are singular here, or nearly so, or more bits"
             " are needed",
         )
-    passage = equations.passage(found.image, found.flows)
+    linearised = equations.linearised(found.image, found.flows)
     if closing.form is not None:
-        _check_dropped(closing, subject, tables, passage)
-    return Root(equations, found, passage, box)
+        _check_dropped(closing, subject, tables, linearised.shooting)
+    return Root(equations, found, linearised, box)
 
 
 def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
     """Units of the unknowns: how large they and their changes are along the cycle."""
     from flint import arb
 
-    now = equations.passage(point, Flows(equations.chain, equations.dwell(point)))
+    now = equations.linearised(point, Flows(equations.phases, equations.dwell(point))).shooting
     dwell = [abs(t).mid() for t in equations.dwell(point)]
     sizes = []
     for k in equations.free:
         seen = [abs(y[k, 0]) for y in (*now.starts, *now.ends)]
-        seen += [abs(f[k, 0] * t) for f, t in zip(now.speeds, dwell, strict=True)]
+        seen += [abs(f[k, 0] * t) for f, t in zip(now.velocities, dwell, strict=True)]
         size = max((x.mid() for x in seen), key=float)
         sizes.append(size if size > 0 else arb(1))
     longest = max(dwell, key=float)
@@ -142,7 +143,7 @@ def unknown_names(subject: Subject, closing: Closing) -> list[str]:
     return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]
 
 
-def _check_dropped(closing: Closing, subject: Subject, tables: Tables, now: Passage) -> None:
+def _check_dropped(closing: Closing, subject: Subject, tables: Tables, now: Shooting) -> None:
     """The coordinate whose closure was dropped: the energy, monotone in it, returns it."""
     assert closing.form is not None
     first, last, k = now.starts[0], now.starts[-1], closing.dropped

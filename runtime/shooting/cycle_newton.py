@@ -27,10 +27,10 @@ from nonsmooth.runtime.shooting.newton import (
 from nonsmooth.runtime.shooting.shooting_map import (
     Cycle,
     Numbers,
-    Passage,
     numbers_in,
-    pass_through,
+    shoot,
 )
+from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
     "LEAST",
@@ -174,7 +174,7 @@ def solve_in_python(
             if not len(running):
                 break
             numbers = numbers_in(cycle.structure, flat[running])
-            now = pass_through(cycle, numbers, dwell[running], state[running], np)
+            now = shoot(cycle, numbers, dwell[running], state[running], np)
             taken[running] += 1
             size_of = sizes(now, dwell[running])
             matrix, right = equations(now, dwell[running], size_of, period[running])
@@ -193,7 +193,7 @@ def solve_in_python(
             lost = ~np.isfinite(relative).all(axis=-1)
             status[running[lost]] = INVALID
             running = running[~(done | lost)]
-        last = pass_through(cycle, numbers_in(cycle.structure, flat), dwell, state, np)
+        last = shoot(cycle, numbers_in(cycle.structure, flat), dwell, state, np)
         size_of = sizes(last, dwell)
         residual, missed = _residuals(cycle, flat, last, size_of, dwell.T)
         total = dwell.sum(axis=-1)
@@ -202,27 +202,27 @@ def solve_in_python(
         status[(status == CONVERGED) & ~(least > LEAST)] = SINGULAR
         status[(status == STALLED) & (dwell.min(axis=-1) < SHORTEST * total)] = NEGATIVE
     starts = np.moveaxis(last.starts[:-1], 0, 1)
-    return Found(dwell, starts, last.matrix[..., :size], residual, taken, status)
+    return Found(dwell, starts, last.variational[..., :size], residual, taken, status)
 
 
-def sizes(now: Passage, dwell: Any) -> Any:
+def sizes(now: Shooting, dwell: Any) -> Any:
     """Size of each state along a passage (..., N): its unit of measure."""
     waits = np.moveaxis(np.asarray(dwell), -1, 0)[..., None]
-    found = np.concatenate([np.abs(now.starts), np.abs(now.ends), np.abs(now.fields * waits)])
+    found = np.concatenate([np.abs(now.starts), np.abs(now.ends), np.abs(now.velocities * waits)])
     largest = found.max(axis=0)
     return np.where(largest == 0, 1, largest)
 
 
-def equations(now: Passage, dwell: Any, size_of: Any, period: Any = None) -> tuple[Any, Any]:
+def equations(now: Shooting, dwell: Any, size_of: Any, period: Any = None) -> tuple[Any, Any]:
     """Closure, linearised, in units of the states' sizes: matrix and right-hand side.
 
     Where any period is given the sum of the dwell times is one equation more; at a point
     whose period is NaN that is 0 = 0.
     """
     size = now.starts.shape[-1]
-    matrix = np.eye(size, dtype=int) - now.matrix[..., :size]
+    matrix = np.eye(size, dtype=int) - now.variational[..., :size]
     matrix = matrix * size_of[..., None, :] / size_of[..., :, None]
-    right = (now.starts[-1] - now.starts[0] + now.matrix[..., size]) / size_of
+    right = (now.starts[-1] - now.starts[0] + now.variational[..., size]) / size_of
     if period is None or (now.starts.dtype != object and np.isnan(period).all()):
         return matrix, right
     total = dwell.sum(axis=-1)
@@ -239,7 +239,7 @@ def equations(now: Passage, dwell: Any, size_of: Any, period: Any = None) -> tup
 
 
 def with_forcing(
-    cycle: Cycle, numbers: Numbers, now: Passage, size_of: Any, matrix: Any, right: Any, lib: Any
+    cycle: Cycle, numbers: Numbers, now: Shooting, size_of: Any, matrix: Any, right: Any, lib: Any
 ) -> tuple[Any, Any]:
     """Linear equations, and those of the forcing: its amplitudes, and its phases at one time.
 
@@ -298,11 +298,11 @@ def fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndarr
     numbers = numbers_in(cycle.structure, flat)
     # differences of affine functions are their coefficients
     passages = [
-        pass_through(cycle, numbers, dwell, np.broadcast_to(start, (len(flat), size)), np)
+        shoot(cycle, numbers, dwell, np.broadcast_to(start, (len(flat), size)), np)
         for start in (np.zeros(size), *np.eye(size))
     ]
     missed = [
-        np.concatenate([np.moveaxis(p.gaps, 0, -1), p.starts[0] - p.starts[-1]], axis=-1)
+        np.concatenate([np.moveaxis(p.residual, 0, -1), p.starts[0] - p.starts[-1]], axis=-1)
         for p in passages
     ]
     matrix = np.stack([m - missed[0] for m in missed[1:]], axis=-1)
@@ -371,13 +371,13 @@ def _least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _residuals(
-    cycle: Cycle, flat: np.ndarray, now: Passage, size_of: np.ndarray, waits: np.ndarray
+    cycle: Cycle, flat: np.ndarray, now: Shooting, size_of: np.ndarray, waits: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Largest absolute value of closure and switching, and in units of what cancels."""
     rows = np.moveaxis(numbers_in(cycle.structure, flat).rows[:, list(cycle.rows)], 1, 0)
-    reach = np.maximum(np.abs(now.ends), np.abs(now.fields * waits[..., None]))
+    reach = np.maximum(np.abs(now.ends), np.abs(now.velocities * waits[..., None]))
     terms = (np.abs(rows[..., :-1]) * reach).sum(axis=-1) + np.abs(rows[..., -1])
-    gaps = np.abs(now.gaps)
+    gaps = np.abs(now.residual)
     closure = np.abs(now.starts[-1] - now.starts[0])
     absolute = np.maximum(gaps.max(axis=0), closure.max(axis=-1))
     relative = np.where(terms > 0, gaps / terms, 0).max(axis=0)

@@ -9,7 +9,8 @@ import numpy as np
 
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.time_functions import functions_at
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage
+from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers
+from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = ["ConditionRow", "Conditions", "conditions_of", "phase_waves"]
 
@@ -33,7 +34,7 @@ class ConditionRow:
     along: int
     order: int
 
-    def value(self, numbers: Numbers, now: Passage) -> Any:
+    def value(self, numbers: Numbers, now: Shooting) -> Any:
         """Its value, with the leading axes of the numbers."""
         row, end = numbers.rows[..., self.row, :], now.ends[self.place]
         for _ in range(self.order):
@@ -68,7 +69,7 @@ class Conditions:
         return found
 
 
-def conditions_of(cycle: Cycle, numbers: Numbers, now: Passage) -> Conditions:
+def conditions_of(cycle: Cycle, numbers: Numbers, now: Shooting) -> Conditions:
     """Conditions of a cycle's transitions, by the derivatives that decide at this point."""
     rows: dict[tuple[int, int, int], ConditionRow] = {}
     orders: dict[tuple[int, int, int], int | None] = {}
@@ -103,7 +104,7 @@ def conditions_of(cycle: Cycle, numbers: Numbers, now: Passage) -> Conditions:
 
 
 def _deciding(
-    numbers: Numbers, now: Passage, place: int, row: int, along: int, own: int
+    numbers: Numbers, now: Shooting, place: int, row: int, along: int, own: int
 ) -> int | None:
     """Order of the first derivative that is not zero."""
     function, end = numbers.rows[row], now.ends[place]
@@ -122,7 +123,7 @@ def _rate(row: Any, field: Any) -> Any:
 
 
 def phase_waves(
-    cycle: Cycle, numbers: Numbers, now: Passage, dwell: np.ndarray, place: int
+    cycle: Cycle, numbers: Numbers, now: Shooting, dwell: np.ndarray, place: int
 ) -> PhaseWaves:
     """Boundary functions along one phase at k points, by the modes of its configuration."""
     configuration = cycle.configurations[place]

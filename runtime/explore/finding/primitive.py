@@ -62,7 +62,7 @@ def admissible(orbit: ComposedOrbit) -> bool:
 
 def orbit_scale(orbit: ComposedOrbit) -> np.ndarray:
     """Scale (N,) of each state along an orbit."""
-    now = orbit.passage
+    now = orbit.shooting
     states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.translations)
     before = [
         np.append(start, 1.0) @ orbit.piecewise.fields[c].T
@@ -70,7 +70,7 @@ def orbit_scale(orbit: ComposedOrbit) -> np.ndarray:
     ]
     waits = orbit.dwell_times[:, None]
     return variation(
-        orbit.cycle.structure, states, np.concatenate([now.fields * waits, before * waits])
+        orbit.cycle.structure, states, np.concatenate([now.velocities * waits, before * waits])
     )
 
 

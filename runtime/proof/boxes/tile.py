@@ -24,11 +24,9 @@ from nonsmooth.runtime.proof.admissibility import judge
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.cycle_equations import (
-    Chain,
     Equations,
-    Passage,
-    chain_of,
     equations_in,
+    phases_of,
 )
 from nonsmooth.runtime.proof.exact_tables import Number, numbers, rational_of
 from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, krawczyk, newton
@@ -40,6 +38,7 @@ from nonsmooth.runtime.proof.multipliers import (
     reduced_map,
     trace_of,
 )
+from nonsmooth.runtime.shooting.variational import Phase, Shooting
 
 if TYPE_CHECKING:
     from flint import arb
@@ -138,14 +137,14 @@ def equations_over(region: Region, number: Number) -> Equations:
     """The equations of a region's orbit in numbers."""
     closing = region.closing
     period = None if closing.period is None else number(closing.period)
-    chain = chain_of(region.tables, region.cycle, number, closing.translations)
-    return equations_in(chain, closing, number, period)
+    phases = phases_of(region.tables, region.cycle, number, closing.translations)
+    return equations_in(phases, closing, number, period)
 
 
 def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
     number = region.number(_variables(region, place, space))
     equations = equations_over(region, number)
-    chain, closing = equations.chain, equations.closing
+    closing = equations.closing
     start = _followed(equations, anchor.numbers, space)
     if start is None:
         return _undecided("Newton's method finds no orbit in the middle")
@@ -155,7 +154,7 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
     tube = Tube(place, region.box, found.image)
     if not _joined(region, anchor, tube.at(anchor.point)):
         return _undecided("another orbit may have been found")
-    now = equations.passage(found.image, found.flows)
+    now = equations.linearised(found.image, found.flows).shooting
     dwell = equations.dwell(found.image)
     if closing.form is not None and not conserved(region, number, now):
         return _undecided("the energy does not give the coordinate that is left out")
@@ -174,7 +173,7 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> Proof:
             inside = inside_circle(square)
         told = _STABILITY[inside]
     stability = {True: "proved", False: "refuted", None: "undecided"}[inside]
-    judgement = judge([plan.at(number) for plan in region.plans], chain, now, dwell)
+    judgement = judge([plan.at(number) for plan in region.plans], equations.phases, now, dwell)
     subject = region.subject
     shown = total + len(closing.translations)
     named = {"trace": shown, "period": sum(dwell[1:], dwell[0])}
@@ -246,9 +245,9 @@ def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[
 
 def _mapped(equations: Equations, change: Callable[[Any], Any]) -> Equations:
     """The same equations in other numbers."""
-    chain, period = equations.chain, equations.period
+    period = equations.period
     return Equations(
-        Chain(*(tuple(map(change, part)) for part in chain)),
+        [Phase(*map(change, phase)) for phase in equations.phases],
         equations.closing,
         None if period is None else change(period),
         list(map(change, equations.speeds)),
@@ -271,7 +270,7 @@ def _contracted(test: Krawczyk) -> Contraction | None:
     return None
 
 
-def conserved(region: Region, number: Number, now: Passage) -> bool:
+def conserved(region: Region, number: Number, now: Shooting) -> bool:
     """Whether the energy returns the coordinate whose closure was dropped."""
     closing, first, last = region.closing, now.starts[0], now.starts[-1]
     assert closing.form is not None
