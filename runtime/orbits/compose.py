@@ -24,12 +24,11 @@ from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
 from nonsmooth.runtime.orbits.orbit import DOUBLE
 from nonsmooth.runtime.orbits.refine import MOST_DIGITS
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.cycle_newton import (
     Found,
-    equations,
     sizes,
     solve_cycle,
-    with_forcing,
 )
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -184,7 +183,7 @@ def _digits(part: Cycle, system: PiecewiseLinear, found: Found, period: float) -
         up_to_shift(part, directions) for part in (now.starts, now.ends, now.velocities)
     )
     size_of = sizes(now._replace(starts=starts, ends=ends, velocities=fields), dwell)
-    matrix, right = equations(now, dwell, size_of, np.float64(period))
+    matrix, right = linearised_closure(now, dwell, size_of, np.float64(period))
     matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, FLOATS)
     least = float(np.linalg.svd(matrix, compute_uv=False)[-1])
     missed = float(np.abs(right).max()) + _ROUNDING * len(part)

@@ -23,12 +23,11 @@ from nonsmooth.runtime.orbits.composed_motion import motion_along
 from nonsmooth.runtime.orbits.composed_refine import refine_cycle
 from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD
 from nonsmooth.runtime.orbits.refine import MOST_DIGITS
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.cycle_newton import (
     LEAST,
-    equations,
     message_of,
     sizes,
-    with_forcing,
 )
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.shooting.section_map import ComposedStability, assess, saltations
@@ -209,7 +208,7 @@ class ComposedOrbit:
         lib = self.arithmetic if self.precise else FLOATS
         part, numbers, now, dwell = self._part
         size_of = sizes(now, dwell)
-        found = equations(now, dwell, size_of)
+        found = linearised_closure(now, dwell, size_of)
         matrix, _ = with_forcing(part, numbers, now, size_of, *found, lib)
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)
         return bool(values[-1] <= LEAST * values[0])

@@ -13,7 +13,8 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD
-from nonsmooth.runtime.shooting.cycle_newton import equations, sizes, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.cycle_newton import sizes
 from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, shoot
 from nonsmooth.runtime.shooting.symmetry import Symmetry, closing, symmetry_of
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
@@ -82,7 +83,7 @@ def refine_cycle(
             now = shoot(part, numbers, times, state, lib.mp)
             size_of = sizes(now, times)
             total = None if period is None else lib.number(period)
-            matrix, right = equations(now, times, size_of, total)
+            matrix, right = linearised_closure(now, times, size_of, total)
             matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, lib)
             try:
                 # more equations than unknowns are solved in the sense of least squares
