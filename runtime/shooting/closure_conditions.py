@@ -1,14 +1,7 @@
-"""Closure conditions of a cycle in arrays: that it returns, and what its forcings ask.
-
-A forcing is two states c, s that turn by themselves: their closure holds for whatever amplitude
-they have, and for no other period than its own. Newton's method on the start alone takes both
-conditions and those of the amplitude in the sense of least squares; a branch needs as many
-conditions as unknowns.
-"""
+"""Closure conditions of a cycle in arrays: that it returns, and what its forcings ask."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,34 +9,9 @@ import numpy as np
 from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers
 from nonsmooth.runtime.shooting.variational import Shooting
 
-__all__ = ["linearised_closure", "square_closure", "with_forcing"]
+__all__ = ["linearised_closure", "with_forcing"]
 
 _MOST_TURNS = 24  # of the first forcing, until all meet again
-
-
-def square_closure(now: Shooting, changes: Any, forcing: Sequence[tuple[int, int]]) -> Any:
-    """As many closure conditions as states: residual (N,) and Jacobian (N, n).
-
-    The amplitude of a forcing is 1; that it turns by whole turns is one condition, not two.
-
-    Parameters
-    ----------
-    now : Shooting
-        In columns, of dwell times that are unknowns.
-    changes : array (N, n)
-        Of the start.
-    forcing : sequence of (int, int)
-        States of the forcings.
-    """
-    start, state, linear = now.starts[0][:, 0], now.starts[-1][:, 0], now.variational
-    residual, jacobian = state - start, linear - changes
-    for c, s in forcing:
-        residual[c] = start[c] ** 2 + start[s] ** 2 - 1
-        jacobian[c] = 2 * (start.real[c] * changes[c] + start.real[s] * changes[s])
-        residual[s] = start[c] * state[s] - start[s] * state[c]
-        jacobian[s] = start.real[c] * linear[s] - start.real[s] * linear[c]
-        jacobian[s] += state.real[s] * changes[c] - state.real[c] * changes[s]
-    return residual, jacobian
 
 
 def linearised_closure(

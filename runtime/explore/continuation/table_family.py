@@ -31,7 +31,6 @@ from nonsmooth.runtime.orbits.compose import compose
 from nonsmooth.runtime.orbits.composed_admissible import assess_cycle
 from nonsmooth.runtime.orbits.composed_motion import motion_along
 from nonsmooth.runtime.orbits.composed_orbit import ComposedOrbit
-from nonsmooth.runtime.shooting.closure_conditions import square_closure
 from nonsmooth.runtime.shooting.cycle_newton import sizes as sizes_along
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -105,7 +104,17 @@ class ComposedCurve:
             unit[count:],
             list(unit[:count, None]),
         )
-        closure, by_unknowns = square_closure(now, unit[count:], cycle.structure.forcing)
+        state, linear = now.starts[-1][:, 0], now.variational
+        closure, by_unknowns = state - start, linear.copy()
+        by_unknowns[:, count:] -= np.eye(size)
+        for c, s in cycle.structure.forcing:
+            # its amplitude is 1; that it turns by whole turns is one equation, not two
+            closure[c] = start[c] ** 2 + start[s] ** 2 - 1
+            by_unknowns[c] = 0
+            by_unknowns[c, [count + c, count + s]] = 2 * start[[c, s]]
+            closure[s] = start[c] * state[s] - start[s] * state[c]
+            by_unknowns[s] = start[c] * linear[s] - start[s] * linear[c]
+            by_unknowns[s, [count + c, count + s]] += state.real[s], -state.real[c]
         values = np.concatenate([*(value[:, 0] for value in now.residual), closure])
         jacobian = np.concatenate([*now.slopes, by_unknowns])
         by_parameter = values.imag / tiny
