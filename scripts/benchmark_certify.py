@@ -39,7 +39,7 @@ def certified(quick: bool) -> Iterator[Row]:
     def existence() -> object:
         with flint_precision(BITS + GUARD):
             root = locate(region_at(subject_of(orbit), BITS + GUARD), BITS)
-            return trace_of(product_of(root.equations.section_maps(root.passage)))
+            return trace_of(product_of(root.equations.section_maps(root.linearised.shooting)))
 
     many = round(DIGITS * 3.3219) + 8
     with tempfile.TemporaryDirectory() as folder:

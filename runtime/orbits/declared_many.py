@@ -17,7 +17,7 @@ from nonsmooth.runtime.orbits.orbits import Orbits
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.orbits.table_problem import TableProblem
-from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, shoot
 
 __all__ = ["solve_declared_many", "with_admissibility"]
 
@@ -92,7 +92,7 @@ def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:
     for place in np.flatnonzero(found.converged.ravel()).tolist():
         here = piecewise_at(system, points[place])
         cycle = cycle_of(here.structure, found.itinerary)
-        now = pass_through(cycle, numbers_in(here), dwell[place], starts[place], np)
+        now = shoot(cycle, numbers_in(here), dwell[place], starts[place], np)
         positive = bool((dwell[place] > 0).all())
         allowed[place] = positive and assess_cycle(cycle, here, now, dwell[place]).verdict is True
     return replace(found, admissible=allowed.reshape(shape), bounds={})

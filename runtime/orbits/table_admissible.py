@@ -23,8 +23,9 @@ from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.orbits.admissible import MOST_MISSED, Admissibility, Violation
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage, flow_at, numbers_in
+from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, flow_at, numbers_in
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
+from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = ["assess_cycle"]
 
@@ -34,7 +35,7 @@ _SIZES = 9  # instants of a phase at which the sizes of its states are taken
 
 
 def assess_cycle(
-    cycle: Cycle, system: PiecewiseLinear, now: Passage, dwell: np.ndarray
+    cycle: Cycle, system: PiecewiseLinear, now: Shooting, dwell: np.ndarray
 ) -> Admissibility:
     """Check all boundaries along all phases, and all transitions.
 
@@ -104,7 +105,9 @@ def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[floa
     return float(times[best]), float(values[best])
 
 
-def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int, duration: float) -> np.ndarray:
+def _noise(
+    cycle: Cycle, numbers: Numbers, now: Shooting, place: int, duration: float
+) -> np.ndarray:
     """Rounding of every row along a phase, whose terms are differences of the data.
 
     By as much as the phase misses the boundary that ends it, all may be off: up to a limit.
@@ -114,11 +117,11 @@ def _noise(cycle: Cycle, numbers: Numbers, now: Passage, place: int, duration: f
     flows = flow_at(cycle.structure, numbers, cycle.configurations[place], times, np)
     states = abs(flows[..., :-1] @ start + flows[..., -1]).max(axis=0)
     size = abs(numbers.rows[:, :-1]) @ states + abs(numbers.rows[:, -1])
-    missed = abs(float(now.gaps[place])) + float(np.max(abs(now.starts[-1] - now.starts[0])))
+    missed = abs(float(now.residual[place])) + float(np.max(abs(now.starts[-1] - now.starts[0])))
     return np.asarray(64 * _EPSILON * size + np.minimum(2 * missed, MOST_MISSED * size))
 
 
-def _taken(cycle: Cycle, numbers: Numbers, now: Passage, place: int, noise: np.ndarray) -> bool:
+def _taken(cycle: Cycle, numbers: Numbers, now: Shooting, place: int, noise: np.ndarray) -> bool:
     """Whether what follows the end of a phase is the itinerary's transition."""
     if cycle.boundaries[place] is None:  # the forcing's phase changes nothing
         return True
@@ -139,7 +142,7 @@ class _AtEnd:
 
     cycle: Cycle
     numbers: Numbers
-    now: Passage
+    now: Shooting
     place: int
     noise: np.ndarray
 
@@ -175,6 +178,6 @@ class _AtEnd:
     def targets(self, event: Event) -> tuple[int, ...]:
         numbers, source = self.numbers, self.cycle.configurations[self.place]
         decider = Decider(self.cycle.structure, numbers.fields, numbers.rows, numbers.resets)
-        missed = self.now.gaps[self.place] / self.now.speeds[self.place]
+        missed = self.now.residual[self.place] / self.now.speeds[self.place]
         at = decider.located(source, self.state, 2 * abs(float(missed)))
         return decider.outcome(event, at).targets

@@ -32,7 +32,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     cycle_of,
     guesses,
     numbers_in,
-    pass_through,
+    shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import closed_cycle
 from nonsmooth.runtime.shooting.translations import (
@@ -125,7 +125,7 @@ def solve_itineraries(
             if begin_at is not None:
                 numbers = numbers_in(here.structure, flat)
                 with np.errstate(all="ignore"):
-                    at = pass_through(here, numbers, guess[part], begin_at[part], np).starts[first]
+                    at = shoot(here, numbers, guess[part], begin_at[part], np).starts[first]
             near = np.roll(guess[part], -first, axis=1)
             found = solve_cycle(here.rotated(first), flat, near, at, lengths[part])
             found_dwell[part] = np.roll(found.dwell, first, axis=1)
@@ -250,7 +250,7 @@ def _smallest_section(
         found = solve_cycle(here, flat, dwell[part], at, np.full(1, np.nan))
         single = Numbers(*_first(numbers_in(group.structure, flat)))
         with np.errstate(all="ignore"):
-            now = pass_through(here, single, found.dwell[0], found.starts[0, 0], np)
+            now = shoot(here, single, found.dwell[0], found.starts[0, 0], np)
             maps = local_maps(here, single, now)
         if not all(np.isfinite(matrix).all() for matrix in maps):
             continue

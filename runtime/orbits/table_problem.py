@@ -26,23 +26,17 @@ from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_motion import motion_along
 from nonsmooth.runtime.orbits.table_refine import refine_cycle
-from nonsmooth.runtime.shooting.cycle_newton import (
-    LEAST,
-    equations,
-    message_of,
-    sizes,
-    with_forcing,
-)
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.cycle_newton import LEAST, message_of, sizes
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.shooting.section_map import assess, saltations
 from nonsmooth.runtime.shooting.shooting_map import (
     Cycle,
     Numbers,
-    Passage,
     cycle_of,
     numbers_in,
-    pass_through,
+    shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import Symmetry, closing, part_of, whole_orbit
 from nonsmooth.runtime.shooting.translations import (
@@ -50,6 +44,7 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
     up_to_shift,
 )
+from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["TableEvaluation", "TableProblem", "labelled", "orbit_of"]
@@ -223,7 +218,9 @@ class TableEvaluation:
     @property
     def moved(self) -> np.ndarray:
         """By how much each state (N,) is moved behind one period: zero but along translations."""
-        return np.asarray(self.passage.starts[-1][gauges_of(self.translations)] @ self.translations)
+        return np.asarray(
+            self.shooting.starts[-1][gauges_of(self.translations)] @ self.translations
+        )
 
     @property
     def states_up_to_shift(self) -> np.ndarray:
@@ -231,10 +228,10 @@ class TableEvaluation:
         return up_to_shift(self.states, self.translations)
 
     @cached_property
-    def passage(self) -> Passage:
+    def shooting(self) -> Shooting:
         """One passage of the cycle and its linearisation."""
         numbers, lib = self._numbers, self._functions
-        return pass_through(self.cycle, numbers, self.orbit.dwell_times, self.states[0], lib)
+        return shoot(self.cycle, numbers, self.orbit.dwell_times, self.states[0], lib)
 
     @cached_property
     def family(self) -> bool:
@@ -249,7 +246,7 @@ class TableEvaluation:
         lib = self.orbit.arithmetic if self.orbit.precise else FLOATS
         part, numbers, now, dwell = self._part
         size_of = sizes(now, dwell)
-        found = equations(now, dwell, size_of)
+        found = linearised_closure(now, dwell, size_of)
         matrix, _ = with_forcing(part, numbers, now, size_of, *found, lib)
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)
         return bool(values[-1] <= LEAST * values[0])
@@ -272,18 +269,18 @@ class TableEvaluation:
     @property
     def poincare_jacobian(self) -> np.ndarray:
         """See `Evaluation`."""
-        return np.asarray(self.passage.matrix[:, :-1])
+        return np.asarray(self.shooting.variational[:, :-1])
 
     @property
     def saltations(self) -> np.ndarray:
         """See `Evaluation`."""
-        return np.asarray(saltations(self.cycle, self._numbers, self.passage))
+        return np.asarray(saltations(self.cycle, self._numbers, self.shooting))
 
     @property
     def monodromy(self) -> np.ndarray:
         """See `Evaluation`."""
         matrix = np.eye(self.states.shape[1], dtype=self.states.dtype)
-        for flow, jump in zip(self.passage.flows, self.saltations, strict=True):
+        for flow, jump in zip(self.shooting.flows, self.saltations, strict=True):
             matrix = jump @ flow[:, :-1] @ matrix
         return np.asarray(matrix)
 
@@ -294,7 +291,7 @@ class TableEvaluation:
         system = piecewise(self.problem.system, self.orbit.parameters)
         cycle = self.cycle.at(system.structure)
         dwell, start = self.orbit.dwell_times.astype(float), self.states[0].astype(float)
-        now = pass_through(cycle, numbers_in(system), dwell, start, np)
+        now = shoot(cycle, numbers_in(system), dwell, start, np)
         return assess_cycle(cycle, system, now, dwell)
 
     def trajectory(self, periods: int) -> Trajectory:
@@ -305,7 +302,7 @@ class TableEvaluation:
             self.cycle,
             self.orbit.dwell_times.astype(float),
             self.states.astype(float),
-            self.passage.ends.astype(float),
+            self.shooting.ends.astype(float),
             self.moved.astype(float),
             periods,
         )
@@ -351,17 +348,17 @@ class TableEvaluation:
         )
 
     @cached_property
-    def _part(self) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
+    def _part(self) -> tuple[Cycle, Numbers, Shooting, np.ndarray]:
         """The part that the symmetry closes: cycle, numbers, passage and dwell times."""
         return self._closed(self.problem.symmetry)
 
-    def _closed(self, symmetry: Symmetry | None) -> tuple[Cycle, Numbers, Passage, np.ndarray]:
+    def _closed(self, symmetry: Symmetry | None) -> tuple[Cycle, Numbers, Shooting, np.ndarray]:
         system, part = closing(self.piecewise, self.cycle, symmetry)
         numbers, dwell = numbers_in(system), self.orbit.dwell_times[: len(part)]
-        now = pass_through(part, numbers, dwell, self.states[0], self._functions)
+        now = shoot(part, numbers, dwell, self.states[0], self._functions)
         return part, numbers, now, dwell
 
-    def _assessed(self, closed: tuple[Cycle, Numbers, Passage, np.ndarray]) -> Stability:
+    def _assessed(self, closed: tuple[Cycle, Numbers, Shooting, np.ndarray]) -> Stability:
         return assess(*closed, self.translations, self.family, self._functions, self._error)
 
     @property

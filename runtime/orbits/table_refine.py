@@ -13,8 +13,9 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD
 from nonsmooth.runtime.orbits.refine import precisions
-from nonsmooth.runtime.shooting.cycle_newton import equations, sizes, with_forcing
-from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, pass_through
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.cycle_newton import sizes
+from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, shoot
 from nonsmooth.runtime.shooting.symmetry import Symmetry, closing, symmetry_of
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 
@@ -79,10 +80,10 @@ def refine_cycle(
                 symmetry_of(system, symmetry.matrix, lib.mp.mpf(10) ** -wanted)
             system, part = closing(system, cycle.at(system.structure), symmetry)
             numbers = numbers_in(system)
-            now = pass_through(part, numbers, times, state, lib.mp)
+            now = shoot(part, numbers, times, state, lib.mp)
             size_of = sizes(now, times)
             total = None if period is None else lib.number(period)
-            matrix, right = equations(now, times, size_of, total)
+            matrix, right = linearised_closure(now, times, size_of, total)
             matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, lib)
             try:
                 # more equations than unknowns are solved in the sense of least squares
@@ -103,7 +104,7 @@ def refine_cycle(
     if not correction <= lib.mp.mpf(10) ** -(wanted - _MARGIN):
         raise _lost(digits)
     last = Mpmath(wanted)  # a context rounds to its own precision when it computes
-    gaps = [*now.gaps, *(now.starts[-1] - now.starts[0])]
+    gaps = [*now.residual, *(now.starts[-1] - now.starts[0])]
     residual = last.mp.mpf(max(abs(gap) for gap in gaps))
     rounded = np.vectorize(last.mp.mpf, otypes=[object])
     states = rounded(now.starts[:-1])

@@ -20,12 +20,11 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.cycle_newton import (
     Found,
-    equations,
     sizes,
     solve_cycle,
-    with_forcing,
 )
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -33,7 +32,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     cycle_of,
     guesses,
     numbers_in,
-    pass_through,
+    shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import (
     closing,
@@ -143,19 +142,19 @@ def _digits(part: Cycle, system: PiecewiseLinear, found: Found, period: float) -
     if found.status[0] != CONVERGED:
         return 0
     dwell, start, numbers = found.dwell[0], found.starts[0, 0], numbers_in(system)
-    now = pass_through(part, numbers, dwell, start, np)
+    now = shoot(part, numbers, dwell, start, np)
     directions = translations_of(system)  # how far it drifts is no size
     starts, ends, fields = (
-        up_to_shift(part, directions) for part in (now.starts, now.ends, now.fields)
+        up_to_shift(part, directions) for part in (now.starts, now.ends, now.velocities)
     )
-    size_of = sizes(now._replace(starts=starts, ends=ends, fields=fields), dwell)
-    matrix, right = equations(now, dwell, size_of, np.float64(period))
+    size_of = sizes(now._replace(starts=starts, ends=ends, velocities=fields), dwell)
+    matrix, right = linearised_closure(now, dwell, size_of, np.float64(period))
     matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, FLOATS)
     least = float(np.linalg.svd(matrix, compute_uv=False)[-1])
     missed = float(np.abs(right).max()) + _ROUNDING * len(part)
     relative = missed / least if least else math.inf
     by_start = relative * (np.abs(now.rates[:, :-1]) @ size_of)
-    by_gap = np.abs(now.gaps / now.speeds) + _ROUNDING * dwell
+    by_gap = np.abs(now.residual / now.speeds) + _ROUNDING * dwell
     errors = [
         *(relative * size_of / np.maximum(1, np.abs(start))),
         *((by_start + by_gap) / np.maximum(1, dwell)),

@@ -15,9 +15,9 @@ from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import first_following
 from nonsmooth.runtime.proof.admissibility_conditions import Derivative, Follower, Plan, Watched
-from nonsmooth.runtime.proof.cycle_equations import Chain, Passage
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
 from nonsmooth.runtime.proof.sign_along_phase import Crossed, EventFunctions, ExactZeros
+from nonsmooth.runtime.shooting.variational import Phase, Shooting
 
 if TYPE_CHECKING:
     from flint import arb
@@ -58,24 +58,26 @@ class _Refuted(Exception):
     pass
 
 
-def judge(plans: Sequence[Plan], chain: Chain, now: Passage, dwell: Sequence[Any]) -> Judgement:
+def judge(
+    plans: Sequence[Plan], phases: Sequence[Phase], now: Shooting, dwell: Sequence[Any]
+) -> Judgement:
     """Judge an orbit whose start and dwell times are enclosed, at the working precision.
 
     Parameters
     ----------
     plans : sequence of Plan
-        In the numbers of the chain.
-    chain : Chain
-    now : Passage
+        In the numbers of the phases.
+    phases : sequence of Phase
+    now : Shooting
         Over the enclosures.
     dwell : sequence of arb or TaylorModel
     """
     margins: list[Margin] = []
     undecided = ""
-    for plan, field, time in zip(plans, chain.fields, dwell, strict=True):
+    for plan, phase, time in zip(plans, phases, dwell, strict=True):
         name = f"phase {plan.place + 1}, {plan.configuration}"
         try:
-            margins += _Phase(plan, field, now, time).judged()
+            margins += _Phase(plan, phase.field, now, time).judged()
         except _Refuted as found:
             return Judgement("refuted", f"{name}: {found}", ())
         except Undecided as trouble:
@@ -88,7 +90,7 @@ def judge(plans: Sequence[Plan], chain: Chain, now: Passage, dwell: Sequence[Any
 class _Phase:
     """One phase of an orbit."""
 
-    def __init__(self, plan: Plan, field: Any, now: Passage, dwell: Any) -> None:
+    def __init__(self, plan: Plan, field: Any, now: Shooting, dwell: Any) -> None:
         self.plan, self.field, self.dwell = plan, field, dwell
         self.first = now.starts[plan.place]
         self.start = plan.starts.tighten(self.first.entries()[:-1])

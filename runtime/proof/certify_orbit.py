@@ -20,7 +20,12 @@ from nonsmooth.runtime.proof.certificate import (
 )
 from nonsmooth.runtime.proof.enclosure import IsolatedOrbit, Missing, locate
 from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, judged, named_numbers
-from nonsmooth.runtime.proof.orbit_cycle import NotCovered, Subject, subject_of, system_of
+from nonsmooth.runtime.proof.orbit_cycle import (
+    NotCovered,
+    Subject,
+    subject_of,
+    system_of,
+)
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
 from nonsmooth.runtime.proof.statement import closing_json, decimals
 from nonsmooth.runtime.proof.vanishing import vanishing_along
@@ -93,7 +98,7 @@ def certify(
             return _certificate(subject, region, bits, missing)
         begin("stability")
         number = region.tables.number_at()
-        stability = claim_of_map(region, number, root.equations, root.passage)
+        stability = claim_of_map(region, number, root.equations, root.linearised.shooting)
         begin("admissibility")
         dwell = root.equations.dwell(root.contraction.image)
         if region.tables.exact and any(len(t.boundaries) > 1 for t in region.cycle.transitions):
@@ -104,7 +109,7 @@ def certify(
 
 def _with_vanishing(region: Region, root: IsolatedOrbit, dwell: Sequence[arb]) -> Region:
     """The region with what vanishes along this orbit alone, because it closes."""
-    closing, start = region.closing, root.passage.starts[0].entries()[:-1]
+    closing, start = region.closing, root.linearised.shooting.starts[0].entries()[:-1]
     found = vanishing_along(region.tables, region.cycle, closing.translations, start, dwell)
     return replace(region, closing=replace(closing, vanishing=found))
 
@@ -115,7 +120,7 @@ def _admissible(region: Region, root: IsolatedOrbit, dwell: Sequence[arb], work:
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
             number = region.tables.number_at()
-            found = judged(region, number, region.chain(number), root.passage, dwell)
+            found = judged(region, number, region.phases(number), root.linearised.shooting, dwell)
         if found.verdict != "undecided":
             break
     assert found is not None
@@ -147,7 +152,9 @@ def _certificate(
         told = zip(CLAIMS[1:], (judgement.reason, stability.reason), strict=True)
         reasons = {name: reason for name, reason in told if reason}
         dwell = root.equations.dwell(root.contraction.image)
-        named = named_numbers(region, root.equations, root.passage, dwell, stability.trace)
+        named = named_numbers(
+            region, root.equations, root.linearised.shooting, dwell, stability.trace
+        )
         enclosures = {name: stated(x, bits, int(name == "trace")) for name, x in named.items()}
         multipliers = tuple(
             (stated(m.real, bits, 1), stated(m.imag, bits, 1))

@@ -17,36 +17,38 @@ from nonsmooth.runtime.proof.exact_tables import Number, Tables, numbers
 from nonsmooth.runtime.proof.motion.exact_rows import Row
 from nonsmooth.runtime.shooting.shooting_map import Cycle
 from nonsmooth.runtime.shooting.translations import gauges_of
+from nonsmooth.runtime.shooting.variational import (
+    MATRICES,
+    Phase,
+    Shooting,
+    section_map,
+    shooting_map,
+)
 
-__all__ = ["Chain", "Equations", "Flows", "Passage", "chain_of", "equations_in"]
+__all__ = ["Equations", "Flows", "Linearised", "equations_in", "phases_of"]
 
 
-class Chain(NamedTuple):
-    """Phase by phase: field, row of the boundary that ends it, and reset behind that."""
-
-    fields: tuple[Any, ...]
-    rows: tuple[Any, ...]
-    resets: tuple[Any, ...]
-
-
-def chain_of(
+def phases_of(
     tables: Tables, cycle: Cycle, number: Number, translations: Sequence[Row] = ()
-) -> Chain:
-    """The chain of a cycle that closes up to translations, at the working precision."""
+) -> tuple[Phase, ...]:
+    """Phases of a cycle that closes up to translations, at the working precision."""
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)
-    return Chain(
-        tuple(numbers(tables.fields[c], number) for c in cycle.configurations),
-        tuple(numbers([tables.rows[row]], number) for row in cycle.rows),
-        tuple(numbers(reset, number) for reset in resets),
+    return tuple(
+        Phase(
+            numbers(tables.fields[configuration], number),
+            numbers([tables.rows[row]], number),
+            numbers(reset, number),
+        )
+        for configuration, row, reset in zip(cycle.configurations, cycle.rows, resets, strict=True)
     )
 
 
 class Flows:
     """Matrix exponentials of the phases over boxes of times near given ones."""
 
-    def __init__(self, chain: Chain, times: Sequence[Any]) -> None:
-        self.fields = chain.fields
+    def __init__(self, phases: Sequence[Phase], times: Sequence[Any]) -> None:
+        self.fields = [phase.field for phase in phases]
         self.centres = [middle_of(time) for time in times]
         self.near = [(b * t).exp() for b, t in zip(self.fields, self.centres, strict=True)]
 
@@ -58,25 +60,20 @@ class Flows:
         return (self.fields[place] * rest).exp() * self.near[place]
 
 
-class Passage(NamedTuple):
-    """One passage of the cycle.
+class Linearised(NamedTuple):
+    """Left-hand sides of the equations and their Jacobian, and what they come from.
 
     Attributes
     ----------
-    values : matrix (n, 1)
-        Left-hand sides of the equations.
+    residual : matrix (n, 1)
     jacobian : matrix (n, n)
-    flows : list of matrices
-    starts, ends, speeds : list of matrices (N + 1, 1)
-        State at the start of each phase, and behind the last one; at each end, and its rate.
+    shooting : Shooting
+        Flows (N + 1, N + 1), and columns (N + 1, 1).
     """
 
-    values: Any
+    residual: Any
     jacobian: Any
-    flows: list[Any]
-    starts: list[Any]
-    ends: list[Any]
-    speeds: list[Any]
+    shooting: Shooting
 
 
 class Equations:
@@ -84,19 +81,19 @@ class Equations:
 
     Parameters
     ----------
-    chain : Chain
+    phases : sequence of Phase
     closing : Closing
     period : arb, TaylorModel or None
         What the dwell times sum up to, where the closing says so.
     speeds : sequence of arb or TaylorModel
-        Of the closing's forcings, in the chain's numbers.
+        Of the closing's forcings, in the phases' numbers.
     directions : sequence of matrices (N + 1, 1)
         Those of the closing's translations.
     """
 
     def __init__(
         self,
-        chain: Chain,
+        phases: Sequence[Phase],
         closing: Closing,
         period: Any,
         speeds: Sequence[Any],
@@ -104,13 +101,13 @@ class Equations:
     ) -> None:
         from flint import arb_mat
 
-        self.chain, self.closing, self.period, self.speeds = chain, closing, period, speeds
+        self.phases, self.closing, self.period, self.speeds = phases, closing, period, speeds
         self.directions = directions
-        self.size = chain.fields[0].nrows() - 1
+        self.size = phases[0].field.nrows() - 1
         self.free = [k for k in range(self.size) if k not in closing.forced]
         self.closed = [k for k in self.free if k != closing.dropped]
         self.first = len(self.free) + bool(closing.pairs)
-        self.count = self.first + len(chain.fields)
+        self.count = self.first + len(phases)
         self._marks = []
         for place in range(self.first, self.count):
             mark = arb_mat(1, self.count)
@@ -134,25 +131,14 @@ class Equations:
             slope[cosine][self.first - 1], slope[sine][self.first - 1] = -speed * s, speed * c
         return matrix(state), matrix(slope)
 
-    def passage(self, unknowns: Sequence[Any], flows: Flows) -> Passage:
+    def linearised(self, unknowns: Sequence[Any], flows: Flows) -> Linearised:
         """Pass once through the cycle, with derivatives by the unknowns."""
         start, slope = self.start(unknowns)
-        state, linear = start, slope
-        values: list[Any] = []
-        rows: list[list[Any]] = []
-        found: list[list[Any]] = [[], [start], [], []]
-        for place, time in enumerate(self.dwell(unknowns)):
-            flow = flows(place, time)
-            end = flow * state
-            speed = self.chain.fields[place] * end
-            linear = flow * linear + speed * self._marks[place]
-            row, reset = self.chain.rows[place], self.chain.resets[place]
-            values.append((row * end)[0, 0])
-            rows.append((row * linear).entries())
-            state, linear = reset * end, reset * linear
-            for kept, matrix_found in zip(found, (flow, state, end, speed), strict=True):
-                kept.append(matrix_found)
-        change, closure = state - start, linear - slope
+        passed = (flows(place, time) for place, time in enumerate(self.dwell(unknowns)))
+        now = shooting_map(MATRICES, self.phases, passed, start, slope, self._marks)
+        values = [value[0, 0] for value in now.residual]
+        rows = [slope.entries() for slope in now.slopes]
+        change, closure = now.starts[-1] - start, now.variational - slope
         for k in self.closed:
             values.append(change[k, 0])
             rows.append([closure[k, j] for j in range(self.count)])
@@ -160,35 +146,26 @@ class Equations:
             total = sum(self.dwell(unknowns), 0 * self.period)
             values.append(total - self.period)
             rows.append([int(j >= self.first) for j in range(self.count)])
-        flat, starts, ends, speeds = found
-        return Passage(matrix([[v] for v in values]), matrix(rows), flat, starts, ends, speeds)
+        return Linearised(matrix([[v] for v in values]), matrix(rows), now)
 
-    def maps(self, now: Passage) -> list[Any]:
+    def maps(self, now: Shooting) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, as the cycle closes."""
         return self.timed_maps(now) if self.closing.timed else self.section_maps(now)
 
-    def section_maps(self, now: Passage) -> list[Any]:
+    def section_maps(self, now: Shooting) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, on the sections."""
-        found = []
-        for place, (flow, speed) in enumerate(zip(now.flows, now.speeds, strict=True)):
-            row, reset = self.chain.rows[place], self.chain.resets[place]
-            ahead = row * flow
-            rate = (row * speed)[0, 0]
-            found.append(self._linear(reset * (flow - speed * ahead / rate)))
-        return found
+        return self._maps(now, [None] * len(self.phases))
 
-    def timed_maps(self, now: Passage) -> list[Any]:
+    def timed_maps(self, now: Shooting) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, at fixed times."""
-        found, count = [], len(now.flows)
-        for place, (flow, speed) in enumerate(zip(now.flows, now.speeds, strict=True)):
-            row, reset = self.chain.rows[place], self.chain.resets[place]
-            behind = self.chain.fields[(place + 1) % count] * now.starts[place + 1]
-            if place == count - 1:
-                behind = self._projected(behind)
-            rate = (row * speed)[0, 0]
-            jump = (behind - reset * speed) * (row * flow) / rate
-            found.append(self._linear(reset * flow + jump))
-        return found
+        fields = [phase.field for phase in (*self.phases[1:], self.phases[0])]
+        behind = [field * start for field, start in zip(fields, now.starts[1:], strict=True)]
+        behind[-1] = self._projected(behind[-1])
+        return self._maps(now, behind)
+
+    def _maps(self, now: Shooting, behind: Sequence[Any]) -> list[Any]:
+        parts = zip(self.phases, now.flows, now.velocities, behind, strict=True)
+        return [self._linear(section_map(MATRICES, *part)) for part in parts]
 
     def _projected(self, rate: Any) -> Any:
         """A rate of the state (N + 1, 1) without the part along translations."""
@@ -203,15 +180,17 @@ class Equations:
         return matrix([[whole[i, j] for j in range(size)] for i in range(size)])
 
 
-def equations_in(chain: Chain, closing: Closing, number: Number, period: Any) -> Equations:
-    """The equations of a cycle in a chain's numbers.
+def equations_in(
+    phases: Sequence[Phase], closing: Closing, number: Number, period: Any
+) -> Equations:
+    """The equations of a cycle in the numbers of its phases.
 
     Parameters
     ----------
-    chain : Chain
+    phases : sequence of Phase
     closing : Closing
     number : function
-        From the closing's exact entries to the chain's numbers.
+        From the closing's exact entries to the phases' numbers.
     period : arb, TaylorModel or None
         What the dwell times sum up to, where it is given.
     """
@@ -221,4 +200,4 @@ def equations_in(chain: Chain, closing: Closing, number: Number, period: Any) ->
     if closing.timed:
         period = 2 * arb.pi() * closing.turns / speeds[0]
     directions = [numbers([[x] for x in (*d, 0 * d[0])], number) for d in closing.translations]
-    return Equations(chain, closing, period, speeds, directions)
+    return Equations(phases, closing, period, speeds, directions)

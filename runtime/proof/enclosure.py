@@ -9,7 +9,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.certificate import Unknown
 from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Passage
+from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Linearised
 from nonsmooth.runtime.proof.krawczyk import Contraction, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED, conserved
 from nonsmooth.runtime.proof.orbit_cycle import Subject
@@ -30,7 +30,7 @@ class IsolatedOrbit(NamedTuple):
 
     equations: Equations
     contraction: Contraction
-    passage: Passage
+    linearised: Linearised
     box: tuple[Unknown, ...]
 
 
@@ -87,22 +87,22 @@ def locate(region: Region, bits: int) -> IsolatedOrbit:
             "Krawczyk's test fails: the equations are singular here, or nearly so, or more bits"
             " are needed",
         )
-    passage = equations.passage(found.image, found.flows)
-    if not conserved(region, number, passage):
+    linearised = equations.linearised(found.image, found.flows)
+    if not conserved(region, number, linearised.shooting):
         raise Missing("undecided", NOT_CONSERVED)
-    return IsolatedOrbit(equations, found, passage, box)
+    return IsolatedOrbit(equations, found, linearised, box)
 
 
 def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
     """Units of the unknowns: how large they and their changes are along the cycle."""
     from flint import arb
 
-    now = equations.passage(point, Flows(equations.chain, equations.dwell(point)))
+    now = equations.linearised(point, Flows(equations.phases, equations.dwell(point))).shooting
     dwell = [abs(t).mid() for t in equations.dwell(point)]
     sizes = []
     for k in equations.free:
         seen = [abs(y[k, 0]) for y in (*now.starts, *now.ends)]
-        seen += [abs(f[k, 0] * t) for f, t in zip(now.speeds, dwell, strict=True)]
+        seen += [abs(f[k, 0] * t) for f, t in zip(now.velocities, dwell, strict=True)]
         size = max((x.mid() for x in seen), key=float)
         sizes.append(size if size > 0 else arb(1))
     longest = max(dwell, key=float)

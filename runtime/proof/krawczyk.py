@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Passage
+from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Linearised
 
 if TYPE_CHECKING:
     from flint import arb
@@ -68,7 +68,7 @@ def newton(
         with flint_precision(precision + 16):
             equations = equations_at()
             point = [x.mid() for x in point]
-            change = _step(equations.passage(point, _flows(equations, point)))
+            change = _step(equations.linearised(point, _flows(equations, point)))
             if change is None:
                 return None
             point = [(x - d).mid() for x, d in zip(point, change, strict=True)]
@@ -107,8 +107,8 @@ class Krawczyk:
 
     def __init__(self, equations: Equations, centre: Sequence[Any]) -> None:
         self.equations, self.centre = equations, centre
-        self.flows = Flows(equations.chain, equations.dwell(centre))
-        self.at = equations.passage(centre, self.flows)
+        self.flows = Flows(equations.phases, equations.dwell(centre))
+        self.at = equations.linearised(centre, self.flows)
         self.inverse: Any = None
         with suppress(ZeroDivisionError):
             self.inverse = self.at.jacobian.mid().inv().mid()
@@ -116,7 +116,7 @@ class Krawczyk:
     @property
     def missed(self) -> list[Any]:
         """How far the middles are from the root, about: -Y F(x)."""
-        return [] if self.inverse is None else list((-(self.inverse * self.at.values)).entries())
+        return [] if self.inverse is None else list((-(self.inverse * self.at.residual)).entries())
 
     def __call__(self, radii: Sequence[arb]) -> Contraction:
         """Test the box with these radii."""
@@ -136,30 +136,30 @@ class Krawczyk:
         """The same with a smaller image: once more, from the middle of it."""
         points = [x.mid() for x in found.image]
         offsets = [x - point for x, point in zip(found.image, points, strict=True)]
-        at = self.equations.passage(points, self.flows)
+        at = self.equations.linearised(points, self.flows)
         moved = self._moved(at, found.image, offsets)
         return found._replace(image=[x + d for x, d in zip(points, moved, strict=True)])
 
-    def _moved(self, at: Passage, box: list[Any], offsets: list[Any]) -> list[Any]:
+    def _moved(self, at: Linearised, box: list[Any], offsets: list[Any]) -> list[Any]:
         """K(X) - x; X is x and offsets around 0, so that F'(X) is known between x and all of X."""
         from flint import arb_mat
 
-        over = self.equations.passage(box, self.flows)
+        over = self.equations.linearised(box, self.flows)
         unit = arb_mat([[int(i == j) for j in range(len(box))] for i in range(len(box))])
         column = matrix([[d] for d in offsets])
         inside = (unit - self.inverse * over.jacobian) * column
-        entries: list[Any] = (inside - self.inverse * at.values).entries()
+        entries: list[Any] = (inside - self.inverse * at.residual).entries()
         return entries
 
 
 def _flows(equations: Equations, point: Sequence[Any]) -> Flows:
-    return Flows(equations.chain, equations.dwell(point))
+    return Flows(equations.phases, equations.dwell(point))
 
 
-def _step(now: Passage) -> list[arb] | None:
+def _step(now: Linearised) -> list[arb] | None:
     try:
         # in floating point, which the midpoints are: the next step corrects it
-        change = now.jacobian.mid().solve(now.values.mid()).entries()
+        change = now.jacobian.mid().solve(now.residual.mid()).entries()
     except ZeroDivisionError:
         return None
     return list(change) if all(x.is_finite() for x in change) else None

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.proof.admissibility import Judgement, judge
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.cycle_equations import Chain, Equations, Passage
+from nonsmooth.runtime.proof.cycle_equations import Equations
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
 from nonsmooth.runtime.proof.multipliers import (
     CORNER,
@@ -24,6 +24,7 @@ from nonsmooth.runtime.proof.multipliers import (
     reduced_map,
     trace_of,
 )
+from nonsmooth.runtime.shooting.variational import Phase, Shooting
 
 if TYPE_CHECKING:
     from flint import acb
@@ -67,12 +68,10 @@ class MapClaim(NamedTuple):
         return tuple(sorted(found, key=lambda m: -float(abs(m).mid())))
 
 
-def claim_of_map(
-    region: Region, number: Number, equations: Equations, passage: Passage
-) -> MapClaim:
+def claim_of_map(region: Region, number: Number, equations: Equations, now: Shooting) -> MapClaim:
     """Enclose trace and multipliers, and tell on which side of the unit circle they are."""
     closing = region.closing
-    maps = equations.maps(passage)
+    maps = equations.maps(now)
     if not all(x.is_finite() for found in maps for x in range_of(found).entries()):
         return MapClaim("undecided", "a boundary may be reached tangentially")
     section = reduced_map(maps, region.invariants, closing, number)
@@ -95,30 +94,30 @@ def claim_of_map(
 
 
 def judged(
-    region: Region, number: Number, chain: Chain, passage: Passage, dwell: Sequence[Any]
+    region: Region, number: Number, phases: Sequence[Phase], now: Shooting, dwell: Sequence[Any]
 ) -> Judgement:
-    """Judge whether an orbit is a motion of the system, in the numbers of a chain."""
+    """Judge whether an orbit is a motion of the system, in the numbers of its phases."""
     if region.invariants is None:
         reason = "the declaration takes a root or a sine: what is exactly zero is not known"
         return Judgement("undecided", reason, ())
-    return judge([plan.at(number) for plan in region.plans], chain, passage, dwell)
+    return judge([plan.at(number) for plan in region.plans], phases, now, dwell)
 
 
 def named_numbers(
-    region: Region, equations: Equations, passage: Passage, dwell: Sequence[Any], trace: Any
+    region: Region, equations: Equations, now: Shooting, dwell: Sequence[Any], trace: Any
 ) -> dict[str, Any]:
     """Trace, period, dwell times and start by name, in the equations' numbers."""
     subject, period = region.subject, equations.period
     named = {} if trace is None else {"trace": trace}
     named["period"] = sum(dwell[1:], dwell[0]) if period is None else period
     named |= dict(zip(subject.dwell_names, dwell, strict=True))
-    named |= dict(zip(subject.start_names, passage.starts[0].entries()[:-1], strict=True))
+    named |= dict(zip(subject.start_names, now.starts[0].entries()[:-1], strict=True))
     return named
 
 
-def conserved(region: Region, number: Number, passage: Passage) -> bool:
+def conserved(region: Region, number: Number, now: Shooting) -> bool:
     """Whether the energy returns the coordinate whose closure was dropped, if one was."""
-    closing, first, last = region.closing, passage.starts[0], passage.starts[-1]
+    closing, first, last = region.closing, now.starts[0], now.starts[-1]
     if closing.form is None:
         return True
     omega = range_of(numbers(closing.form.omega, number))

@@ -15,6 +15,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_layout import layout_of
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.newton import (
     CONVERGED,
     INVALID,
@@ -26,29 +27,25 @@ from nonsmooth.runtime.shooting.newton import (
 )
 from nonsmooth.runtime.shooting.shooting_map import (
     Cycle,
-    Numbers,
-    Passage,
     numbers_in,
-    pass_through,
+    shoot,
 )
+from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
     "LEAST",
     "Found",
-    "equations",
     "fitting_start",
     "message_of",
     "sizes",
     "solve_cycle",
     "solve_in_python",
-    "with_forcing",
 ]
 
 # the compiled solver's numbers
 LEAST = 1e-10  # relative singular value below which equations are dependent
 MOST_RESIDUAL = 1e-9  # in units of the terms that cancel
 _ANGLES = 48  # of a forcing, tried for a start
-_MOST_TURNS = 24  # of the first forcing, until all meet again
 SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
 
 _MESSAGES = {
@@ -174,10 +171,10 @@ def solve_in_python(
             if not len(running):
                 break
             numbers = numbers_in(cycle.structure, flat[running])
-            now = pass_through(cycle, numbers, dwell[running], state[running], np)
+            now = shoot(cycle, numbers, dwell[running], state[running], np)
             taken[running] += 1
             size_of = sizes(now, dwell[running])
-            matrix, right = equations(now, dwell[running], size_of, period[running])
+            matrix, right = linearised_closure(now, dwell[running], size_of, period[running])
             matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, FLOATS)
             step, least[running] = _least_squares(matrix, right)
             step = step * size_of
@@ -193,7 +190,7 @@ def solve_in_python(
             lost = ~np.isfinite(relative).all(axis=-1)
             status[running[lost]] = INVALID
             running = running[~(done | lost)]
-        last = pass_through(cycle, numbers_in(cycle.structure, flat), dwell, state, np)
+        last = shoot(cycle, numbers_in(cycle.structure, flat), dwell, state, np)
         size_of = sizes(last, dwell)
         residual, missed = _residuals(cycle, flat, last, size_of, dwell.T)
         total = dwell.sum(axis=-1)
@@ -202,91 +199,15 @@ def solve_in_python(
         status[(status == CONVERGED) & ~(least > LEAST)] = SINGULAR
         status[(status == STALLED) & (dwell.min(axis=-1) < SHORTEST * total)] = NEGATIVE
     starts = np.moveaxis(last.starts[:-1], 0, 1)
-    return Found(dwell, starts, last.matrix[..., :size], residual, taken, status)
+    return Found(dwell, starts, last.variational[..., :size], residual, taken, status)
 
 
-def sizes(now: Passage, dwell: Any) -> Any:
+def sizes(now: Shooting, dwell: Any) -> Any:
     """Size of each state along a passage (..., N): its unit of measure."""
     waits = np.moveaxis(np.asarray(dwell), -1, 0)[..., None]
-    found = np.concatenate([np.abs(now.starts), np.abs(now.ends), np.abs(now.fields * waits)])
+    found = np.concatenate([np.abs(now.starts), np.abs(now.ends), np.abs(now.velocities * waits)])
     largest = found.max(axis=0)
     return np.where(largest == 0, 1, largest)
-
-
-def equations(now: Passage, dwell: Any, size_of: Any, period: Any = None) -> tuple[Any, Any]:
-    """Closure, linearised, in units of the states' sizes: matrix and right-hand side.
-
-    Where any period is given the sum of the dwell times is one equation more; at a point
-    whose period is NaN that is 0 = 0.
-    """
-    size = now.starts.shape[-1]
-    matrix = np.eye(size, dtype=int) - now.matrix[..., :size]
-    matrix = matrix * size_of[..., None, :] / size_of[..., :, None]
-    right = (now.starts[-1] - now.starts[0] + now.matrix[..., size]) / size_of
-    if period is None or (now.starts.dtype != object and np.isnan(period).all()):
-        return matrix, right
-    total = dwell.sum(axis=-1)
-    rates = now.rates.sum(axis=0)
-    row = rates[..., :size] * size_of / np.asarray(total)[..., None]
-    rest = np.asarray((period - total - rates[..., size]) / total)
-    if now.starts.dtype != object:
-        free = np.isnan(period)
-        row, rest = np.where(free[..., None], 0.0, row), np.where(free, 0.0, rest)
-    return (
-        np.concatenate([matrix, row[..., None, :]], axis=-2),
-        np.concatenate([right, rest[..., None]], axis=-1),
-    )
-
-
-def with_forcing(
-    cycle: Cycle, numbers: Numbers, now: Passage, size_of: Any, matrix: Any, right: Any, lib: Any
-) -> tuple[Any, Any]:
-    """Linear equations, and those of the forcing: its amplitudes, and its phases at one time.
-
-    A forcing c, s has the amplitude 1, and several have begun together at some time at c = 1.
-    """
-    rows, rests = [], []
-    start = now.starts[0]
-    first: Any = None
-    angle_of = np.frompyfunc(lib.angle, 2, 1) if start.dtype == object else lib.angle
-    for cosine, sine in cycle.structure.forcing:
-        c, s = start[..., cosine], start[..., sine]
-        row = np.zeros_like(start)
-        row[..., cosine], row[..., sine] = c, s
-        rows.append(row * size_of)
-        rests.append((1 - c * c - s * s) / 2)
-        if len(cycle.structure.forcing) == 1:
-            break
-        speed = numbers.fields[..., 0, sine, cosine]
-        turn = np.zeros_like(start)
-        turn[..., cosine], turn[..., sine] = -s, c
-        angle = angle_of(s, c)
-        if first is None:
-            first = speed, angle, turn
-            continue
-        ratio = speed / first[0]
-        rows.append((turn - np.asarray(ratio)[..., None] * first[2]) * size_of)
-        rests.append(-_phase_difference(angle, first[1], ratio, angle_of))
-    if not rows:
-        return matrix, right
-    return (
-        np.concatenate([matrix, np.stack(rows, axis=-2)], axis=-2),
-        np.concatenate([right, np.stack(rests, axis=-1)], axis=-1),
-    )
-
-
-def _phase_difference(angle: Any, first: Any, ratio: Any, angle_of: Any) -> Any:
-    """How far an angle is from the ratio times the first one, over turns of both."""
-    turn = 2 * angle_of(0 * first, 0 * first - 1)  # 2 pi
-    best: Any = None
-    for turns in range(_MOST_TURNS):
-        difference = angle - ratio * (first + turns * turn)
-        nearest = difference - turn * np.round(np.asarray(difference / turn, dtype=float))
-        if best is None:
-            best = nearest
-        else:
-            best = np.where(np.abs(nearest) < np.abs(best) * (1 - 1e-9), nearest, best)
-    return best
 
 
 def fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
@@ -298,11 +219,11 @@ def fitting_start(cycle: Cycle, flat: np.ndarray, dwell: np.ndarray) -> np.ndarr
     numbers = numbers_in(cycle.structure, flat)
     # differences of affine functions are their coefficients
     passages = [
-        pass_through(cycle, numbers, dwell, np.broadcast_to(start, (len(flat), size)), np)
+        shoot(cycle, numbers, dwell, np.broadcast_to(start, (len(flat), size)), np)
         for start in (np.zeros(size), *np.eye(size))
     ]
     missed = [
-        np.concatenate([np.moveaxis(p.gaps, 0, -1), p.starts[0] - p.starts[-1]], axis=-1)
+        np.concatenate([np.moveaxis(p.residual, 0, -1), p.starts[0] - p.starts[-1]], axis=-1)
         for p in passages
     ]
     matrix = np.stack([m - missed[0] for m in missed[1:]], axis=-1)
@@ -371,13 +292,13 @@ def _least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _residuals(
-    cycle: Cycle, flat: np.ndarray, now: Passage, size_of: np.ndarray, waits: np.ndarray
+    cycle: Cycle, flat: np.ndarray, now: Shooting, size_of: np.ndarray, waits: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Largest absolute value of closure and switching, and in units of what cancels."""
     rows = np.moveaxis(numbers_in(cycle.structure, flat).rows[:, list(cycle.rows)], 1, 0)
-    reach = np.maximum(np.abs(now.ends), np.abs(now.fields * waits[..., None]))
+    reach = np.maximum(np.abs(now.ends), np.abs(now.velocities * waits[..., None]))
     terms = (np.abs(rows[..., :-1]) * reach).sum(axis=-1) + np.abs(rows[..., -1])
-    gaps = np.abs(now.gaps)
+    gaps = np.abs(now.residual)
     closure = np.abs(now.starts[-1] - now.starts[0])
     absolute = np.maximum(gaps.max(axis=0), closure.max(axis=-1))
     relative = np.where(terms > 0, gaps / terms, 0).max(axis=0)

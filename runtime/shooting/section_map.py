@@ -15,8 +15,9 @@ import numpy as np
 
 from nonsmooth.runtime.shooting.cycle_newton import LEAST, sizes
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage
+from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, phases_in
 from nonsmooth.runtime.shooting.translations import projection_along
+from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
 
 __all__ = [
     "assess",
@@ -31,36 +32,30 @@ __all__ = [
 _RANK = 1e-9  # relative length below which a direction is none
 
 
-def local_maps(cycle: Cycle, numbers: Numbers, now: Passage) -> list[Any]:
+def local_maps(cycle: Cycle, numbers: Numbers, now: Shooting) -> list[Any]:
     """Derivative of each phase's start by that of the phase before it, on the sections."""
-    size = now.starts.shape[-1]
-    found = []
-    for place, transition in enumerate(cycle.transitions):
-        normal = numbers.rows[cycle.rows[place], :size]
-        projected = np.eye(size, dtype=int) - np.outer(
-            now.fields[place], normal / now.speeds[place]
-        )
-        reset = numbers.resets[transition.reset, :, :size]
-        found.append(reset @ projected @ now.flows[place][:, :size])
-    return found
+    parts = zip(phases_in(cycle, numbers), now.flows, now.velocities[..., None], strict=True)
+    return [section_map(ARRAYS, *part) for part in parts]
 
 
-def saltations(cycle: Cycle, numbers: Numbers, now: Passage) -> Any:
+def saltations(cycle: Cycle, numbers: Numbers, now: Shooting) -> Any:
     """Saltation matrix of each transition (p, N, N): R + (f_after - R f_before) n / (n f_before).
 
     A perturbation in front of the transition, times the matrix, is that behind it, to first
     order at the same time.
     """
-    size, count = now.starts.shape[-1], len(cycle)
-    found = []
-    for place, transition in enumerate(cycle.transitions):
-        reset = numbers.resets[transition.reset, :, :size]
-        field = numbers.fields[cycle.configurations[(place + 1) % count]]
-        after = field[:, :size] @ now.starts[place + 1] + field[:, size]
-        normal = numbers.rows[cycle.rows[place], :size]
-        jump = after - reset @ now.fields[place]
-        found.append(reset + np.outer(jump, normal / now.speeds[place]))
-    return np.array(found)
+    size = now.starts.shape[-1]
+    unit = np.eye(size, size + 1, dtype=int)
+    return np.array(_timed(cycle, numbers, now, [unit] * len(cycle)))
+
+
+def _timed(cycle: Cycle, numbers: Numbers, now: Shooting, flows: Sequence[Any]) -> list[Any]:
+    """Derivative behind each transition by that before a flow to it, at fixed times."""
+    phases = phases_in(cycle, numbers)
+    fields = [phase.field for phase in (*phases[1:], phases[0])]
+    behind = map(ARRAYS.apply, fields, now.starts[1:, :, None])
+    parts = zip(phases, flows, now.velocities[..., None], behind, strict=True)
+    return [section_map(ARRAYS, *part) for part in parts]
 
 
 def mechanical_states(cycle: Cycle) -> list[int] | None:
@@ -76,11 +71,9 @@ def mechanical_states(cycle: Cycle) -> list[int] | None:
     return [k for k in range(len(cycle.structure.states)) if k not in own]
 
 
-def _timed_maps(cycle: Cycle, numbers: Numbers, now: Passage, states: list[int]) -> list[Any]:
+def _timed_maps(cycle: Cycle, numbers: Numbers, now: Shooting, states: list[int]) -> list[Any]:
     """Derivatives of each phase's start by that of the phase before it, at fixed times."""
-    size = now.starts.shape[-1]
-    jumps = saltations(cycle, numbers, now)
-    found = [jump @ flow[:, :size] for jump, flow in zip(jumps, now.flows, strict=True)]
+    found = _timed(cycle, numbers, now, now.flows)
     return [matrix[np.ix_(states, states)] for matrix in found]
 
 
@@ -109,7 +102,7 @@ def stroboscopic_maps(
 def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
     """Basis (N, k) of what is left of all directions at the start of each phase.
 
-    Passage after passage under the local maps, until none loses a dimension; orthonormal, in
+    Shooting after passage under the local maps, until none loses a dimension; orthonormal, in
     units of the states' sizes.
     """
     basis = np.eye(len(size_of), dtype=maps[0].dtype)
@@ -181,7 +174,7 @@ def _orthonormal(columns: Any, lib: Any) -> Any:
 def assess(
     cycle: Cycle,
     numbers: Numbers,
-    now: Passage,
+    now: Shooting,
     dwell: Any,
     translations: np.ndarray,
     family: bool,
@@ -287,12 +280,12 @@ def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tu
     return entries, min(condition * entries, defective)
 
 
-def _slowness(cycle: Cycle, numbers: Numbers, now: Passage) -> float:
+def _slowness(cycle: Cycle, numbers: Numbers, now: Shooting) -> float:
     """Largest ratio of the terms of a boundary's speed to their sum, where it is reached."""
     size = now.starts.shape[-1]
     terms = [
         (float(sum(abs(numbers.rows[row, :size] * field))), abs(float(speed)))
-        for row, field, speed in zip(cycle.rows, now.fields, now.speeds, strict=True)
+        for row, field, speed in zip(cycle.rows, now.velocities, now.speeds, strict=True)
     ]
     return max((total / speed if speed else math.inf for total, speed in terms), default=1.0)
 
@@ -362,11 +355,11 @@ def _modulus(multiplier: Multiplier, lib: Any) -> Any:
     return lib.sqrt(multiplier.real**2 + multiplier.imaginary**2)
 
 
-def _grazes(cycle: Cycle, numbers: Numbers, now: Passage, error: Any) -> bool:
+def _grazes(cycle: Cycle, numbers: Numbers, now: Shooting, error: Any) -> bool:
     """Whether a boundary may be reached tangentially: there no map has a slope."""
     size = now.starts.shape[-1]
     for place, row in enumerate(cycle.rows):
-        terms = sum(abs(numbers.rows[row, :size] * now.fields[place]))
+        terms = sum(abs(numbers.rows[row, :size] * now.velocities[place]))
         if abs(now.speeds[place]) <= error * terms:
             return True
     return False

@@ -1,8 +1,8 @@
-"""One passage of a cycle of phases and its linearisation, in any arithmetic.
+"""Itineraries of a system, and their shooting map in arrays.
 
-An itinerary is a cyclic sequence of phases. Given the start and the dwell times, a passage
-gives each phase's end, what closure and the switching conditions miss, and the derivatives of
-all that, in which the change of each dwell time is eliminated: its switching condition,
+An itinerary is a cyclic sequence of phases. Given the start and the dwell times, its shooting
+map gives each phase's end, what closure and the switching conditions miss, and the derivatives
+of all that, in which the change of each dwell time is eliminated: its switching condition,
 linearised, makes it an affine function of the change of the start. Arrays may have leading
 axes, one point each.
 """
@@ -22,17 +22,18 @@ from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at
+from nonsmooth.runtime.shooting.variational import ARRAYS, Phase, Shooting, shooting_map
 
 __all__ = [
     "Cycle",
     "Numbers",
-    "Passage",
     "cycle_of",
     "flow_at",
     "forcing_row_of",
     "guesses",
     "numbers_in",
-    "pass_through",
+    "phases_in",
+    "shoot",
 ]
 
 _T = TypeVar("_T")
@@ -239,73 +240,53 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
     )
 
 
-class Passage(NamedTuple):
-    """One passage of a cycle of p phases, and its linearisation.
-
-    Attributes
-    ----------
-    flows : array (p, ..., N, N + 1)
-    starts : array (p + 1, ..., N)
-        State at each phase's start; last what the first would be after the cycle.
-    ends, fields : array (p, ..., N)
-        State at each phase's end, and its velocity there.
-    gaps, speeds : array (p, ...)
-        Boundary function at each phase's end, and its rate.
-    rates : array (p, ..., N + 1)
-        Change of each dwell time that keeps its switching condition: by the start, and where
-        the start stays.
-    matrix : array (..., N, N + 1)
-        The same of the state after the cycle: derivative by the start, and constant.
-    """
-
-    flows: Any
-    starts: Any
-    ends: Any
-    fields: Any
-    gaps: Any
-    speeds: Any
-    rates: Any
-    matrix: Any
+def phases_in(cycle: Cycle, numbers: Numbers) -> list[Phase]:
+    """Phases of a cycle in arrays."""
+    return [
+        Phase(
+            numbers.fields[..., configuration, :, :],
+            numbers.rows[..., row : row + 1, :],
+            numbers.resets[..., transition.reset, :, :],
+        )
+        for configuration, row, transition in zip(
+            cycle.configurations, cycle.rows, cycle.transitions, strict=True
+        )
+    ]
 
 
-def pass_through(cycle: Cycle, numbers: Numbers, dwell: Any, start: Any, lib: Any) -> Passage:
-    """Pass through a cycle once.
+def shoot(cycle: Cycle, numbers: Numbers, dwell: Any, start: Any, lib: Any) -> Shooting:
+    """Pass through a cycle once, with dwell times that follow the start.
 
     Parameters
     ----------
+    cycle : Cycle
+    numbers : Numbers
     dwell : array (..., p)
     start : array (..., N)
     lib : arithmetic with `sin`, `cos` and `exp` of arrays
+
+    Returns
+    -------
+    Shooting
+        Its n = N + 1 unknowns are the start and the 1 that multiplies constants.
     """
     size = start.shape[-1]
     unit = np.eye(size, size + 1, dtype=object if start.dtype == object else float)
-    linear = np.broadcast_to(unit, (*start.shape[:-1], size, size + 1))
-    state, starts = start, [start]
-    found: list[tuple[Any, ...]] = []
-    for place, configuration in enumerate(cycle.configurations):
-        flow = flow_at(cycle.structure, numbers, configuration, dwell[..., place], lib)
-        end = _affine(flow, state)
-        linear = flow[..., :size] @ linear
-        velocity = _affine(numbers.fields[..., configuration, :, :], end)
-        row = numbers.rows[..., cycle.rows[place], :]
-        gap = _dot(row[..., :size], end) + row[..., size]
-        speed = _dot(row[..., :size], velocity)
-        rate = -(row[..., None, :size] @ linear)[..., 0, :]
-        rate[..., size] = rate[..., size] - gap
-        rate = rate / np.asarray(speed)[..., None]
-        linear = linear + velocity[..., :, None] * rate[..., None, :]
-        reset = numbers.resets[..., cycle.transitions[place].reset, :, :]
-        linear = reset[..., :size] @ linear
-        state = _affine(reset, end)
-        starts.append(state)
-        found.append((flow, end, velocity, gap, speed, rate))
-    flows, ends, fields, gaps, speeds, rates = (np.array(part) for part in zip(*found, strict=True))
-    return Passage(flows, np.array(starts), ends, fields, gaps, speeds, rates, linear)
-
-
-def _affine(matrix: Any, state: Any) -> Any:
-    return (matrix[..., :-1] @ state[..., None])[..., 0] + matrix[..., -1]
-
-
-def _dot(left: Any, right: Any) -> Any:
-    return (left[..., None, :] @ right[..., :, None])[..., 0, 0]
+    changes = np.broadcast_to(unit, (*start.shape[:-1], size, size + 1))
+    flows = (
+        flow_at(cycle.structure, numbers, configuration, dwell[..., place], lib)
+        for place, configuration in enumerate(cycle.configurations)
+    )
+    phases = phases_in(cycle, numbers)
+    found = shooting_map(ARRAYS, phases, flows, start[..., None], changes)
+    return Shooting(
+        np.array(found.flows),
+        np.array(found.starts)[..., 0],
+        np.array(found.ends)[..., 0],
+        np.array(found.velocities)[..., 0],
+        np.array(found.residual)[..., 0, 0],
+        np.array(found.speeds)[..., 0, 0],
+        np.array(found.rates)[..., 0, :],
+        (),
+        found.variational,
+    )

@@ -17,7 +17,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
-from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of, numbers_in, shoot
 from nonsmooth.runtime.shooting.translations import (
     directions_of,
     gauges_of,
@@ -286,7 +286,7 @@ def whole_orbit(
             boundaries=cycle.boundaries[first : first + 1],
             transitions=cycle.transitions[first : first + 1],
         )
-        end = pass_through(last, numbers_in(system), dwell[-1:], states[-1], lib).starts[-1]
+        end = shoot(last, numbers_in(system), dwell[-1:], states[-1], lib).starts[-1]
         image = symmetry.matrix @ end
         shift = image[gauges_of(directions)] @ directions
     parts = [states]

@@ -15,7 +15,7 @@ from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.shooting import cycle_newton as composed_newton
 from nonsmooth.runtime.shooting.cycle_newton import solve_cycle, solve_in_python
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
-from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, shoot
 
 STICK_DATA = {
     "chi": "0.5",
@@ -137,13 +137,13 @@ def test_a_transition_that_the_conditions_refuse():
 def test_linearisation_against_finite_differences():
     orbit = stick()
     numbers, cycle, step = numbers_in(orbit.tables.piecewise), orbit.tables.cycle, 1e-6
-    now = orbit.tables.passage
+    now = orbit.tables.shooting
     for k, unit in enumerate(np.eye(4)):
         moved = []
         for sign in (1, -1):
             change = now.rates[:, :-1] @ (sign * step * unit)
             moved.append(
-                pass_through(
+                shoot(
                     cycle,
                     numbers,
                     orbit.dwell_times + change,
@@ -152,8 +152,8 @@ def test_linearisation_against_finite_differences():
                 )
             )
         slopes = (moved[0].starts[-1] - moved[1].starts[-1]) / (2 * step)
-        np.testing.assert_allclose(now.matrix[:, k], slopes, rtol=0, atol=2e-8)
-        gaps = (moved[0].gaps - moved[1].gaps) / (2 * step)
+        np.testing.assert_allclose(now.variational[:, k], slopes, rtol=0, atol=2e-8)
+        gaps = (moved[0].residual - moved[1].residual) / (2 * step)
         np.testing.assert_allclose(gaps, 0, atol=2e-8)
 
 
@@ -163,9 +163,9 @@ def test_residual_is_removed_by_the_affine_part():
     errors = []
     for size in (1e-3, 1e-4):
         dwell = orbit.dwell_times * (1 + size * np.array([1, -1, 0.5, 0.3]))
-        first = pass_through(cycle, numbers, dwell, orbit.states[0], np)
-        second = pass_through(cycle, numbers, dwell + first.rates[:, -1], orbit.states[0], np)
-        errors.append(abs(second.gaps).max())
+        first = shoot(cycle, numbers, dwell, orbit.states[0], np)
+        second = shoot(cycle, numbers, dwell + first.rates[:, -1], orbit.states[0], np)
+        errors.append(abs(second.residual).max())
     assert errors[1] < 2e-2 * errors[0]  # of the second order
 
 
@@ -178,7 +178,7 @@ def test_monodromy_keeps_the_field_and_saltations_map_it():
         after = orbit.tables.piecewise.fields[orbit.tables.cycle.configurations[(place + 1) % 4]]
         state = orbit.states[(place + 1) % 4]
         np.testing.assert_allclose(
-            jump @ orbit.tables.passage.fields[place],
+            jump @ orbit.tables.shooting.velocities[place],
             after[:, :-1] @ state + after[:, -1],
             atol=1e-12,
         )

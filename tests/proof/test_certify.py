@@ -300,7 +300,7 @@ def test_margins_are_true() -> None:
         if margin["quantity"] == "distance":
             assert values_along.max() < -least
         elif margin["quantity"] == "speed":
-            end = composed.tables.passage.ends[place]
+            end = composed.tables.shooting.ends[place]
             rate = row[:-1] @ (system.fields[index][:, :-1] @ end + system.fields[index][:, -1])
             assert rate > least
             assert rate < 1.1 * least

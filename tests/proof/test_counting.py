@@ -346,7 +346,7 @@ def test_divided_conditions_are_the_flow_over_the_time() -> None:
         tables = tables_of(system, tuple(values.values()), 64)
         cycle = cycle_of(structure_of(system), TWO)
         problem = DwellProblem(tables, cycle, setting_of(tables, cycle), Given(), [], 100.0)
-        field, row = problem.chain.fields[0], problem.chain.rows[0]
+        field, row, _ = problem.phases[0]
         numbers = np.array([[float(x.mid()) for x in line] for line in field.tolist()])
         normal = np.array([float(x.mid()) for x in row.entries()])
         for time in (1e-3, 0.2, 0.7):

@@ -16,7 +16,7 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise_at
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
-from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, pass_through
+from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, shoot
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
 
 __all__ = ["first_limits"]
@@ -124,7 +124,7 @@ def _guaranteed(
     """The same of one orbit, by its boundary functions."""
     here = piecewise_at(system, point)
     cycle = cycle.at(here.structure)
-    now = pass_through(cycle, numbers_in(here), dwell, start, np)
+    now = shoot(cycle, numbers_in(here), dwell, start, np)
     if not (dwell > 0).all():
         return UNTOLD
     try:

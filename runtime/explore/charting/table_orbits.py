@@ -27,7 +27,7 @@ from nonsmooth.runtime.shooting.section_map import (
     smallest_section,
     stroboscopic_maps,
 )
-from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of, numbers_in, pass_through
+from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of, numbers_in, shoot
 
 __all__ = ["ComposedPoints", "composed_orbits"]
 
@@ -135,7 +135,7 @@ class ComposedPoints:
         if driven is not None:
             return 0, len(driven)
         reference = self.reference
-        numbers, now = numbers_in(reference.tables.piecewise), reference.tables.passage
+        numbers, now = numbers_in(reference.tables.piecewise), reference.tables.shooting
         maps = local_maps(reference.tables.cycle, numbers, now)
         return smallest_section(maps, sizes(now, reference.dwell_times))
 
@@ -173,7 +173,7 @@ class ComposedPoints:
         with np.errstate(all="ignore"):
             if first:
                 numbers = numbers_in(cycle.structure, flat)
-                state = pass_through(cycle, numbers, dwell, state, np).starts[first]
+                state = shoot(cycle, numbers, dwell, state, np).starts[first]
             guess = np.roll(dwell, -first, axis=1)
             found = solve_cycle(cycle.rotated(first), flat, guess, state, group.period[rows])
         solved.dwell[rows] = np.roll(found.dwell, first, axis=1)

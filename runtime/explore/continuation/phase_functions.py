@@ -10,7 +10,8 @@ import numpy as np
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.time_functions import functions_at
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, Passage
+from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers
+from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = ["ConditionRow", "Conditions", "conditions_of", "phase_waves"]
 
@@ -34,7 +35,7 @@ class ConditionRow:
     along: int
     order: int
 
-    def value(self, numbers: Numbers, now: Passage) -> Any:
+    def value(self, numbers: Numbers, now: Shooting) -> Any:
         """Its value, with the leading axes of the numbers."""
         end, field = now.ends[self.place], numbers.fields[..., self.along, :, :]
         *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1, _rate)
@@ -71,7 +72,7 @@ class Conditions:
         return found
 
 
-def conditions_of(cycle: Cycle, numbers: Numbers, now: Passage) -> Conditions:
+def conditions_of(cycle: Cycle, numbers: Numbers, now: Shooting) -> Conditions:
     """Conditions of a cycle's transitions, by the derivatives that decide at this point."""
     rows: dict[tuple[int, int, int], ConditionRow] = {}
     orders: dict[tuple[int, int, int], int | None] = {}
@@ -105,7 +106,7 @@ def conditions_of(cycle: Cycle, numbers: Numbers, now: Passage) -> Conditions:
 
 
 def _deciding(
-    numbers: Numbers, now: Passage, place: int, row: int, along: int, own: int
+    numbers: Numbers, now: Shooting, place: int, row: int, along: int, own: int
 ) -> int | None:
     """Order of the first derivative that is not zero."""
     end = now.ends[place]
@@ -126,7 +127,7 @@ def _rate(row: Any, field: Any) -> Any:
 
 
 def phase_waves(
-    cycle: Cycle, numbers: Numbers, now: Passage, dwell: np.ndarray, place: int
+    cycle: Cycle, numbers: Numbers, now: Shooting, dwell: np.ndarray, place: int
 ) -> PhaseWaves:
     """Boundary functions along one phase at k points, by the modes of its configuration."""
     configuration = cycle.configurations[place]

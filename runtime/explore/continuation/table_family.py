@@ -37,11 +37,12 @@ from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscop
 from nonsmooth.runtime.shooting.shooting_map import (
     Cycle,
     Numbers,
-    Passage,
     numbers_in,
-    pass_through,
+    phases_in,
+    shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import closing, closing_matrix
+from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, Shooting, shooting_map
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["PERIOD", "ComposedCurve"]
@@ -62,7 +63,7 @@ class ComposedCurve:
         closed, self._cycle = closing(orbit.tables.piecewise, orbit.tables.cycle, orbit.symmetry)
         count = len(self._cycle)
         dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
-        now = pass_through(self._cycle, numbers_in(closed), dwell, start, np)
+        now = shoot(self._cycle, numbers_in(closed), dwell, start, np)
         self.dwell_names = orbit.dwell_time_names[:count]
         names = tuple(orbit.unknowns)
         self.names = (*self.dwell_names, *names[len(orbit.itinerary) :])
@@ -88,25 +89,21 @@ class ComposedCurve:
         """See `Curve`."""
         cycle, count, size = self._cycle, len(self._cycle), len(self._cycle.structure.states)
         tiny = _IMAGINARY * max(1.0, abs(z[-1]))
-        fields, rows, resets = self._complex_numbers(z[-1], tiny)
+        numbers = self._complex_numbers(z[-1], tiny)
         start = z[count:-1]
         generators = np.zeros((count, size + 1, size + 1), dtype=complex)
-        generators[:, :size] = fields[list(cycle.configurations)]
+        generators[:, :size] = numbers.fields[list(cycle.configurations)]
         flows = exponentials(generators * z[:count, None, None])[:, :size]
-        state = start.astype(complex)
-        linear = np.zeros((size, count + size))
-        linear[:, count:] = np.eye(size)
-        missed, slopes = [], []
-        for place, configuration in enumerate(cycle.configurations):
-            flow, field = flows[place], fields[configuration]
-            end = flow[:, :size] @ state + flow[:, size]
-            linear = flow[:, :size].real @ linear
-            linear[:, place] += (field[:, :size] @ end + field[:, size]).real
-            row, reset = rows[cycle.rows[place]], resets[cycle.transitions[place].reset]
-            missed.append(row[:size] @ end + row[size])
-            slopes.append(row[:size].real @ linear)
-            state = reset[:, :size] @ end + reset[:, size]
-            linear = reset[:, :size].real @ linear
+        unit = np.eye(count + size)
+        now = shooting_map(
+            COMPLEX_STEP,
+            phases_in(cycle, numbers),
+            flows,
+            start[:, None].astype(complex),
+            unit[count:],
+            list(unit[:count, None]),
+        )
+        state, linear = now.starts[-1][:, 0], now.variational
         closure, by_unknowns = state - start, linear.copy()
         by_unknowns[:, count:] -= np.eye(size)
         for c, s in cycle.structure.forcing:
@@ -117,8 +114,8 @@ class ComposedCurve:
             closure[s] = start[c] * state[s] - start[s] * state[c]
             by_unknowns[s] = start[c] * linear[s] - start[s] * linear[c]
             by_unknowns[s, [count + c, count + s]] += state.real[s], -state.real[c]
-        values = np.concatenate([missed, closure])
-        jacobian = np.concatenate([slopes, by_unknowns])
+        values = np.concatenate([*(value[:, 0] for value in now.residual), closure])
+        jacobian = np.concatenate([*now.slopes, by_unknowns])
         by_parameter = values.imag / tiny
         residual = values.real
         if self._timed:
@@ -180,7 +177,7 @@ class ComposedCurve:
         for places, cycle, numbers in self._groups(z):
             dwell, start = self._unknowns(z[places])
             now = _passed(cycle, numbers, dwell, start)
-            matrices = now.matrix[..., :size]
+            matrices = now.variational[..., :size]
             if self._driven is not None:
                 field = numbers.fields[:, cycle.configurations[0]]
                 matrices = stroboscopic_maps(cycle, field, start, matrices, self._driven)
@@ -213,7 +210,7 @@ class ComposedCurve:
         cycle = self.orbit.tables.cycle.at(system.structure)
         dwell, start = self._unknowns(z)
         times = np.tile(dwell, self.order)
-        now = pass_through(cycle, numbers_in(system), times, start, np)
+        now = shoot(cycle, numbers_in(system), times, start, np)
         return bool(assess_cycle(cycle, system, now, times).verdict)
 
     def at(self, z: np.ndarray) -> Orbit:
@@ -244,7 +241,7 @@ class ComposedCurve:
         cycle = self.orbit.tables.cycle.at(system.structure)
         dwell, start = self._unknowns(z)
         times = np.tile(np.maximum(dwell, 0.0), self.order)
-        now = pass_through(cycle, numbers_in(system), times, start, np)
+        now = shoot(cycle, numbers_in(system), times, start, np)
         shift = now.starts[-1] - start
         return motion_along(system, cycle, times, now.starts[:-1], now.ends, shift, 1)
 
@@ -267,7 +264,7 @@ class ComposedCurve:
             point[self._parameters.index(self.parameter)] = value
         return point
 
-    def _complex_numbers(self, value: float, tiny: float) -> tuple[np.ndarray, ...]:
+    def _complex_numbers(self, value: float, tiny: float) -> Numbers:
         """Fields, rows and resets, the last reset that of the part's closure."""
         size = len(self._cycle.structure.states)
         point = self._point(value).astype(complex)
@@ -281,7 +278,7 @@ class ComposedCurve:
         fields, rows = fields.reshape(-1, size, size + 1), rows.reshape(-1, size + 1)
         if self._cycle.structure is not self.orbit.tables.cycle.structure:
             resets = self._closed_resets(fields, rows, resets)
-        return fields, rows, resets
+        return Numbers(fields, rows, resets, (), ())
 
     def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
         """The resets, and the one behind which the part closes."""
@@ -314,10 +311,10 @@ class ComposedCurve:
         return found
 
 
-def _passed(cycle: Cycle, numbers: Numbers, dwell: np.ndarray, start: np.ndarray) -> Passage:
+def _passed(cycle: Cycle, numbers: Numbers, dwell: np.ndarray, start: np.ndarray) -> Shooting:
     """Passages of many points; derivatives are infinite where a boundary is touched."""
     with np.errstate(all="ignore"):
-        return pass_through(cycle, numbers, dwell, start, np)
+        return shoot(cycle, numbers, dwell, start, np)
 
 
 def _parts(itinerary: tuple[tuple[str, str], ...]) -> list[int]:

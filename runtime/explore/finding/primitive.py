@@ -63,7 +63,7 @@ def admissible(orbit: Orbit) -> bool:
 
 def orbit_scale(orbit: Orbit) -> np.ndarray:
     """Scale (N,) of each state along an orbit."""
-    now = orbit.tables.passage
+    now = orbit.tables.shooting
     states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.tables.translations)
     before = [
         np.append(start, 1.0) @ orbit.tables.piecewise.fields[c].T
@@ -71,7 +71,9 @@ def orbit_scale(orbit: Orbit) -> np.ndarray:
     ]
     waits = orbit.dwell_times[:, None]
     return variation(
-        orbit.tables.cycle.structure, states, np.concatenate([now.fields * waits, before * waits])
+        orbit.tables.cycle.structure,
+        states,
+        np.concatenate([now.velocities * waits, before * waits]),
     )
 
 

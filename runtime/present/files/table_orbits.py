@@ -173,7 +173,7 @@ def _solves(orbit: Orbit) -> bool:
     unit = lib.mpf(10) ** -orbit.digits if orbit.precise else 10.0**-DOUBLE
     missed = 2 * abs(orbit.residual)
     size = orbit.states.shape[1]
-    flows = tables.passage.flows
+    flows = tables.shooting.flows
     following = np.roll(orbit.states, -1, axis=0)
     projection = projection_along(tables.translations)
     for place, (start, end_start) in enumerate(zip(orbit.states, following, strict=True)):

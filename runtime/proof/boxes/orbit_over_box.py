@@ -19,7 +19,7 @@ from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
 from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.cycle_equations import Chain, Equations, chain_of, equations_in
+from nonsmooth.runtime.proof.cycle_equations import Equations, equations_in, phases_of
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
     Number,
@@ -43,6 +43,7 @@ from nonsmooth.runtime.proof.parametric_declaration import PERIOD as PERIOD_NAME
 from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration
 from nonsmooth.runtime.proof.statement import closing_json
 from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.variational import Phase
 
 if TYPE_CHECKING:
     from flint import arb
@@ -100,14 +101,14 @@ class Region:
         found = self.invariants
         return () if found is None else plan_of(self.tables, self.cycle, found)
 
-    def chain(self, number: Number) -> Chain:
+    def phases(self, number: Number) -> tuple[Phase, ...]:
         """The cycle's fields, rows and resets in numbers."""
-        return chain_of(self.tables, self.cycle, number, self.closing.translations)
+        return phases_of(self.tables, self.cycle, number, self.closing.translations)
 
     def equations(self, number: Number) -> Equations:
         """The orbit's equations in numbers."""
         period = None if self.closing.period is None else number(self.closing.period)
-        return equations_in(self.chain(number), self.closing, number, period)
+        return equations_in(self.phases(number), self.closing, number, period)
 
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing as a file states them.

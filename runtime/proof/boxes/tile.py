@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, 
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
-from nonsmooth.runtime.proof.cycle_equations import Chain, Equations
+from nonsmooth.runtime.proof.cycle_equations import Equations
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_claims import (
@@ -25,6 +25,7 @@ from nonsmooth.runtime.proof.orbit_claims import (
     judged,
     named_numbers,
 )
+from nonsmooth.runtime.shooting.variational import Phase
 
 if TYPE_CHECKING:
     from flint import arb
@@ -127,13 +128,13 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> TilePr
     tube = Tube(place, region.box, found.image)
     if not _joined(region, anchor, tube.at(anchor.point)):
         return _undecided("another orbit may have been found")
-    passage = equations.passage(found.image, found.flows)
+    now = equations.linearised(found.image, found.flows).shooting
     dwell = equations.dwell(found.image)
-    if not conserved(region, number, passage):
+    if not conserved(region, number, now):
         return _undecided(NOT_CONSERVED)
-    stability = claim_of_map(region, number, equations, passage)
-    judgement = judged(region, number, equations.chain, passage, dwell)
-    named = named_numbers(region, equations, passage, dwell, stability.trace)
+    stability = claim_of_map(region, number, equations, now)
+    judgement = judged(region, number, equations.phases, now, dwell)
+    named = named_numbers(region, equations, now, dwell, stability.trace)
     enclosures = {name: _wider(number) for name, number in named.items()}
     reasons = {"admissibility": judgement.reason, "stability": stability.reason}
     reasons = {name: reason for name, reason in reasons.items() if reason}
@@ -200,9 +201,9 @@ def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[
 
 def _mapped(equations: Equations, change: Callable[[Any], Any]) -> Equations:
     """The same equations in other numbers."""
-    chain, period = equations.chain, equations.period
+    period = equations.period
     return Equations(
-        Chain(*(tuple(map(change, part)) for part in chain)),
+        [Phase(*map(change, phase)) for phase in equations.phases],
         equations.closing,
         None if period is None else change(period),
         list(map(change, equations.speeds)),

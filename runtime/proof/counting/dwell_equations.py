@@ -19,11 +19,12 @@ from nonsmooth.runtime.proof.counting.contraction import (
     floats_around,
     middles_of,
 )
-from nonsmooth.runtime.proof.cycle_equations import Chain, chain_of
+from nonsmooth.runtime.proof.cycle_equations import phases_of
 from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.proof.invariants import invariants_of
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
 from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.variational import MATRICES, Ahead, shooting_map
 
 if TYPE_CHECKING:
     from flint import arb, arb_mat
@@ -112,11 +113,10 @@ def setting_of(tables: Tables, cycle: Cycle) -> Setting:
 
 
 class _Flow(NamedTuple):
-    """Over a time: the flow, the row of the switching condition, and that row's derivative."""
+    """Over a time: the flow, and the switching condition by the state in front of it."""
 
     flow: arb_mat
-    row: arb_mat
-    rate: arb_mat
+    ahead: Ahead
 
 
 class DwellProblem:
@@ -154,13 +154,21 @@ class DwellProblem:
 
         self.domain, self.setting, self.given = tuple(domain), setting, given
         self.largest, self.last = largest, last
-        self.chain: Chain = chain_of(tables, cycle.rotated(setting.rotation), tables.number_at())
+        self.phases = phases_of(tables, cycle.rotated(setting.rotation), tables.number_at())
         self.embedding = arb_mat([[arb(x) for x in row] for row in setting.embedding])
         self.speeds = [arb(speed) for speed in given.speeds]
         self.first = int(bool(given.pairs))
+        self._width = len(setting.places) + 1
+        count = self.first + len(self.phases) - (given.period is not None)
+        self._still = arb_mat(self.embedding.nrows(), self._width * count)
+        # a forcing's time, and the dwell times; the last is what the others leave of the period
+        left = [-int(j >= self.first) for j in range(count)]
+        rates = [[int(own == j) for j in range(count)] for own in range(count)]
+        rates += [left] if given.period is not None else []
+        self._rates = [_times_unit(rate, self._width) for rate in rates]
         self._kept: dict[tuple[int, float, float, bool], _Flow] = {}
-        self._norms = [_norm(field) for field in self.chain.fields]
-        self._powers = [_powers(f, r) for f, r in zip(*self.chain[:2], strict=True)]
+        self._norms = [_norm(phase.field) for phase in self.phases]
+        self._powers = [_powers(phase.field, phase.row) for phase in self.phases]
 
     @property
     def unit(self) -> arb | None:
@@ -237,37 +245,34 @@ class DwellProblem:
         """G, its derivatives if they are asked for, and the states at the starts of phases."""
         from flint import arb_mat
 
-        state, begun = self._start(unknowns)
-        first, width, count = state, state.ncols(), len(unknowns) if slopes else 0
-        moving = [arb_mat(state.nrows(), width) for _ in range(count)]
+        start, begun = self._start(unknowns)
+        width, count = self._width, len(unknowns) if slopes else 0
+        changes = self._still if slopes else arb_mat(start.nrows(), 0)
         if self.first and slopes:
-            moving[0] = begun
-        states: list[arb_mat] = []
-        rows: list[list[Any]] = []
-        by: list[list[list[Any]]] = [[] for _ in range(count)]
-        for place, time in enumerate(self._dwell(unknowns)):
-            states.append(state)
-            own = self.first + place
-            flow = self._flow(place, time, sides[own] if own < len(sides) else None, divided[place])
-            reset = self.chain.resets[place]
-            end, rate = flow.flow * state, flow.rate * state
-            rows.append((flow.row * state).entries())
-            speed = self.chain.fields[place] * end
-            for j in range(count):
-                # the last dwell time is what the others leave of the period
-                turn = int(own == j) - int(own >= len(sides) and j >= self.first)
-                before = moving[j]
-                by[j].append((flow.row * before + rate * turn).entries())
-                moving[j] = reset * (flow.flow * before + speed * turn)
-            state = reset * end
-        change = state - first
-        if self.first and slopes:
-            moving[0] = moving[0] - begun
-        for k in self.setting.places:
-            rows.append([change[k, i] for i in range(width)])
-            for entries, moved in zip(by, moving, strict=True):
-                entries.append([moved[k, i] for i in range(width)])
-        return arb_mat(rows), [arb_mat(entries) for entries in by], states
+            changes = changes + begun * self._rates[0]
+        passed = [
+            self._flow(place, time, sides[own] if own < len(sides) else None, divided[place])
+            for place, (own, time) in enumerate(enumerate(self._dwell(unknowns), self.first))
+        ]
+        rates = self._rates[self.first :] if slopes else [arb_mat(width, 0)] * len(passed)
+        now = shooting_map(
+            MATRICES,
+            self.phases,
+            [flow.flow for flow in passed],
+            start,
+            changes,
+            rates,
+            [flow.ahead for flow in passed],
+        )
+        change, moved = now.starts[-1] - start, now.variational - changes
+        rows = [value.entries() for value in now.residual]
+        rows += [[change[k, i] for i in range(width)] for k in self.setting.places]
+        slope_rows = [slope.entries() for slope in now.slopes]
+        slope_rows += [[moved[k, i] for i in range(width * count)] for k in self.setting.places]
+        by = [
+            arb_mat([row[j * width : (j + 1) * width] for row in slope_rows]) for j in range(count)
+        ]
+        return arb_mat(rows), by, now.starts[:-1]
 
     def _start(self, unknowns: Sequence[arb]) -> tuple[arb_mat, arb_mat]:
         """State at the start as a matrix on (q, 1), and its derivative by the forcing's time."""
@@ -301,18 +306,18 @@ class DwellProblem:
 
     def _computed(self, place: int, time: arb, divided: bool) -> _Flow:
         """Flow and switching condition; over a box the wide factor has a small exponent."""
-        field, row = self.chain.fields[place], self.chain.rows[place]
+        field, row = self.phases[place].field, self.phases[place].row
         middle = time.mid()
         flow = (field * middle).exp()
         rest = time - middle
         if not rest.is_zero():
             flow = (field * rest).exp() * flow
         if divided:
-            return _Flow(flow, *self._divided(place, time))
+            return _Flow(flow, self._divided(place, time))
         ahead = row * flow
-        return _Flow(flow, ahead, ahead * field)
+        return _Flow(flow, Ahead(ahead, ahead * field))
 
-    def _divided(self, place: int, time: arb) -> tuple[arb_mat, arb_mat]:
+    def _divided(self, place: int, time: arb) -> Ahead:
         """The row n exp(B t) / t^m without its first m terms, which vanish, and its derivative.
 
         The terms from k = K on, where s = |B| |t| <= S, add up to at most
@@ -327,11 +332,18 @@ class DwellProblem:
             row = row * time + powers[k]
         for k in range(_TERMS - 1, order, -1):
             rate = rate * time + powers[k] * (k - order)
-        size = sum((abs(x).upper() for x in self.chain.rows[place].entries()), arb(0))
+        size = sum((abs(x).upper() for x in self.phases[place].row.entries()), arb(0))
         tail = size * (1 + self._norms[place]) ** (order + 1) * arb(_SERIES) ** (_TERMS - order)
         tail = 2 * tail / arb(_TERMS).gamma()
         wide = arb_mat([[arb(0, tail.upper())] * width])
-        return row + wide, rate + wide
+        return Ahead(row + wide, rate + wide)
+
+
+def _times_unit(rate: Sequence[int], width: int) -> arb_mat:
+    """Unit matrices side by side, each times a number: one change in each of their columns."""
+    from flint import arb_mat
+
+    return arb_mat([[x * int(i == k) for x in rate for k in range(width)] for i in range(width)])
 
 
 def _norm(field: arb_mat) -> arb:

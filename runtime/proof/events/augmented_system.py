@@ -10,7 +10,7 @@ from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of, sp
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, Watched
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Passage
+from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Linearised
 from nonsmooth.runtime.proof.exact_tables import Number
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
 from nonsmooth.runtime.proof.multipliers import CORNER, reduced_map
@@ -31,7 +31,7 @@ class _Here(NamedTuple):
     region: Region
     number: Number
     equations: Equations
-    now: Passage
+    now: Linearised
     unknowns: Sequence[Any]
     more: Sequence[Any]
 
@@ -59,14 +59,14 @@ class Augmented(NamedTuple):
     def __call__(self, middles: Sequence[arb], halves: Sequence[arb]) -> list[Any]:
         """The left-hand sides as models over a box, of the first order in its coordinates."""
         here = self._here(middles, halves)
-        return [*here.now.values.entries(), *self.values(here)]
+        return [*here.now.residual.entries(), *self.values(here)]
 
     def closes(self, middles: Sequence[arb], halves: Sequence[arb]) -> bool:
         """Whether what is no equation follows: the energy returns the coordinate left out."""
         if self.region.closing.form is None:
             return True
         here = self._here(middles, halves)
-        return conserved(here.region, here.number, here.now)
+        return conserved(here.region, here.number, here.now.shooting)
 
     def _here(self, middles: Sequence[arb], halves: Sequence[arb]) -> _Here:
         region = self.region
@@ -77,8 +77,8 @@ class Augmented(NamedTuple):
         count = self.own
         number = region.tables.number_at([box[count]])
         equations = region.equations(number)
-        flows = Flows(equations.chain, equations.dwell(box[:count]))
-        now = equations.passage(box[:count], flows)
+        flows = Flows(equations.phases, equations.dwell(box[:count]))
+        now = equations.linearised(box[:count], flows)
         return _Here(region, number, equations, now, box[:count], box[count + 1 :])
 
 
@@ -122,7 +122,7 @@ def _map(here: _Here) -> Any:
     region = here.region
     if region.cycle.one_sided:
         raise NotCovered(CORNER)
-    maps = here.equations.maps(here.now)
+    maps = here.equations.maps(here.now.shooting)
     found = reduced_map(maps, region.invariants, region.closing, here.number)
     if found.nrows() > _LARGEST_MAP:
         raise NotCovered(f"more than {_LARGEST_MAP} multipliers")
@@ -220,8 +220,8 @@ def _grazing(event: Event) -> Callable[[_Here], list[Any]]:
     def values(here: _Here) -> list[Any]:
         plan, watched = _watched(here, event)
         (time,) = here.more
-        field = here.equations.chain.fields[plan.place]
-        state = (field * time).exp() * here.now.starts[plan.place]
+        field = here.equations.phases[plan.place].field
+        state = (field * time).exp() * here.now.shooting.starts[plan.place]
         row, speed = matrix([watched.row]), field * state
         if not (time > 0 and here.equations.dwell(here.unknowns)[plan.place] - time > 0):
             raise NotCovered("the boundary is not touched inside the phase")
@@ -239,10 +239,10 @@ def _ending(event: Event) -> Callable[[_Here], list[Any]]:
         plan, watched = _watched(here, event)
         if instant_of(event) == "end":
             row = watched.ends if event.kind == "simultaneous" else watched.speed
-            return [evaluate(row, here.now.ends[plan.place].entries()[:-1])]
+            return [evaluate(row, here.now.shooting.ends[plan.place].entries()[:-1])]
         if watched.begins is None:
             raise NotCovered(f"{event.boundary} stays reached")
-        return [evaluate(watched.begins.row, here.now.starts[plan.place].entries()[:-1])]
+        return [evaluate(watched.begins.row, here.now.shooting.starts[plan.place].entries()[:-1])]
 
     return values
 
@@ -252,7 +252,7 @@ def _condition(event: Event) -> Callable[[_Here], list[Any]]:
 
     def values(here: _Here) -> list[Any]:
         plan = here.region.plans[_place(event)].at(here.number)
-        state = here.now.ends[plan.place].entries()[:-1]
+        state = here.now.shooting.ends[plan.place].entries()[:-1]
         found = [
             evaluate(behind.row, state)
             for followers in plan.orders

@@ -1,0 +1,247 @@
+"""The shooting map and its variational: the same in every arithmetic, and the derivative it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from flint import arb, arb_mat
+from mpmath import MPContext
+from scipy.linalg import expm
+
+from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.matrices import exponentials
+from nonsmooth.runtime.core.taylor_models import range_of, space_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.exponential import exponential
+from nonsmooth.runtime.shooting.variational import (
+    ARRAYS,
+    COMPLEX_STEP,
+    MATRICES,
+    Phase,
+    Shooting,
+    section_map,
+    shooting_map,
+)
+
+COUNT, SIZE = 3, 3  # phases, states
+BITS = 200
+
+
+class Data(NamedTuple):
+    """A random chain of phases, in doubles."""
+
+    fields: np.ndarray
+    rows: np.ndarray
+    resets: np.ndarray
+    dwell: np.ndarray
+    start: np.ndarray
+
+
+def data_of(seed: int) -> Data:
+    """Fields that are not small, boundaries that are not met, resets of full rank."""
+    random = np.random.default_rng(seed)
+    return Data(
+        random.normal(size=(COUNT, SIZE, SIZE + 1)),
+        random.normal(size=(COUNT, 1, SIZE + 1)),
+        np.eye(SIZE, SIZE + 1) + 0.3 * random.normal(size=(COUNT, SIZE, SIZE + 1)),
+        random.uniform(0.3, 1.5, COUNT),
+        random.normal(size=SIZE),
+    )
+
+
+def precise(mp: Any, array: np.ndarray) -> np.ndarray:
+    """The same doubles as mpmath numbers."""
+    return np.vectorize(mp.mpf, otypes=[object])(array)
+
+
+def phases_of(data: Data, entries: Callable[[np.ndarray], Any] = np.asarray) -> list[Phase]:
+    """Phases in arrays."""
+    parts = (entries(part) for part in (data.fields, data.rows, data.resets))
+    return [Phase(*each) for each in zip(*parts, strict=True)]
+
+
+def squares(array: np.ndarray, last: float) -> np.ndarray:
+    """Maps (..., N, N + 1) as they act on (y, 1)."""
+    below = np.zeros((*array.shape[:-2], 1, SIZE + 1))
+    below[..., -1] = last
+    return np.concatenate([array, below], axis=-2)
+
+
+class Shot(NamedTuple):
+    """One chain through one arithmetic: eliminated dwell times, and free ones; maps."""
+
+    following: Shooting
+    free: Shooting
+    maps: list[Any]
+    timed: list[Any]
+
+
+def shot(arithmetic: Any, phases: Any, flows: Any, start: Any, units: Any, rates: Any) -> Shot:
+    following = shooting_map(arithmetic, phases, flows, start, units[0])
+    free = shooting_map(arithmetic, phases, flows, start, units[1], rates)
+    fields = [phase.field for phase in (*phases[1:], phases[0])]
+    behind = [arithmetic.apply(*pair) for pair in zip(fields, free.starts[1:], strict=True)]
+    parts = list(zip(phases, flows, free.velocities, strict=True))
+    maps = [section_map(arithmetic, *part) for part in parts]
+    timed = [section_map(arithmetic, *p, b) for p, b in zip(parts, behind, strict=True)]
+    return Shot(following, free, maps, timed)
+
+
+def in_arrays(data: Data, flows: Any, entries: Callable[[np.ndarray], Any] = np.asarray) -> Shot:
+    unit = np.eye(COUNT + SIZE, dtype=int)
+    units = np.eye(SIZE, SIZE + 1, dtype=int), unit[COUNT:]
+    start = entries(data.start)[:, None]
+    return shot(ARRAYS, phases_of(data, entries), flows, start, units, list(unit[:COUNT, None]))
+
+
+def in_floats(data: Data) -> Shot:
+    fields = squares(data.fields, 0.0)
+    return in_arrays(data, [expm(b * t)[:-1] for b, t in zip(fields, data.dwell, strict=True)])
+
+
+def in_mpmath(data: Data, mp: Any) -> Shot:
+    pairs = zip(precise(mp, data.fields), precise(mp, data.dwell), strict=True)
+    flows = [exponential(field, time, mp) for field, time in pairs]
+    return in_arrays(data, flows, lambda array: precise(mp, array))
+
+
+def in_matrices(data: Data, number: Callable[[arb_mat], Any]) -> Shot:
+    def whole(array: np.ndarray) -> Any:
+        return number(arb_mat(array.tolist()))
+
+    unit = np.eye(COUNT + SIZE)
+    phases = [
+        Phase(whole(field), whole(row), whole(reset))
+        for field, row, reset in zip(
+            squares(data.fields, 0.0), data.rows, squares(data.resets, 1.0), strict=True
+        )
+    ]
+    flows = [(p.field * arb(t)).exp() for p, t in zip(phases, data.dwell.tolist(), strict=True)]
+    start = whole(np.append(data.start, 1.0)[:, None])
+    still = np.zeros((1, COUNT + SIZE))
+    units = whole(np.diag([1.0] * SIZE + [0.0])), whole(np.concatenate([unit[COUNT:], still]))
+    return shot(MATRICES, phases, flows, start, units, [whole(u[None]) for u in unit[:COUNT]])
+
+
+def told(found: Shot) -> list[Any]:
+    """What is compared: residual, closure, Jacobians, rates and section maps."""
+    following, free = found.following, found.free
+    return [
+        *following.residual,
+        *following.rates,
+        following.starts[-1],
+        following.variational,
+        *free.residual,
+        *free.slopes,
+        free.variational,
+        *found.maps,
+        *found.timed,
+    ]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_every_arithmetic_gives_the_same(seed: int) -> None:
+    data, mp = data_of(seed), MPContext()
+    mp.dps = 50
+    with flint_precision(BITS):
+        exact = told(in_mpmath(data, mp))
+        balls = [found.tolist() for found in told(in_matrices(data, lambda matrix: matrix))]
+        none = space_of(0, 1)
+        models = [range_of(x).tolist() for x in told(in_matrices(data, none.constant))]
+        floats = told(in_floats(data))
+        for ball, model, array, near in zip(balls, models, exact, floats, strict=True):
+            for place, wanted in np.ndenumerate(array):
+                inside = exact_ball(wanted) + arb(0, 1e-44 * (1 + abs(float(wanted))))
+                row, column = place
+                assert ball[row][column].overlaps(inside)
+                assert model[row][column].overlaps(inside)
+                assert ball[row][column].rad() < 1e-40
+                assert model[row][column].rad() < 1e-40
+            np.testing.assert_allclose(near, array.astype(float), rtol=1e-9, atol=1e-9)
+
+
+def test_the_variational_is_the_derivative() -> None:
+    data, mp = data_of(11), MPContext()
+    mp.dps = 50
+    found, step = in_mpmath(data, mp).free, mp.mpf(10) ** -20
+
+    def moved(unknown: int, sign: int) -> np.ndarray:
+        dwell, start = precise(mp, data.dwell), precise(mp, data.start)
+        which = dwell if unknown < COUNT else start
+        which[unknown % COUNT] += sign * step
+        now = in_mpmath(data._replace(dwell=dwell, start=start), mp).free
+        return np.concatenate([*now.residual, now.starts[-1]])[:, 0]
+
+    jacobian = np.concatenate([*found.slopes, found.variational])
+    for unknown in range(COUNT + SIZE):
+        slope = (moved(unknown, 1) - moved(unknown, -1)) / (2 * step)
+        assert max(abs(slope - jacobian[:, unknown])) < mp.mpf(10) ** -25
+
+
+def test_a_complex_step_gives_the_derivative_by_a_parameter() -> None:
+    data, along, tiny = data_of(5), data_of(6), 1e-30
+
+    def at(parameter: Any) -> Data:
+        parts = zip(data[:3], along[:3], strict=True)
+        return Data(*(a + parameter * b for a, b in parts), data.dwell, data.start)
+
+    complex_data = at(1j * tiny)
+    generators = np.zeros((COUNT, SIZE + 1, SIZE + 1), dtype=complex)
+    generators[:, :SIZE] = complex_data.fields * data.dwell[:, None, None]
+    flows, unit = exponentials(generators)[:, :SIZE], np.eye(COUNT + SIZE)
+    start, rates = data.start[:, None].astype(complex), list(unit[:COUNT, None])
+    phases = phases_of(complex_data)
+    found = shooting_map(COMPLEX_STEP, phases, flows, start, unit[COUNT:], rates)
+    plain = in_floats(data).free
+    np.testing.assert_allclose(found.variational, plain.variational, rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(found.slopes, plain.slopes, rtol=1e-12, atol=1e-12)
+    step = 1e-6
+    pairs = [in_floats(at(sign * step)).free for sign in (1, -1)]
+    values = [np.concatenate([*now.residual, now.starts[-1]]) for now in (*pairs, found)]
+    slope = (values[0] - values[1]) / (2 * step)
+    np.testing.assert_allclose(values[2].imag / tiny, slope, rtol=1e-6, atol=1e-7)
+
+
+@pytest.mark.parametrize("seed", [21, 22, 23])
+def test_section_maps_are_those_of_motions(seed: int) -> None:
+    data, mp = data_of(seed), MPContext()
+    mp.dps = 50
+    # boundaries that are reached exactly, then motions that are followed to them
+    first = in_mpmath(data, mp)
+    rows = precise(mp, data.rows)
+    for row, value, end in zip(rows, first.free.residual, first.free.ends, strict=True):
+        assert abs(value) > 0
+        row[0, -1] = -(row[0, :-1] @ end[:, 0])
+    data = data._replace(rows=rows)
+    found = in_mpmath(data, mp)
+    fields, resets = precise(mp, data.fields), precise(mp, data.resets)
+    step, limit = mp.mpf(10) ** -20, mp.mpf(10) ** -17
+
+    for place in range(COUNT):
+        begin = found.free.starts[place][:, 0]
+        after = fields[(place + 1) % COUNT]
+
+        def motion(
+            start: np.ndarray, place: int = place, after: np.ndarray = after
+        ) -> tuple[np.ndarray, np.ndarray]:
+            """State behind the boundary, and at the time at which the motion itself is there."""
+            time = mp.mpf(data.dwell[place])
+            for _ in range(4):
+                flow = exponential(fields[place], time, mp)
+                end = flow[:, :-1] @ start + flow[:, -1]
+                row, rate = rows[place, 0], fields[place][:, :-1] @ end + fields[place][:, -1]
+                time -= (row[:-1] @ end + row[-1]) / (row[:-1] @ rate)
+            behind = resets[place][:, :-1] @ end + resets[place][:, -1]
+            early = mp.mpf(data.dwell[place]) - time
+            speed = after[:, :-1] @ behind + after[:, -1]
+            return behind, behind + early * speed  # to the second order of the step
+
+        for k, unit in enumerate(np.eye(SIZE, dtype=int)):
+            ahead, back = motion(begin + step * unit), motion(begin - step * unit)
+            for one, other, matrix in zip(
+                ahead, back, (found.maps[place], found.timed[place]), strict=True
+            ):
+                assert max(abs((one - other) / (2 * step) - matrix[:, k])) < limit
