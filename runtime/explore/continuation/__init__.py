@@ -1,6 +1,6 @@
 """Branches of periodic orbits over one parameter, and what happens along them.
 
-==================  ===============================================================================
+==================  =====================================================================
 `continue_orbit`    `continue_orbit`: the branch of an orbit, its events and ends
 `branch`            `Branch`: the points, and what is asked of them
 `event_kinds`       the kinds of events, with their test functions
@@ -13,14 +13,14 @@
 `composed_family`   orbits with kernels at all physical parameters of their system
 `energy`            the energy of an undamped orbit, from the numbers of its system alone
 `family_of_orbit`   the family of an orbit, and the interval over which it is followed
-`kernel_family`     orbits whose equations have kernels, as a family to be followed
-`locating`          events between neighbouring points of a branch, located on it to full precision
+`kernel_family`     orbits with kernels as a family
+`locating`          events between two points of a branch, to full precision
 `next_itineraries`  the itineraries on the other side of a border collision
 `orbit_family`      what a family of orbits has to tell to be followed over one parameter
 `phase_functions`   boundary functions and conditions along orbits without kernels
 `response`          frequency responses and backbones: what a branch is drawn as
 `stepping`          pseudo-arclength steps: predictor, corrector, step length
 `switching`         the other branch at a flip, a lost symmetry, a crossing
-`table_family`      composed orbits as a family to be followed
-==================  ===============================================================================
+`table_family`      orbits without kernels as a family
+==================  =====================================================================
 """

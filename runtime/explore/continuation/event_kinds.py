@@ -14,20 +14,20 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import numpy as np
 
-__all__ = ["KINDS", "EventKind", "Multiplicity"]
+__all__ = ["KINDS", "EventKind", "OrbitKind"]
 
 _NEAR = 1e-6  # how near to the unit circle a pair of multipliers has to be at its event
 _NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be double
 
 
 @dataclass(frozen=True)
-class Multiplicity:
-    """How many multipliers the orbits of a branch have, and of which kind the orbits are.
+class OrbitKind:
+    """What all orbits of a branch have in common, as far as events depend on it.
 
     Attributes
     ----------
     count : int
-        Of multipliers that may differ from zero, without trivial ones.
+        How many multipliers may differ from zero, without trivial ones.
     symmetric : bool
         Whether a symmetry maps one half of the orbit to the other.
     conservative : bool
@@ -47,10 +47,10 @@ class EventKind:
     ----------
     text : str
         What happens, in words.
-    test : function of multipliers (k, r), slopes (k,), Multiplicity; or None
+    test : function of multipliers (k, r), slopes (k,), OrbitKind; or None
         Numbers (k,) whose sign changes at the event; a slope is the parameter's part of the
         unit tangent. None where boundaries and conditions show the event.
-    watched : function of Multiplicity
+    watched : function of OrbitKind
         Whether the event can happen on such a branch.
     holds : function of multipliers (r,)
         Whether a change of sign is that of the event, and not a pole or a neutral saddle.
@@ -61,29 +61,29 @@ class EventKind:
     """
 
     text: str
-    test: Callable[[np.ndarray, np.ndarray, Multiplicity], np.ndarray] | None = None
-    watched: Callable[[Multiplicity], bool] = lambda here: here.count > 0
+    test: Callable[[np.ndarray, np.ndarray, OrbitKind], np.ndarray] | None = None
+    watched: Callable[[OrbitKind], bool] = lambda here: here.count > 0
     holds: Callable[[np.ndarray], bool] = lambda multipliers: True
     switches: bool = False
     border_collision: bool = False
 
 
-def _turning(multipliers: np.ndarray, slopes: np.ndarray, here: Multiplicity) -> np.ndarray:
+def _turning(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
     return slopes
 
 
-def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, here: Multiplicity) -> np.ndarray:
+def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
     found: np.ndarray = (1 + multipliers).prod(axis=-1).real
     return found
 
 
-def _at_one(multipliers: np.ndarray, slopes: np.ndarray, here: Multiplicity) -> np.ndarray:
+def _at_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
     """The product of 1 - multiplier; at a fold it changes its sign together with the slope."""
     found: np.ndarray = (1 - multipliers).prod(axis=-1).real
     return found if here.conservative else found / slopes
 
 
-def _pairs(multipliers: np.ndarray, slopes: np.ndarray, here: Multiplicity) -> np.ndarray:
+def _pairs(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
     """The product of 1 - product over all pairs of multipliers."""
     found: np.ndarray = 1 + 0 * multipliers[:, 0]
     for i, j in combinations(range(multipliers.shape[-1]), 2):

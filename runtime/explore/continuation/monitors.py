@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, ends_of, interior_maxima
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, Multiplicity
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, OrbitKind
 from nonsmooth.runtime.explore.continuation.orbit_family import Curve
 
 __all__ = ["Monitor", "Monitors", "monitors_of"]
@@ -47,7 +47,7 @@ class Monitors:
     def smooth_values(self, z: np.ndarray, tangents: np.ndarray) -> np.ndarray:
         """Values (k, m) at points (k, n + 1) with their tangents."""
         multipliers, slopes = self.curve.multipliers(z), tangents[:, -1]
-        here = _multiplicity(self.curve, multipliers)
+        here = _orbit_kind(self.curve, multipliers)
         tests = [KINDS[monitor.kind].test for monitor in self.smooth]
         with np.errstate(all="ignore"):  # a slope may be zero
             values = [test(multipliers, slopes, here) for test in tests if test is not None]
@@ -77,8 +77,8 @@ class Monitors:
         return kind.test is None or kind.holds(self.curve.multipliers(z[None])[0])
 
 
-def _multiplicity(curve: Curve, multipliers: np.ndarray) -> Multiplicity:
-    return Multiplicity(multipliers.shape[-1], curve.order == 2, curve.conservative)
+def _orbit_kind(curve: Curve, multipliers: np.ndarray) -> OrbitKind:
+    return OrbitKind(multipliers.shape[-1], curve.order == 2, curve.conservative)
 
 
 def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
@@ -102,7 +102,7 @@ def monitors_of(curve: Curve, points: np.ndarray) -> Monitors:
     phase begins or ends with: its rate is watched in its place.
     """
     some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
-    here = _multiplicity(curve, curve.multipliers(some))
+    here = _orbit_kind(curve, curve.multipliers(some))
     smooth = tuple(
         Monitor(name)
         for name, kind in KINDS.items()
