@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from functools import singledispatch
 
 import sympy as sp
 
@@ -12,7 +13,7 @@ from nonsmooth.derive.building.parts import FrictionPart, Part
 from nonsmooth.derive.declaration.parameter import is_rational
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["constraints_of"]
+__all__ = ["constraints_of", "needed_of"]
 
 
 def constraints_of(
@@ -28,7 +29,7 @@ def constraints_of(
     """
     found = dict[sp.Expr, None]()
     for element, part in zip(elements, parts, strict=True):
-        for what, value in _needed(frame, element, part):
+        for what, value in needed_of(element, part, frame):
             value = sp.expand(value)
             if value.free_symbols & set(frame.states):
                 raise DeclarationError(f"element {element.name!r}: {what} depends on the state")
@@ -45,23 +46,37 @@ def constraints_of(
     return tuple(found)
 
 
-def _needed(frame: Frame, element: Element, part: Part) -> Iterator[tuple[str, sp.Expr]]:
-    """What an element needs not to be negative, in words and as an expression."""
-    if isinstance(element, Friction) and isinstance(part, FrictionPart):
-        yield "kinetic friction", part.kinetic
-        yield "static friction less the kinetic", part.static - part.kinetic
-        if part.exhausts:
-            yield "the slope of falling friction", part.falling
-        if not part.loses_load:
-            yield "the normal load", part.load
-    elif isinstance(element, SoftStop):
-        yield "stiffness", frame.expression(element.stiffness)
-        yield "damping", frame.expression(element.damping)
-    elif isinstance(element, Slider):
-        yield "stiffness", frame.expression(element.stiffness)
-        yield "limit", frame.expression(element.limit)
-    elif isinstance(element, RigidStop):
-        restitution = frame.expression(element.restitution)
-        if all(p.symbol != restitution or p.upper > 1 for p in frame.parameters):
-            yield "restitution", restitution
-            yield "what restitution leaves of 1", 1 - restitution
+@singledispatch
+def needed_of(element: Element, part: Part, frame: Frame) -> Iterable[tuple[str, sp.Expr]]:
+    """What an element needs not to be negative, in words and as expressions; nothing by default."""
+    return ()
+
+
+@needed_of.register
+def _friction(element: Friction, part: FrictionPart, frame: Frame) -> Iterator[tuple[str, sp.Expr]]:
+    yield "kinetic friction", part.kinetic
+    yield "static friction less the kinetic", part.static - part.kinetic
+    if part.exhausts:
+        yield "the slope of falling friction", part.falling
+    if not part.loses_load:
+        yield "the normal load", part.load
+
+
+@needed_of.register
+def _soft_stop(element: SoftStop, part: Part, frame: Frame) -> Iterator[tuple[str, sp.Expr]]:
+    yield "stiffness", frame.expression(element.stiffness)
+    yield "damping", frame.expression(element.damping)
+
+
+@needed_of.register
+def _slider(element: Slider, part: Part, frame: Frame) -> Iterator[tuple[str, sp.Expr]]:
+    yield "stiffness", frame.expression(element.stiffness)
+    yield "limit", frame.expression(element.limit)
+
+
+@needed_of.register
+def _rigid_stop(element: RigidStop, part: Part, frame: Frame) -> Iterator[tuple[str, sp.Expr]]:
+    restitution = frame.expression(element.restitution)
+    if all(p.symbol != restitution or p.upper > 1 for p in frame.parameters):
+        yield "restitution", restitution
+        yield "what restitution leaves of 1", 1 - restitution

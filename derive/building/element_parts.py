@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import singledispatch
 
 import sympy as sp
 
@@ -20,25 +21,38 @@ from nonsmooth.derive.building.parts import Exit, FrictionPart, Part, StopPart, 
 from nonsmooth.derive.declaration.configuration import Boundary
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["part_of", "slider_state"]
+__all__ = ["part_of", "slider_state", "states_of"]
 
 
+@singledispatch
 def part_of(element: Element, frame: Frame, elements: Sequence[Element]) -> Part:
-    """The part of an element; DeclarationError for names or functions that do not fit.
+    """The part of an element; each class of elements registers the function that makes it.
 
-    `elements` are all of the oscillator: one may bear the normal load of another.
+    Parameters
+    ----------
+    element : Element
+    frame : Frame
+        Coordinates, states and parameters of the oscillator.
+    elements : sequence of Element
+        All of the oscillator: one may bear the normal load of another.
+
+    Raises
+    ------
+    DeclarationError
+        For names or functions that do not fit, or an element whose class is not registered.
     """
-    match element:
-        case RigidStop():
-            return _rigid_stop(element, frame)
-        case SoftStop():
-            return _soft_stop(element, frame)
-        case Friction():
-            return _friction(element, frame, elements)
-        case Slider():
-            return _slider(element, frame)
-        case Regions():
-            return _regions(element, frame)
+    raise DeclarationError(f"{element!r} is no element of an oscillator")
+
+
+@singledispatch
+def states_of(element: Element) -> tuple[sp.Symbol, ...]:
+    """The states that an element adds to those of the oscillator: none, unless registered."""
+    return ()
+
+
+@states_of.register
+def _slider_states(slider: Slider) -> tuple[sp.Symbol, ...]:
+    return (slider_state(slider),)
 
 
 def slider_state(slider: Slider) -> sp.Symbol:
@@ -54,7 +68,8 @@ def _into(element: RigidStop | SoftStop, frame: Frame) -> tuple[int, sp.Matrix, 
     return sign, row, gap, frame.velocity(row)
 
 
-def _rigid_stop(element: RigidStop, frame: Frame) -> StopPart:
+@part_of.register
+def _rigid_stop(element: RigidStop, frame: Frame, elements: Sequence[Element]) -> StopPart:
     sign, row, gap, approach = _into(element, frame)
     restitution = frame.expression(element.restitution)
     return StopPart(element.name, row, gap, approach, restitution, sign)
@@ -66,7 +81,8 @@ def _push(element: SoftStop, frame: Frame) -> sp.Expr:
     return frame.expression(element.stiffness) * gap + frame.expression(element.damping) * approach
 
 
-def _soft_stop(element: SoftStop, frame: Frame) -> SwitchPart:
+@part_of.register
+def _soft_stop(element: SoftStop, frame: Frame, elements: Sequence[Element]) -> SwitchPart:
     sign, row, gap, _ = _into(element, frame)
     name, push = element.name, _push(element, frame)
     reaches = Exit(Boundary(f"{name}-reaches-stop", gap), "contact")
@@ -90,6 +106,7 @@ def _soft_stop(element: SoftStop, frame: Frame) -> SwitchPart:
     )
 
 
+@part_of.register
 def _friction(element: Friction, frame: Frame, elements: Sequence[Element]) -> FrictionPart:
     where = f"element {element.name!r}"
     row = frame.row(element.coordinate, where)
@@ -154,7 +171,8 @@ def _load(
     return load, False, None
 
 
-def _slider(element: Slider, frame: Frame) -> SwitchPart:
+@part_of.register
+def _slider(element: Slider, frame: Frame, elements: Sequence[Element]) -> SwitchPart:
     row = frame.row(element.coordinate, f"element {element.name!r}")
     stiffness, limit = frame.expression(element.stiffness), frame.expression(element.limit)
     state, velocity = slider_state(element), frame.velocity(row)
@@ -189,7 +207,8 @@ def _slider(element: Slider, frame: Frame) -> SwitchPart:
     )
 
 
-def _regions(element: Regions, frame: Frame) -> SwitchPart:
+@part_of.register
+def _regions(element: Regions, frame: Frame, elements: Sequence[Element]) -> SwitchPart:
     where = f"element {element.name!r}"
     function = frame.affine(element.function, where)
     if not function.free_symbols & set(frame.states):

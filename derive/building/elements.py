@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.errors import DeclarationError
@@ -27,6 +27,14 @@ __all__ = [
 ]
 
 Direction = str | Mapping[str, Any]
+
+
+class Element(Protocol):
+    """What makes an oscillator nonsmooth: `part_of` tells its regimes, forces and boundaries."""
+
+    @property
+    def name(self) -> str:
+        """Its name, with which those of its boundaries begin."""
 
 
 @dataclass(frozen=True)
@@ -331,9 +339,6 @@ class Regions:
     below: Terms = Terms()
     above: Terms = Terms()
     name: str = "region"
-
-
-Element = RigidStop | SoftStop | Friction | Slider | Regions
 
 
 def direction_name(direction: Direction) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any
 
 import sympy as sp
@@ -11,8 +11,8 @@ import sympy as sp
 from nonsmooth.derive.building.assembly import Assembly
 from nonsmooth.derive.building.constraints import constraints_of
 from nonsmooth.derive.building.coupling import contact_law
-from nonsmooth.derive.building.element_parts import part_of, slider_state
-from nonsmooth.derive.building.elements import Element, Harmonic, Slider
+from nonsmooth.derive.building.element_parts import part_of, states_of
+from nonsmooth.derive.building.elements import Element, Harmonic
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
 from nonsmooth.derive.building.parts import FrictionPart
 from nonsmooth.derive.building.transitions import transitions_from
@@ -56,7 +56,8 @@ def oscillator(
         Constant forces.
     forcing : sequence of Harmonic
         Each adds the states c1, s1, c2, s2, ... behind the velocities.
-    elements : sequence of RigidStop, SoftStop, Friction, Slider, Regions
+    elements : sequence of Element
+        RigidStop, SoftStop, Friction, Slider, Regions.
     parameters : sequence of Parameter
         Domains. A symbol that is not named here gets a domain by its assumptions (positive,
         nonnegative, negative, real); one without assumptions is positive, and a coefficient
@@ -134,8 +135,7 @@ def _assembled(
         (sp.Symbol(f"c{k}", real=True), sp.Symbol(f"s{k}", real=True))
         for k in range(1, len(forcing) + 1)
     )
-    sliders = tuple(slider_state(e) for e in elements if isinstance(e, Slider))
-    others = (*(s for pair in phases for s in pair), *sliders)
+    others = (*chain.from_iterable(phases), *chain.from_iterable(map(states_of, elements)))
     states = [str(s) for s in (*positions, *velocities, *others)]
     matrix = square(mass, "mass", size)
     declared = inferred_parameters(

@@ -3,21 +3,24 @@
 A certificate holds a declaration, an itinerary, a box of unknowns or tiles of parameters, and
 what is claimed. Here all of it is proved again, of a census each orbit, apart from the program
 that wrote it: of that only the arithmetic is imported, Taylor models and rational functions.
-Read in this order:
+The table is in the order in which to read. ``python -m nonsmooth.runtime.checker FILE`` checks
+a file.
 
-    exact      numbers as they are stated, and exact arithmetic of rows
-    shape      what the files hold, entry by entry
-    declared   what is declared, and what follows from it without rounding
-    parameters the values of what the declaration is a function of
-    orbit      existence, enclosures, the Poincare map
-    stability  its multipliers
-    motion     admissibility
-    points     a certificate at one parameter point
-    tiles      a map of tiles in a box of parameters
-    events     bifurcations and limits of admissibility
-    census     orbits that were counted
-
-``python -m nonsmooth.runtime.checker FILE`` checks a file.
+============  ===========================================================
+`exact`       numbers as they are stated, and exact arithmetic of rows
+`shape`       what the files hold, entry by entry
+`declared`    what is declared, and what follows from it without rounding
+`contacts`    transitions of a contact law, derived again
+`parameters`  the values of what the declaration is a function of
+`orbit`       existence, enclosures, the Poincare map
+`stability`   multipliers against the unit circle
+`vanishing`   functions of the state that vanish because an orbit closes
+`motion`      admissibility
+`points`      a certificate at one parameter point
+`tiles`       a map of tiles in a box of parameters
+`events`      bifurcations and limits of admissibility
+`census`      orbits that were counted
+============  ===========================================================
 """
 
 from nonsmooth.runtime.checker.census import check_census

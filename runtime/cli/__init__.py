@@ -1,22 +1,26 @@
-"""The commands: what they take, what they show; `nonsmooth.runtime.cli.program` runs them.
+"""The command line: what each command reads, asks and shows.
 
-======================  =======================================================
+======================  ===================================================================
+`program`               `main`; `list`, `equations`, `solve`, `verify`, `plot`, `reproduce`
 `application`           exit codes, errors in one line, JSON, values by name
 `options`               arguments and options that commands share
-`motions`               simulate, find, sweep
-`continuing`            continue
-`charting`              chart
-`certifying`            certify
-`certifying_boxes`      the same for ranges of parameters
-`certifying_events`     the same for what happens along a range
-`counting`              the same for all orbits of an itinerary
-`generating`            generate
-`report_motions`        motions as JSON
-`display`               orbits for people, progress
-`display_motions`       motions and found orbits for people
-`display_branches`      branches for people
-`display_certificates`  certificates, maps and events for people
-`display_census`        how many orbits there are, for people
+`keeping`               what long commands keep when they are interrupted
+`certifying`            `certify` of one orbit, and its `--check`
+`certifying_boxes`      `certify` over ranges of parameters
+`certifying_events`     `certify --events`
+`charting`              `chart`
+`continuing`            `continue`
+`counting`              `certify --all`
 `deriving`              the commands' way into the derivation
-======================  =======================================================
+`display`               orbits for people, and progress
+`display_branches`      branches for people
+`display_census`        how many orbits there are, for people
+`display_certificates`  certificates, maps and events for people
+`display_checks`        checks of certificates for people
+`display_motions`       motions and found orbits for people
+`generating`            `generate`
+`motions`               `simulate`, `find`, `sweep`
+`report_motions`        motions as JSON
+`tables`                consoles and tables that are as wide as they need to be
+======================  ===================================================================
 """

@@ -1,20 +1,27 @@
-"""Periodic orbits of any itinerary, composed from a system's flows at run time.
+"""One periodic orbit, or one at each of many parameter points: solved, refined, judged.
 
-============  ==============================================================
-`passage`     one passage of a cycle and its linearisation, in any arithmetic
-`newton`      Newton's method on start and dwell times: compiled, or in NumPy
-`stability`   sections, multipliers, saltation matrices
-`admissible`  whether a composed orbit is a motion of the real system
-`symmetry`    orbits of which a symmetry closes a part
-`composed`    one orbit: `compose`
-`record`      `ComposedOrbit` and what can be asked of it
-`motion`      the motion along it
-`naming`      names of its unknowns
-`named`       declared orbits without kernels
-`recurring`   itineraries of simulated motions
-`batch`       many parameter points: `compose_many`
-`precise`     any number of digits
-`report`      a composed orbit as JSON
-`saved`       a composed orbit in a file
-============  ==============================================================
+=====================  =========================================================================
+`solve`                `solve`: one orbit at one parameter point
+`many`                 `solve_many`: many parameter points, in C and in threads
+`problem`              `OrbitProblem`: what kernels and tables answer alike
+`orbit`                `Orbit`: the record of a periodic orbit, and all that can be asked of it
+`orbits`               `Orbits`: many of them as arrays
+`refine`               `refine`: any number of digits, by Newton's method with growing precision
+`stability`            Poincare map, multipliers and the trace criterion
+`admissible`           whether a solution of the equations is a motion of the real system
+`motion`               the state at any time of an orbit, from the closed-form flows
+`declared_many`        declared orbits without kernels at many parameter points
+`declared_solve`       a declared orbit without kernels at one parameter point
+`kernel_many`          many orbits by their kernels: compiled, or on NumPy
+`kernel_problem`       `KernelProblem`: the answers of derived kernels
+`kernel_solve`         one orbit by its kernels
+`physical_parameters`  all parameters of an orbit's system; what the orbit leaves open is chosen
+`routes`               itineraries through coupled contacts: the routes of the law are listed
+`table_admissible`     admissibility, by a system's tables
+`table_many`           many orbits of one itinerary, by their system's tables
+`table_motion`         the motion along an orbit, as a trajectory
+`table_problem`        `TableProblem`: the answers of a system's tables, for any itinerary
+`table_refine`         any number of digits, by a system's tables
+`table_solve`          one orbit of any itinerary, by its system's tables
+=====================  =========================================================================
 """

@@ -1,29 +1,28 @@
-"""Certificates: a periodic orbit, its admissibility and its stability proved in balls.
+"""Theorems about periodic orbits and motions, proved in ball arithmetic.
 
-================  ============================================================
-`models`          Taylor models: balls that know how they depend on parameters
-`quotients`       rational functions of parameters, exactly
-`tables`          a system's numbers: at a parameter point, or as functions of parameters
-`chain`           the equations of a cycle, their Jacobian and the Poincare map, in balls
-`closing`         how a cycle closes: by its state, at a given period, or with a forcing
-`existence`       Newton's method in balls, and Krawczyk's test on a box
-`location`        the box in which an orbit is unique
-`known`           which boundary functions are exactly zero where a phase begins or ends
-`vanishing`       what is zero along one orbit because that closes
-`plan`            what has to be shown of each phase, as far as exact arithmetic tells
-`waves`           whether an affine function stays negative along a phase
-`admissibility`   all boundaries for all times of all phases, and each transition
-`multipliers`     trace, multipliers, and on which side of the unit circle they are
-`subject`         what is to be proved: an orbit of any kind as a cycle of its system
-`certify`         all of it together
-`statement`       the exact system, as files state it
-`certificate`     what is proved, with enclosures; JSON
-`saved`           certificates in files
-`comparing`       whether a certificate is of the system that it names
-`checking`        the check of a file of any kind
-`checker`         the sceptic's own proof, from the file alone: to be read in one sitting
-================  ============================================================
-
-and three rooms with maps of their own: `boxes`, an orbit for all parameters of a box;
-`counting`, all orbits of an itinerary in a box; `events`, bifurcations enclosed.
+==========================  =======================================================================
+`boxes`                     proofs for all parameters of a box
+`counting`                  all orbits of an itinerary in a box of dwell times, each proved
+`events`                    events of branches, enclosed to any precision
+`motion`                    the sequence of configurations of a simulated motion, proved
+`certify_orbit`             `certify`: existence, admissibility and stability of one orbit
+`certificate`               `Certificate`: what is proved of an orbit, with enclosures
+`admissibility`             whether a proved orbit is a motion of the real system
+`admissibility_conditions`  what has to be shown of a cycle for it to be a motion, phase by phase
+`closure`                   how a cycle closes, which makes its equations square and nonsingular
+`contact_statement`         the contact law, as a certificate states it
+`cycle_equations`           closure and switching in balls, their Jacobian, the Poincare map
+`enclosure`                 the box that contains exactly one orbit
+`exact_tables`              a system's numbers, rational where the parameters are, else balls
+`expansion`                 Taylor expansions of affine functions along a phase
+`invariants`                affine functions that vanish where phases begin and end
+`krawczyk`                  Newton's method towards a root, and the test that a box has exactly one
+`multipliers`               trace and multipliers, and on which side of the unit circle they are
+`orbit_claims`              what is claimed of one orbit: existence, admissibility, stability
+`orbit_cycle`               what is to be proved: an orbit of any kind as a cycle of its system
+`parametric_declaration`    the declaration of a file, as functions of its parameters
+`sign_along_phase`          whether an affine function stays negative along a phase
+`statement`                 the exact system, as a certificate states it and the checker reads it
+`vanishing`                 affine functions that vanish along one orbit because it closes
+==========================  =======================================================================
 """

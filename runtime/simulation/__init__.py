@@ -1,23 +1,18 @@
-"""Exact simulation from event to event.
+"""Motions from event to event, exactly, and what is observed along them.
 
-===============  ==============================================================
-`structure`      a system apart from its parameters
-`piecewise`      a system at a parameter point: rows, fields, flows, resets
-`modes`          flows that have no closed form, from eigenvalues and their clusters
-`exponential`    the same to any number of digits
-`flows`          states inside a configuration, many at once
-`starting`       a start by names, and the configuration that it belongs to
-`run`            what an engine gives, and why it ended
-`engines`        the compiled engine (`runtime/engine/`, in C) and its arrays
-`engine_layout`  a system packed for it
-`stepping`       the same rules in Python: the fallback, and the engine's judge
-`tables`         its numbers of a configuration, and its clock
-`functions`      functions of time of modes, and of chains of modes that nearly meet
-`quasi`          quasi-polynomials with error bounds
-`crossing`       their first crossing, guaranteed
-`simulate`       one motion, or many in threads
-`trajectory`     the record of a motion: its state at any time
-`saved`          motions in files
-`returns`        the Poincaré map by simulation
-===============  ==============================================================
+=================  ====================================================================
+`simulate`         `simulate`, `simulate_many`: one motion, or many in threads
+`trajectory`       `Trajectory`: the transitions of a motion, and its state at any time
+`starting`         a start by names, and the configuration that it belongs to
+`engines`          the engine in C where it is built, else the one in Python
+`stepping`         the engine in Python: the fallback, and the judge of the one in C
+`extremes`         guaranteed extremes of affine functions of the state along a motion
+`last_cycle`       `itinerary_of`: the cycle at the end of a motion
+`lyapunov`         `lyapunov`: exponents of a motion, with their errors
+`observables`      `observe`: peaks, averages, contact and friction forces
+`phase_functions`  affine functions of the state along the phases of a motion
+`recurrence`       the phases after which a motion comes back
+`returns`          `poincare_map`: the Poincare map by simulation
+`tangent`          derivatives of a motion by its start
+=================  ====================================================================
 """

@@ -1,19 +1,19 @@
 """Charts of the parameter plane: computed chunk by chunk, kept in a store, resumed.
 
-================  ==============================================================
-`grid`            axes, how a grid is cut into chunks, and its anchors
-`anchors`         orbits from those near by: anchor to anchor, then the points between
-`derived`         orbits whose equations are derived, at many points
-`composed`        orbits that are composed from their phases, at many points
-`phases`          which limit of admissibility such an orbit fails first
-`orbits`          what is charted of an orbit: existence, admissibility, stability
-`attractors`      what is charted by brute force: where motions settle
-`problem`         what both kinds of chart have in common
-`store`           the chunks in files: checked, purged, written
-`lock`            one process at a time
-`threads`         chunks in threads of this machine
-`cluster`         chunks on a Dask cluster
-`chart`           the whole: what is missing is computed, the chart is opened
-`classes`         the parts of a chart for people: stable, unstable, none
-================  ==============================================================
+===============  ===============================================================================
+`chart`          `chart`: what is missing is computed, then the chart is opened
+`grid`           a grid of parameter points, how it is cut into chunks, and its anchors
+`problem`        what the kinds of chart share, and what tells two charts apart
+`orbits`         what is charted of an orbit: existence, admissibility and its limits, stability
+`attractors`     what is charted by brute force: where the motions from one start settle
+`store`          a chart in files: a Zarr group whose chunks carry a CRC
+`anchors`        orbits from those near by: anchors first, then the points between
+`classes`        the parts of a chart for people: stable, unstable, what fails, none found
+`cluster`        chunks on a Dask cluster
+`kernel_orbits`  orbits with kernels: solved, judged, their limits named
+`lock`           one process at a time
+`phases`         which limit of admissibility an orbit without kernels fails first
+`table_orbits`   orbits without kernels: solved, judged, their limits named
+`threads`        chunks in threads of this machine, or one after the other into memory
+===============  ===============================================================================
 """

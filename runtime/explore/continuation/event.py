@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
-from nonsmooth.runtime.explore.continuation.event_kinds import BORDER_COLLISIONS, KINDS, SWITCHES
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
 __all__ = ["Event"]
 
@@ -54,9 +54,9 @@ class Event:
     @property
     def border_collision(self) -> bool:
         """Whether the itinerary changes here."""
-        return self.kind in BORDER_COLLISIONS
+        return KINDS[self.kind].border_collision
 
     @property
     def switches(self) -> bool:
         """Whether another branch meets this one here: `Branch.switch` leads to it."""
-        return self.kind in SWITCHES and not self.touching
+        return KINDS[self.kind].switches and not self.touching

@@ -1,30 +1,141 @@
-"""The kinds of events along a branch, by name."""
+"""The kinds of events along a branch: what each means, and what shows it.
 
-__all__ = ["BORDER_COLLISIONS", "KINDS", "SWITCHES"]
+A new kind is one entry of `KINDS`. Kinds that the multipliers and the tangent show have a test
+function here; those of boundaries and conditions are watched phase by phase, by `monitors`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["KINDS", "EventKind", "OrbitKind"]
+
+_NEAR = 1e-6  # how near to the unit circle a pair of multipliers has to be at its event
+_NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be double
+
+
+@dataclass(frozen=True)
+class OrbitKind:
+    """What all orbits of a branch have in common, as far as events depend on it.
+
+    Attributes
+    ----------
+    count : int
+        How many multipliers may differ from zero, without trivial ones.
+    symmetric : bool
+        Whether a symmetry maps one half of the orbit to the other.
+    conservative : bool
+        Whether a first integral parametrises the orbits.
+    """
+
+    count: int
+    symmetric: bool
+    conservative: bool
+
+
+@dataclass(frozen=True)
+class EventKind:
+    """One kind of event.
+
+    Attributes
+    ----------
+    text : str
+        What happens, in words.
+    test : function of multipliers (k, r), slopes (k,), OrbitKind; or None
+        Numbers (k,) whose sign changes at the event; a slope is the parameter's part of the
+        unit tangent. None where boundaries and conditions show the event.
+    watched : function of OrbitKind
+        Whether the event can happen on such a branch.
+    holds : function of multipliers (r,)
+        Whether a change of sign is that of the event, and not a pole or a neutral saddle.
+    switches : bool
+        Whether another branch meets this one there.
+    border_collision : bool
+        Whether the itinerary changes there.
+    """
+
+    text: str
+    test: Callable[[np.ndarray, np.ndarray, OrbitKind], np.ndarray] | None = None
+    watched: Callable[[OrbitKind], bool] = lambda here: here.count > 0
+    holds: Callable[[np.ndarray], bool] = lambda multipliers: True
+    switches: bool = False
+    border_collision: bool = False
+
+
+def _turning(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    return slopes
+
+
+def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    found: np.ndarray = (1 + multipliers).prod(axis=-1).real
+    return found
+
+
+def _at_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    """The product of 1 - multiplier; at a fold it changes its sign together with the slope."""
+    found: np.ndarray = (1 - multipliers).prod(axis=-1).real
+    return found if here.conservative else found / slopes
+
+
+def _pairs(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    """The product of 1 - product over all pairs of multipliers."""
+    found: np.ndarray = 1 + 0 * multipliers[:, 0]
+    for i, j in combinations(range(multipliers.shape[-1]), 2):
+        found = found * (1 - multipliers[:, i] * multipliers[:, j])
+    return found.real
+
+
+def _near(target: float) -> Callable[[np.ndarray], bool]:
+    return lambda multipliers: bool((abs(multipliers - target) < _NEAR_ONE).any())
+
+
+def _on_unit_circle(multipliers: np.ndarray) -> bool:
+    near = abs(abs(multipliers) - 1) < _NEAR
+    return bool((near & (abs(multipliers.imag) > _NEAR)).any())
+
 
 KINDS = {
-    "fold": "the branch turns",
-    "flip": "a multiplier is -1: an orbit of twice the period branches off",
-    "neimark-sacker": "a pair of multipliers is on the unit circle: a torus branches off",
-    "branch-point": "a multiplier is 1: another branch crosses",
-    "symmetry-breaking": "a pair of orbits without the symmetry branches off",
-    "grazing": "a boundary is touched inside a phase",
-    "tangent": "a phase leaves its boundary, or reaches it, without speed",
-    "entry": "a boundary is already reached where a phase begins",
-    "simultaneous": "another boundary is reached at the same instant",
-    "condition": "a condition of a transition just holds",
-    "vanishing-phase": "a dwell time shrinks to zero",
-    "admissibility": "the orbit ceases to be a motion of the real system",
+    "fold": EventKind("the branch turns", _turning, lambda here: True),
+    "flip": EventKind(
+        "a multiplier is -1: an orbit of twice the period branches off",
+        _at_minus_one,
+        lambda here: here.count > 0 and not here.symmetric,
+        _near(-1),
+        switches=True,
+    ),
+    "neimark-sacker": EventKind(
+        "a pair of multipliers is on the unit circle: a torus branches off",
+        _pairs,
+        lambda here: here.count > 1 and not here.conservative,
+        _on_unit_circle,
+    ),
+    "branch-point": EventKind(
+        "a multiplier is 1: another branch crosses", _at_one, holds=_near(1), switches=True
+    ),
+    "symmetry-breaking": EventKind(
+        "a pair of orbits without the symmetry branches off",
+        _at_minus_one,
+        lambda here: here.count > 0 and here.symmetric,
+        _near(-1),
+        switches=True,
+    ),
+    "grazing": EventKind("a boundary is touched inside a phase", border_collision=True),
+    "tangent": EventKind(
+        "a phase leaves its boundary, or reaches it, without speed", border_collision=True
+    ),
+    "entry": EventKind("a boundary is already reached where a phase begins", border_collision=True),
+    "simultaneous": EventKind(
+        "another boundary is reached at the same instant", border_collision=True
+    ),
+    "condition": EventKind("a condition of a transition just holds", border_collision=True),
+    "vanishing-phase": EventKind("a dwell time shrinks to zero", border_collision=True),
+    "admissibility": EventKind(
+        "the orbit ceases to be a motion of the real system", border_collision=True
+    ),
 }
-
-SWITCHES = ("flip", "symmetry-breaking", "branch-point")
-
-BORDER_COLLISIONS = (
-    "grazing",
-    "tangent",
-    "entry",
-    "simultaneous",
-    "condition",
-    "vanishing-phase",
-    "admissibility",
-)

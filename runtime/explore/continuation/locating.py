@@ -379,5 +379,5 @@ def describe(
         boundary=monitor.boundary,
         time=time,
         place=place,
-        text=f"{curve.parameter} = {value:.10g}: {KINDS[monitor.kind]}{where}{when}",
+        text=f"{curve.parameter} = {value:.10g}: {KINDS[monitor.kind].text}{where}{when}",
     )

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
 
 import numpy as np
 
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, ends_of, interior_maxima
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, OrbitKind
 from nonsmooth.runtime.explore.continuation.orbit_family import Curve
 
 __all__ = ["Monitor", "Monitors", "monitors_of"]
 
 _ZERO = 1e-9  # relative size below which a boundary function counts as zero at an end
 _SAMPLES = 7  # points at which is looked for what is zero all along
-_PAIR = 1e-6  # how near to -1, 1 or the unit circle a multiplier has to be at its event
 
 
 @dataclass(frozen=True)
@@ -47,19 +46,12 @@ class Monitors:
 
     def smooth_values(self, z: np.ndarray, tangents: np.ndarray) -> np.ndarray:
         """Values (k, m) at points (k, n + 1) with their tangents."""
-        multipliers = self.curve.multipliers(z)
-        slopes = tangents[:, -1]
-        values = np.stack(
-            [_smooth(monitor.kind, multipliers, slopes) for monitor in self.smooth],
-            axis=-1,
-        )
-        if not self.curve.conservative:
-            # at a fold both change their signs
-            for column, monitor in enumerate(self.smooth):
-                if monitor.kind == "branch-point":
-                    with np.errstate(all="ignore"):
-                        values[:, column] /= slopes
-        return values
+        multipliers, slopes = self.curve.multipliers(z), tangents[:, -1]
+        here = _orbit_kind(self.curve, multipliers)
+        tests = [KINDS[monitor.kind].test for monitor in self.smooth]
+        with np.errstate(all="ignore"):  # a slope may be zero
+            values = [test(multipliers, slopes, here) for test in tests if test is not None]
+        return np.stack(values, axis=-1)
 
     def border_values(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Values (k, m), and times since the start of the phase; NaN where there is none."""
@@ -81,26 +73,12 @@ class Monitors:
 
     def confirmed(self, monitor: Monitor, z: np.ndarray) -> bool:
         """Whether a change of sign is that of the event, and not a pole or a neutral saddle."""
-        if monitor.kind in ("fold", *(m.kind for m in self.borders)):
-            return True
-        multipliers = self.curve.multipliers(z[None])[0]
-        if monitor.kind == "neimark-sacker":
-            near = abs(abs(multipliers) - 1) < _PAIR
-            return bool((near & (abs(multipliers.imag) > _PAIR)).any())
-        target = 1.0 if monitor.kind == "branch-point" else -1.0
-        return bool((abs(multipliers - target) < np.sqrt(_PAIR)).any())
+        kind = KINDS[monitor.kind]
+        return kind.test is None or kind.holds(self.curve.multipliers(z[None])[0])
 
 
-def _smooth(kind: str, multipliers: np.ndarray, slope: np.ndarray) -> np.ndarray:
-    if kind == "fold":
-        return slope
-    if kind in ("flip", "symmetry-breaking"):
-        return np.asarray((1 + multipliers).prod(axis=-1).real)
-    if kind == "branch-point":
-        return np.asarray((1 - multipliers).prod(axis=-1).real)
-    pairs = combinations(range(multipliers.shape[-1]), 2)
-    factors = [1 - multipliers[:, i] * multipliers[:, j] for i, j in pairs]
-    return np.asarray(np.prod(factors, axis=0).real)
+def _orbit_kind(curve: Curve, multipliers: np.ndarray) -> OrbitKind:
+    return OrbitKind(multipliers.shape[-1], curve.order == 2, curve.conservative)
 
 
 def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
@@ -124,13 +102,12 @@ def monitors_of(curve: Curve, points: np.ndarray) -> Monitors:
     phase begins or ends with: its rate is watched in its place.
     """
     some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
-    count = curve.multipliers(some).shape[-1]
-    smooth = [Monitor("fold")]
-    if count:
-        smooth.append(Monitor("flip" if curve.order != 2 else "symmetry-breaking"))
-        smooth.append(Monitor("branch-point"))
-    if count > 1 and not curve.conservative:
-        smooth.append(Monitor("neimark-sacker"))
+    here = _orbit_kind(curve, curve.multipliers(some))
+    smooth = tuple(
+        Monitor(name)
+        for name, kind in KINDS.items()
+        if kind.test is not None and kind.watched(here)
+    )
     groups = [phases for _, phases in curve.waves(some)]
     borders: list[Monitor] = []
     for number, waves in enumerate(groups[0]):
@@ -153,7 +130,7 @@ def monitors_of(curve: Curve, points: np.ndarray) -> Monitors:
     for column, phase in enumerate(curve.condition_places):
         watched = phase, curve.phases[phase][1]
         borders.append(Monitor("condition", *watched, "condition", column))
-    return Monitors(curve, tuple(smooth), tuple(borders))
+    return Monitors(curve, smooth, tuple(borders))
 
 
 def _always_zero(groups: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:

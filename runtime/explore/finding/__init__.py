@@ -1,19 +1,16 @@
 """The periodic orbits that live in a system, and their basins.
 
-============  ==============================================================
-`recurrence`  motions that come back, or nearly
-`neighbours`  short cycles of the transitions that were seen
-`primitive`   candidates solved as orbits, over their primitive period, each once
-`steady`      equilibria, and what a forcing makes of one configuration
-`stretching`  how fast neighbouring motions part
-`escape`      motions followed on, and whether they grow without bound
-`stroboscope` motions that come back with the forcing
-`mirrors`     symmetries of a system, found from its tables
-`outcomes`    where motions lead, each by its name
-`find`        `find_orbits`: attractors by simulation, others by Newton
-`settled`     the same for one motion at each of many parameter points
-`sweep`       attractors over a parameter, or over a plane of starts
-`saved`       found orbits as JSON and in files
-`saved_sweep` sweeps in files
-============  ==============================================================
+=============  ===================================================================================
+`find`         `find_orbits`: attractors by simulation, others by Newton's method
+`sweep`        `sweep`: attractors over a parameter, or over a plane of starts
+`settled`      what motions settle on, one at each of many parameter points, for charts and sweeps
+`outcomes`     where motions lead, each by its name
+`escape`       motions followed on until it is decided whether they escape
+`mirrors`      symmetries of a system, found from its tables
+`neighbours`   short cycles of the transitions that were seen, as guesses
+`primitive`    candidates solved as periodic orbits, over their primitive period and each once
+`steady`       equilibria, and what a forcing makes of one configuration
+`stretching`   how fast neighbouring motions part
+`stroboscope`  motions that come back with the forcing, as a stroboscope sees them
+=============  ===================================================================================
 """

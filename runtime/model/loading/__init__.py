@@ -1,12 +1,12 @@
-"""Systems that users declare, from files, folders and Python.
+"""Systems that users declare, read from files, folders and Python.
 
-===========  ==============================================================
-`declared`   what a declaration offers, and the file that holds it
-`load`       a file, a folder or a System to a module of tables and kernels
-`caching`    derivations that are kept from one process to the next
-`folder`     the folder that `nonsmooth generate` writes
-`compiling`  its kernels in C
-===========  ==============================================================
+===========  =======================================================================================
+`declared`   declarations of users: what they have to offer, and the files that hold them
+`load`       modules of tables and kernels beside the built-in ones: of declarations, files, folders
+`caching`    results of derivations, kept in the user's cache folder from one process to the next
+`compiling`  compiled kernels in a folder of `nonsmooth generate`
+`folder`     the folder of a user's kernels: written by `nonsmooth generate`, and by nothing else
+===========  =======================================================================================
 
 `nonsmooth.runtime.model.kernels` asks here for every name that is no built-in one.
 """

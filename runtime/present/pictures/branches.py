@@ -48,6 +48,7 @@ _MARKERS = {
     "vanishing-phase": "*",
     "admissibility": "x",
 }
+_OTHER = "h"
 
 
 def branch_figure(
@@ -192,7 +193,7 @@ def _draw_locus(locus: Locus, axes: Any) -> None:
     axes.plot(*locus.values.T, color=color, linestyle=dashes, linewidth=1.8, label=label)
     axes.plot(
         *locus.values[locus.start],
-        marker=_MARKERS[locus.kind],
+        marker=_MARKERS.get(locus.kind, _OTHER),
         color=color,
         linestyle="none",
     )
@@ -237,7 +238,7 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
         axes.plot(
             _at(event, branch, over, across),
             _at(event, branch, quantity, up),
-            marker=_MARKERS[event.kind],
+            marker=_MARKERS.get(event.kind, _OTHER),
             color=LINES[1][0],
             linestyle="none",
             label=None if event.kind in told else event.kind.replace("-", " "),

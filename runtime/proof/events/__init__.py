@@ -1,9 +1,8 @@
-"""Events of branches enclosed: bifurcations and limits of admissibility, to any number of digits.
+"""Events of branches enclosed: bifurcations and limits of admissibility, to any precision.
 
-==============  ==============================================================
-`augmented`     an orbit's equations joined by what holds at an event
-`certify`       the event near a computed one, proved and enclosed
-`record`        what is proved; JSON
-`saved`         files of such certificates, and whether they are of the systems they name
-==============  ==============================================================
+===================  ========================================================
+`certify_event`      `certify_event`: the event near a computed one, enclosed
+`augmented_system`   an orbit's equations joined by what holds at an event
+`event_certificate`  `EventCertificate`: what is proved of an event
+===================  ========================================================
 """

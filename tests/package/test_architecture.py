@@ -1,0 +1,191 @@
+"""docs/architecture.md tells the truth: what it names is there, and new things go where it says."""
+
+import re
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+import typer
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+import nonsmooth.derive
+from nonsmooth.derive.building.constraints import needed_of
+from nonsmooth.derive.building.element_parts import part_of
+from nonsmooth.derive.building.elements import Element
+from nonsmooth.derive.building.frame import Frame
+from nonsmooth.derive.building.parts import Exit, SwitchPart
+from nonsmooth.derive.declaration.configuration import Boundary
+from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
+from nonsmooth.runtime.cli.options import AsJson
+from nonsmooth.runtime.core import registry
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, EventKind
+from tests.places import CHECKOUT
+
+PAGE = (CHECKOUT / "docs" / "architecture.md").read_text(encoding="utf-8")
+NAMED = sorted(set(re.findall(r"`([^`]+)`", PAGE)))
+WORDS = {"System", "name", ".register"}  # of the text, not of a place
+COMMANDS = [name for name in NAMED if name.startswith("nonsmooth ")]
+NAMES = [name for name in NAMED if name not in WORDS and name not in COMMANDS]
+
+
+def found(name: str) -> object:
+    """What a dotted name stands for: a module, or what is in one."""
+    whole = name if name.startswith("nonsmooth") else f"nonsmooth.runtime.{name}"
+    whole = f"nonsmooth.{name}" if name.startswith("derive") else whole
+    parts = whole.split(".")
+    for count in range(len(parts), 0, -1):
+        try:
+            place: object = import_module(".".join(parts[:count]))
+        except ModuleNotFoundError:
+            continue
+        for part in parts[count:]:
+            place = getattr(place, part)
+        return place
+    raise AssertionError(name)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_the_page_names_is_there(name: str) -> None:
+    if "/" in name:
+        place = CHECKOUT / name
+        assert place.exists() or (CHECKOUT / "runtime" / name).exists()
+    elif "." in name and (CHECKOUT / name).exists():
+        assert name == "pyproject.toml"
+    elif hasattr(ns, name):
+        assert name in ns.__all__ or isinstance(found(name), ModuleType)
+    else:
+        assert found(name) is not None
+
+
+def test_the_page_is_one_page() -> None:
+    assert len(NAMES) > 40
+    assert len(PAGE.split()) < 900
+    assert len(COMMANDS) == 2
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_the_commands_of_the_page_are_answered(command: str) -> None:
+    result = CliRunner().invoke(app, [*command.split()[1:], "--json"])
+    assert result.exit_code == 0, result.output
+
+
+@dataclass(frozen=True)
+class PiecewiseSpring:
+    """A spring that is `stiffness` stiffer where the coordinate is positive."""
+
+    coordinate: str
+    stiffness: Any
+    name: str = "spring"
+
+
+@part_of.register
+def _piecewise_spring(
+    element: PiecewiseSpring, frame: Frame, elements: Sequence[Element]
+) -> SwitchPart:
+    row = frame.row(element.coordinate, f"element {element.name!r}")
+    position = frame.position(row)
+    return SwitchPart(
+        element.name,
+        ("slack", "tight"),
+        {"tight": -frame.expression(element.stiffness) * position * row.T},
+        {
+            "slack": (Exit(Boundary(f"{element.name}-tightens", position), "tight"),),
+            "tight": (Exit(Boundary(f"{element.name}-slackens", -position), "slack"),),
+        },
+    )
+
+
+@needed_of.register
+def _not_negative(
+    element: PiecewiseSpring, part: SwitchPart, frame: Frame
+) -> Iterator[tuple[str, sp.Expr]]:
+    yield "stiffness", frame.expression(element.stiffness)
+
+
+def test_a_new_element_is_a_class_and_its_part() -> None:
+    spring = PiecewiseSpring("x", stiffness=3)
+    system = nonsmooth.derive.oscillator("bilinear", ["x"], [[1]], [[1]], elements=[spring])
+    assert [c.name for c in system.configurations] == ["slack", "tight"]
+    motion = ns.simulate(system, {}, {"x": 0, "v": 1}, "tight", transitions=2)
+    # half a period with each stiffness: pi/2 with the frequency 2, pi with the frequency 1
+    np.testing.assert_allclose(motion.times, [0, np.pi / 2, 3 * np.pi / 2], rtol=1e-14)
+
+
+def test_a_new_element_says_what_must_not_be_negative() -> None:
+    with pytest.raises(nonsmooth.derive.DeclarationError, match="stiffness is negative"):
+        nonsmooth.derive.oscillator(
+            "soft", ["x"], [[1]], [[1]], elements=[PiecewiseSpring("x", stiffness=-1)]
+        )
+
+
+def test_what_is_no_element_is_refused() -> None:
+    with pytest.raises(nonsmooth.derive.DeclarationError, match="no element of an oscillator"):
+        nonsmooth.derive.oscillator(
+            "none", ["x"], [[1]], [[1]], elements=[SimpleNamespace(name="stranger")]
+        )
+
+
+def test_a_new_event_is_one_entry(monkeypatch: pytest.MonkeyPatch) -> None:
+    kind = EventKind(
+        "the trace is -0.98", lambda multipliers, *_: multipliers.sum(axis=-1).real + 0.98
+    )
+    monkeypatch.setitem(KINDS, "level", kind)
+    orbit = ns.solve("dry-friction/global-stick")
+    branch = ns.continue_orbit(orbit, "eta", (0.9, 1.1))
+    levels = [event for event in branch.events if event.kind == "level"]
+    sides = np.sign(branch.trace + 0.98)
+    assert len(levels) == np.count_nonzero(np.diff(sides)) > 0
+    for event in levels:
+        assert float(branch.orbit_at(event).trace) == pytest.approx(-0.98, abs=1e-8)
+        assert "the trace is -0.98" in event.text
+        assert not event.border_collision
+        assert not event.switches
+    branch.plot()
+
+
+def draw_dwell_times(orbit: Any, axes: Any) -> Any:
+    """Draw the dwell times of an orbit as bars."""
+    axes.bar(list(orbit.dwell_times), [float(time) for time in orbit.dwell_times.values()])
+    return axes
+
+
+def test_a_new_picture_is_registered_by_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    figure = pytest.importorskip("matplotlib.figure").Figure()
+    module = ModuleType("nonsmooth.runtime.present.pictures.dwell_times")
+    module.draw_dwell_times = draw_dwell_times  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, module.__name__, module)
+    monkeypatch.setattr(registry, "_PLACES", dict(registry._PLACES))
+    registry.register("nonsmooth.runtime", {"draw_dwell_times": "present.pictures.dwell_times"})
+    orbit = ns.solve("dry-friction/global-stick")
+    axes = registry.registered("draw_dwell_times")(orbit, figure.add_subplot())
+    heights = [bar.get_height() for bar in axes.patches]
+    assert sum(heights) == pytest.approx(float(orbit.period), rel=1e-12)
+
+
+def test_a_new_command_is_one_function(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(app, "registered_commands", list(app.registered_commands))
+
+    @app.command()
+    @answering
+    def frequency(orbit: str, as_json: AsJson = False) -> int:
+        """Give the frequency of an orbit."""
+        value = 1 / float(ns.solve(orbit).period)
+        if as_json:
+            print_json({"frequency": value})
+        else:
+            typer.echo(f"{value:.6f}")
+        return ANSWERED
+
+    told = CliRunner().invoke(app, ["frequency", "dry-friction/global-stick"])
+    assert told.exit_code == 0
+    period = float(ns.solve("dry-friction/global-stick").period)
+    assert float(told.stdout) == pytest.approx(1 / period, abs=1e-6)
+    wrong = CliRunner().invoke(app, ["frequency", "dry-friction/nothing"])
+    assert wrong.exit_code == 2
