@@ -152,7 +152,7 @@ def test_a_new_event_is_one_entry(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def draw_dwell_times(orbit: Any, axes: Any) -> Any:
     """Draw the dwell times of an orbit as bars."""
-    axes.bar(list(orbit.dwell_times), [float(time) for time in orbit.dwell_times.values()])
+    axes.bar(orbit.dwell_time_names, orbit.dwell_times)
     return axes
 
 
