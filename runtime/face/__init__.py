@@ -183,6 +183,7 @@ register(
         "draw_branch": "present.pictures.branches",
         "draw_locus": "present.pictures.branches",
         "found_html": "present.notebook",
+        "itinerary_of": "simulation.last_cycle",
         "orbit_html": "present.notebook",
         "orbit_json": "present.report",
         "orbit_latex": "present.notebook",

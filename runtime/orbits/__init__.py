@@ -17,6 +17,7 @@
 `kernel_solve`         one orbit by its kernels
 `physical_parameters`  all parameters of an orbit's system; what the orbit leaves open is chosen
 `routes`               itineraries through coupled contacts: the routes of the law are listed
+`sensitivity`          kernels of an orbit at its own numbers, and derivatives by its parameters
 `table_admissible`     admissibility, by a system's tables
 `table_many`           many orbits of one itinerary, by their system's tables
 `table_motion`         the motion along an orbit, as a trajectory

@@ -14,6 +14,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
+from nonsmooth.runtime.orbits.sensitivity import Sensitivity, evaluate, sensitivity
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.symmetry import Symmetry
@@ -24,8 +26,6 @@ if TYPE_CHECKING:
     import os
 
     from nonsmooth.runtime.orbits.admissible import Admissibility
-    from nonsmooth.runtime.orbits.kernel_problem import Sensitivity
-    from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
@@ -185,12 +185,7 @@ class Orbit:
         InputError
             If it was solved with kernels of its own.
         """
-        from nonsmooth.runtime.orbits.table_problem import TableEvaluation
-
-        found = self.evaluation
-        if not isinstance(found, TableEvaluation):
-            raise InputError(f"{self.name} was solved with kernels, not with its system's tables")
-        return found
+        return self.evaluation.tables
 
     @property
     def states(self) -> np.ndarray:
@@ -286,36 +281,59 @@ class Orbit:
         return self.evaluation.shift
 
     def evaluate(self, kernel: str, *, moved: bool = False) -> Any:
-        """A kernel of this orbit at its own parameters and unknowns.
+        """Evaluate a kernel at the orbit's own parameters and unknowns.
 
-        With `moved` the kernel takes the spectrum's derivatives too. Floats give arrays,
-        mpmath numbers nested lists.
+        Parameters
+        ----------
+        kernel : str
+            Its name, as "residual" or "jacobian".
+        moved : bool
+            Whether the kernel takes the spectrum's derivatives too.
+
+        Returns
+        -------
+        array, or nested lists of mpmath numbers
+            Nondimensional, or in the units of the declaration.
 
         Raises
         ------
         InputError
             If the orbit has no kernels.
         """
-        from nonsmooth.runtime.orbits.kernel_problem import evaluate
-
         return evaluate(self, kernel, moved=moved)
 
     def sensitivity(self, parameter: str) -> Sensitivity:
-        """Derivatives of unknowns, period and trace by one given parameter.
+        """Differentiate unknowns, period and trace by one given parameter.
+
+        Parameters
+        ----------
+        parameter : str
+            One of `given`; the others are kept.
+
+        Returns
+        -------
+        Sensitivity
 
         Raises
         ------
         InputError
             If the parameter is not among those given, or the orbit has no kernels.
         """
-        from nonsmooth.runtime.orbits.kernel_problem import sensitivity
-
         return sensitivity(self, parameter)
 
     def trajectory(self, periods: int = 1) -> Trajectory:
-        """The motion along the orbit, phase by phase as it was solved for.
+        """Give the motion along the orbit, phase by phase as it was solved for.
 
         An unstable orbit is not left, as it would be by a simulation from its start.
+
+        Parameters
+        ----------
+        periods : int
+            How many of them.
+
+        Returns
+        -------
+        Trajectory
 
         Raises
         ------
@@ -326,22 +344,53 @@ class Orbit:
         return self.evaluation.trajectory(checked_count("periods", periods, 1))
 
     def to_json(self) -> dict[str, Any]:
-        """The orbit as JSON: numbers as decimal strings with all their digits."""
+        """Give the orbit as JSON.
+
+        Returns
+        -------
+        dict of str to JSON value
+            Numbers are decimal strings with all their digits.
+        """
         told: dict[str, Any] = registered("orbit_json")(self)
         return told
 
     def motion(self) -> Motion:
-        """The motion along the orbit: its state at any time, in double precision."""
-        from nonsmooth.runtime.orbits.motion import orbit_motion
+        """Give the motion along the orbit: its state at any time, in double precision.
 
+        Returns
+        -------
+        Motion
+        """
         return orbit_motion(self)
 
     def plot(self, kind: str = "time", axes: Any = None, **options: Any) -> Any:
-        """Draw the orbit; see `nonsmooth.runtime.present.pictures.plot.plot_orbit`."""
+        """Draw the orbit by matplotlib.
+
+        Parameters
+        ----------
+        kind : {"time", "velocity", "phase", "strip", "multipliers", "all"}
+            Histories of positions or of velocities, phase portraits, the strip of
+            configurations, the multipliers in the unit circle, or all of them.
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+        **options
+            As `nonsmooth.runtime.present.pictures.plot.plot_orbit` takes them.
+
+        Returns
+        -------
+        matplotlib Axes, or array of them
+            What was drawn on.
+        """
         return registered("plot_orbit")(self, kind, axes, **options)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the orbit to a file with every digit; `nonsmooth.load` reads it."""
+        """Write the orbit to a file with every digit; `nonsmooth.load` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            A JSON file; its folder has to exist.
+        """
         registered("save_orbit")(self, path)
 
     def _repr_html_(self) -> str:

@@ -74,7 +74,17 @@ class Orbits:
         return np.asarray(self.status == CONVERGED)
 
     def restricted(self, opened: Mapping[str, np.ndarray]) -> Orbits:
-        """These orbits where open parameters have values: admissible above their bounds only."""
+        """Give these orbits where open parameters have values: admissible above their bounds.
+
+        Parameters
+        ----------
+        opened : mapping of str to array
+            Values of open parameters, which broadcast against the points.
+
+        Returns
+        -------
+        Orbits
+        """
         if self.admissible is None or self.bounds is None:
             return self
         with np.errstate(invalid="ignore"):  # bounds are NaN where nothing is admissible
@@ -88,5 +98,15 @@ class Orbits:
         return np.stack(np.broadcast_arrays(*times, self.status)[:-1], axis=-1)
 
     def message(self, status: int) -> str:
-        """What a status means and suggests."""
+        """Say what a status means and suggests.
+
+        Parameters
+        ----------
+        status : int
+            An entry of `status`.
+
+        Returns
+        -------
+        str
+        """
         return self.problem.message(status, timed=self.timed)

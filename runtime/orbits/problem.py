@@ -14,6 +14,7 @@ from nonsmooth.runtime.shooting.symmetry import Symmetry
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.admissible import Admissibility
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.table_problem import TableEvaluation
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Evaluation", "OrbitProblem"]
@@ -80,6 +81,10 @@ class OrbitProblem(Protocol):
 
 class Evaluation(Protocol):
     """What the equations tell at one orbit, in its own arithmetic."""
+
+    @property
+    def tables(self) -> TableEvaluation:
+        """What the tables of the system tell; InputError where kernels answer."""
 
     @property
     def states(self) -> np.ndarray:

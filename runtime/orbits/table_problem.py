@@ -181,6 +181,11 @@ class TableEvaluation:
     orbit: Orbit
 
     @property
+    def tables(self) -> TableEvaluation:
+        """See `Evaluation`."""
+        return self
+
+    @property
     def states(self) -> np.ndarray:
         """See `Evaluation`."""
         assert self.orbit.starts is not None

@@ -303,9 +303,8 @@ class Trajectory:
         -------
         Recurrence
         """
-        from nonsmooth.runtime.simulation.last_cycle import itinerary_of
-
-        return itinerary_of(self, since, period)
+        found: Recurrence = registered("itinerary_of")(self, since, period)
+        return found
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the motion to a file that `nonsmooth.load_trajectory` reads: .npz or .csv.

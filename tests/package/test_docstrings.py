@@ -21,8 +21,6 @@ import nonsmooth
 import nonsmooth.derive
 
 ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "NoConvergence"}
-# they are being made one record and one function
-TO_BE_WRITTEN = {"Orbit", "Orbits"}
 
 
 def public() -> Iterator[tuple[str, str, Any]]:
@@ -44,11 +42,7 @@ def public() -> Iterator[tuple[str, str, Any]]:
                         yield kind, f"{name}.{attribute}", inner
 
 
-PUBLIC = [
-    (kind, name, found)
-    for kind, name, found in public()
-    if name.partition(".")[0] not in TO_BE_WRITTEN
-]
+PUBLIC = list(public())
 
 
 def sections(docstring: str) -> dict[str, str]:
