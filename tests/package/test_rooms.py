@@ -4,7 +4,10 @@ import ast
 import re
 from pathlib import Path
 
+import grimp
+import numpy as np
 import pytest
+from scipy.sparse.csgraph import connected_components
 
 from tests.places import CHECKOUT
 
@@ -28,3 +31,21 @@ def test_a_room_lists_its_modules(room: Path) -> None:
     assert first.endswith(".")
     assert len(listed) == len(set(listed))
     assert set(listed) == standing_in(room)
+
+
+@pytest.mark.parametrize("room", ["derive", "runtime"])
+def test_no_modules_import_each_other_in_a_circle(room: str) -> None:
+    graph = grimp.build_graph("nonsmooth", exclude_type_checking_imports=True)
+    modules = sorted(name for name in graph.modules if name.startswith(f"nonsmooth.{room}."))
+    place = {name: k for k, name in enumerate(modules)}
+    imported = np.zeros((len(modules), len(modules)), dtype=bool)
+    for name in modules:
+        for other in graph.find_modules_directly_imported_by(name):
+            if other in place:
+                imported[place[name], place[other]] = True
+    count, labels = connected_components(imported, directed=True, connection="strong")
+    circles = [
+        [name for name, label in zip(modules, labels, strict=True) if label == shared]
+        for shared in np.flatnonzero(np.bincount(labels, minlength=count) > 1)
+    ]
+    assert circles == []
