@@ -162,7 +162,20 @@ def complete(
     NoConvergence
         If a parameter has a value with which there is no such orbit.
     """
-    without = set(without)
+    if given:
+        return _completed(kernels, given, set(without))
+    point = _reference_point(kernels, frozenset(without))
+    return Point(dict(point.values), dict(point.opened))
+
+
+@lru_cache(maxsize=256)
+def _reference_point(kernels: OrbitKernels, without: frozenset[str]) -> Point:
+    """Complete nothing that is given."""
+    return _completed(kernels, {}, set(without))
+
+
+def _completed(kernels: OrbitKernels, given: Mapping[str, object], without: set[str]) -> Point:
+    """Check and complete what is given; `without` grows by what is always solved for."""
     known = {name: number_of(name, value) for name, value in given.items()}
     tables = kernels.tables
     for name, value in known.items():

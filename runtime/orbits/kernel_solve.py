@@ -185,8 +185,7 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
     unknowns = dict(zip(kernels.unknowns, solved.unknowns.tolist(), strict=True))
     status = int(solved.status)
     residual, digits = float(solved.residual), 0
-    tables = {p.name: p for p in kernels.other_parameters}
-    if not all(in_domain(tables[name], unknowns[name]) for name in kernels.solved_for):
+    if not all(in_domain(kernels.tables[name], unknowns[name]) for name in kernels.solved_for):
         status = OUTSIDE
     if status == CONVERGED:
         residual, error = _quality(kernels, np.concatenate([solved.unknowns, parameters]))

@@ -32,6 +32,7 @@ MOST_ITERATIONS = 32
 DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
 MOST_CONDITION = 1e12  # condition number beyond which a choice of unknowns is refused
 LEAST_DETERMINANT = 1e-12  # in units of its bound; the compiled solver's number
+_EPSILON = float(np.finfo(float).eps)
 
 
 class Solved(NamedTuple):
@@ -237,13 +238,14 @@ def error_bound(
     scale, size = np.maximum(np.abs(x[places]), 1), np.abs(x)
     size[places] = scale
     rounding = np.abs(jacobian) @ size + np.abs(states).max()
-    noise = np.abs(residual) + 4 * np.finfo(float).eps * rounding
+    noise = np.abs(residual) + 4 * _EPSILON * rounding
     with np.errstate(all="ignore"):
         try:
             error = np.abs(np.linalg.inv(jacobian[:, places])) @ noise / scale
         except np.linalg.LinAlgError:
             return math.inf
-    return float(error.max()) if np.isfinite(error).all() else math.inf
+    worst = float(error.max())
+    return worst if math.isfinite(worst) else math.inf
 
 
 def condition_number(jacobian: np.ndarray) -> float:
