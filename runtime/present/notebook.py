@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.naming import itinerary_text, symbol
+from nonsmooth.runtime.present.report import orbit_json
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.finding.find import Found
@@ -29,8 +30,6 @@ def orbit_html(orbit: Orbit) -> str:
     given = [f"{name} = {value}" for name, value in {**orbit.given, **orbit.opened}.items()]
     if not orbit.converged:
         return _table(orbit.name, [("given", given), ("status", [orbit.message])])
-    from nonsmooth.runtime.present.report import orbit_json
-
     found = orbit_json(orbit, min(orbit.digits, 15))
     unknowns = [f"{name} = {text}" for name, text in found["unknowns"].items()]
     multipliers = [

@@ -15,6 +15,7 @@ from nonsmooth.runtime.model.kernels import (
     orbits_in,
     system_names,
 )
+from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.multipliers import Stability
 
@@ -152,8 +153,6 @@ def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
 
 def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
     """An orbit without equations of its own: all parameters are given, the start is unknown."""
-    from nonsmooth.runtime.orbits.declared_solve import unknowns_of
-
     table, system = kernels.table, kernels.system
     reference = table["reference"] or {"parameters": {}}
     return {

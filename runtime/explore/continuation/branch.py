@@ -16,6 +16,8 @@ from nonsmooth.runtime.explore.continuation.composed_family import composed_fami
 from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
+from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
+from nonsmooth.runtime.explore.continuation.switching import other_branch
 from nonsmooth.runtime.explore.continuation.table_family import ComposedCurve
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -130,8 +132,6 @@ class Branch:
         InputError
             If the event is no border collision.
         """
-        from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
-
         return next_itineraries(self, event, parameters)
 
     def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> Orbit:
@@ -160,8 +160,6 @@ class Branch:
         NoConvergence
             If no such orbit is found.
         """
-        from nonsmooth.runtime.explore.continuation.switching import other_branch
-
         return other_branch(self, event, parameters)
 
     def quantity(self, name: str) -> np.ndarray:
