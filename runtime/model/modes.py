@@ -229,8 +229,11 @@ def _missed(
         if growth * t > _GROWTH:
             continue
         wanted = units[:, None] * exponential_of(matrix * t) / units
-        total = np.tensordot(np.array(functions_at(shapes, exponents, t)), terms, axes=1)
-        missed = np.abs(units[:, None] * total / units - wanted).max()
+        with np.errstate(over="ignore", invalid="ignore"):  # of candidates that are far off
+            total = np.tensordot(np.array(functions_at(shapes, exponents, t)), terms, axes=1)
+            missed = float(np.abs(units[:, None] * total / units - wanted).max())
+        if not math.isfinite(missed):
+            return math.inf
         allowed = max(1.0, np.abs(wanted).max()) * max(1.0, angle / _TURNED)
         worst = max(worst, float(missed / allowed))
     return worst

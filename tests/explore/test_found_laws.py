@@ -468,7 +468,7 @@ def test_one_motion_is_told_as_many_are(build, data):
         if label >= len(found.orbits):
             assert outcome == EQUILIBRIUM
         elif label >= 0:
-            alone = found.orbits[label].orbit.cycle.uninterrupted
+            alone = found.orbits[label].orbit.tables.cycle.uninterrupted
             assert outcome == (UNINTERRUPTED if alone else PERIODIC)
         else:
             assert outcome == label

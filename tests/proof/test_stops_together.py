@@ -103,7 +103,7 @@ def test_false_orders_and_symmetries_are_refused(name: str) -> None:
 
 def test_orders_that_do_not_agree_are_left_open(monkeypatch: pytest.MonkeyPatch) -> None:
     orbit = struck_together()
-    shapes = orbit.cycle.structure.transitions[orbit.cycle.configurations[0]]
+    shapes = orbit.tables.cycle.structure.transitions[orbit.tables.cycle.configurations[0]]
     first, second = ({t.reset for t in shapes if t.order == number} for number in (1, 2))
     alone = max(first & second)  # in both orders only one mass may be struck
     assert second - first
