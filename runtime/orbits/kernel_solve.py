@@ -209,7 +209,7 @@ def _quality(kernels: OrbitKernels, x: np.ndarray) -> tuple[float, float]:
     """
     equations = equations_at(kernels, x)
     places = list(range(len(kernels.unknowns)))
-    return float(np.abs(equations[0]).max()), error_bound(kernels, x, places, equations)
+    return float(np.abs(equations.residual).max()), error_bound(kernels, x, places, equations)
 
 
 def _digits(error: float) -> int:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.linalg.lapack import dgetrf, dgetri
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels
@@ -162,8 +163,8 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     with np.errstate(all="ignore"):
         while iterations < MOST_ITERATIONS:
             iterations += 1
-            residual, jacobian = equations_at(kernels, x)
-            jacobian = jacobian[:, places]
+            equations = equations_at(kernels, x)
+            residual, jacobian = equations.residual, equations.jacobian[:, places]
             if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
                 status = INVALID
                 break
@@ -180,8 +181,9 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
         raise _undetermined(solved_for, condition)
     error = np.inf
     if status == CONVERGED:
-        residual, jacobian = equations_at(kernels, x)
-        error = error_bound(kernels, x, places, (residual, jacobian))
+        equations = equations_at(kernels, x)
+        residual, jacobian = equations.residual, equations.jacobian
+        error = error_bound(kernels, x, places, equations)
         if not error < DETERMINED:
             size = np.maximum(np.abs(x[places]), 1)
             raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
@@ -199,8 +201,16 @@ def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
     )
 
 
-def equations_at(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Residual (n) and Jacobian (n, n + p) by unknowns, then parameters."""
+class Equations(NamedTuple):
+    """Residual (n), Jacobian (n, n + p) by unknowns, then parameters, and the spectrum."""
+
+    residual: np.ndarray
+    jacobian: np.ndarray
+    spectrum: np.ndarray
+
+
+def equations_at(kernels: OrbitKernels, x: np.ndarray) -> Equations:
+    """Evaluate the full equations at unknowns, then parameters (n + p,)."""
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
     spectrum, derivatives = kernels.spectrum(parameters)
     residual, by_unknowns = kernels.evaluate(
@@ -209,14 +219,15 @@ def equations_at(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.n
     by_parameters = kernels.evaluate(
         "parameter_jacobian", parameters, spectrum, derivatives, unknowns
     )
-    return residual, np.concatenate([by_unknowns, by_parameters], axis=1)
+    jacobian = np.concatenate([by_unknowns, by_parameters], axis=1)
+    return Equations(residual, jacobian, spectrum)
 
 
 def error_bound(
     kernels: OrbitKernels,
     x: np.ndarray,
     places: Sequence[int],
-    equations: tuple[np.ndarray, np.ndarray],
+    equations: Equations,
 ) -> float:
     """Bound on the error of the numbers at some places of x, in units of max(1, |x|).
 
@@ -228,22 +239,22 @@ def error_bound(
     kernels : OrbitKernels
     x : array (n + p,)
     places : sequence of int
-    equations : arrays (n,) and (n, n + p)
-        `equations_at` x.
+    equations : Equations
+        Those at x.
     """
-    residual, jacobian = equations
+    residual, jacobian, spectrum = equations
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
-    spectrum, _ = kernels.spectrum(parameters)
     states = kernels.evaluate("states", parameters, spectrum, unknowns)
     scale, size = np.maximum(np.abs(x[places]), 1), np.abs(x)
     size[places] = scale
     rounding = np.abs(jacobian) @ size + np.abs(states).max()
     noise = np.abs(residual) + 4 * _EPSILON * rounding
     with np.errstate(all="ignore"):
-        try:
-            error = np.abs(np.linalg.inv(jacobian[:, places])) @ noise / scale
-        except np.linalg.LinAlgError:
+        factors, pivots, singular = dgetrf(jacobian[:, places])
+        if singular:
             return math.inf
+        inverse, _ = dgetri(factors, pivots)
+        error = np.abs(inverse) @ noise / scale
     worst = float(error.max())
     return worst if math.isfinite(worst) else math.inf
 

@@ -54,8 +54,8 @@ class DerivedCurve:
         """See `Curve`."""
         x = self._base.copy()
         x[self._places] = z
-        residual, jacobian = equations_at(self._kernels, x)
-        return residual, jacobian[:, self._places]
+        found = equations_at(self._kernels, x)
+        return found.residual, found.jacobian[:, self._places]
 
     def dwell(self, z: np.ndarray) -> np.ndarray:
         """See `Curve`."""
