@@ -129,7 +129,8 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         ),
         Paragraph(
             "Of a single eigenvalue the term $k = 0$ remains, of equal ones as many terms as there"
-            " are; of nearly equal ones the sum goes on until its terms are lost in rounding. Two"
+            " are; nearly equal ones are taken together, by divided differences of the exponential"
+            " at these eigenvalues, in which no digits cancel. Two"
             " conjugate eigenvalues give a cosine and a sine, and the eigenvalue 0 of the last"
             f" column holds what ${b}$ does."
         ),
