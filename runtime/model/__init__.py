@@ -15,6 +15,7 @@
 `flows`              states inside a configuration from its closed-form flow, for many times at once
 `modes`              modes of a configuration from its numbers, where its flow has no closed form
 `naming`             names of unknowns, and names as people see them
+`parameter_batches`  completion of many parameter points at once: arrays that broadcast
 `projectors`         spectral projectors of clusters of eigenvalues, in as many digits as they need
 `quasi_polynomials`  values, errors and bounds of sums of t^k e^(st)
 `time_functions`     functions of time of a configuration's modes: values, derivatives and bounds

@@ -29,37 +29,30 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-import numpy as np
-
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.parameters import (
     check_constraints,
     check_domain,
-    constrained,
     domain_text,
     in_domain,
-    in_domains,
     number_of,
     value_of,
 )
 
 __all__ = [
-    "Batch",
     "Point",
     "SystemPoint",
+    "check_names",
     "check_relations",
     "chosen_value",
     "complete",
-    "complete_arrays",
-    "complete_batch",
     "complete_system",
     "default_parameters",
     "follow",
     "followers",
     "left_open",
-    "parameter_points",
     "system_parameters",
 ]
 
@@ -96,42 +89,6 @@ class SystemPoint:
 
     values: dict[str, Value]
     chosen: tuple[str, ...]
-
-
-@dataclass(frozen=True, eq=False)
-class Batch:
-    """How the parameters of many points are completed.
-
-    Attributes
-    ----------
-    kernels : OrbitKernels
-    known : tuple of str
-        Those that have to have values.
-    opened : tuple of str
-        Open parameters that have values, or follow.
-    completed : dict of str to dict
-        Those that follow, and the multiples of known ones that sum up to them.
-    """
-
-    kernels: OrbitKernels
-    known: tuple[str, ...]
-    opened: tuple[str, ...]
-    completed: dict[str, Terms]
-
-    def complete(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """All parameters of the equations, and open ones, from those that are known.
-
-        A point at which another parameter is outside its domain is NaN.
-        """
-        found, own = dict(values), self.kernels.parameter_names
-        for name, terms in self.completed.items():
-            parts = (float(factor) * found[term] for term, factor in terms.items())
-            found[name] = np.asarray(sum(parts))
-        for name in [name for name in found if name not in own]:
-            inside = in_domains(self.kernels.tables[name], found[name])
-            if not inside.all():
-                found[own[0]] = np.where(inside, found[own[0]], np.nan)
-        return {name: found[name] for name in (*own, *self.opened)}
 
 
 def default_parameters(kernels: OrbitKernels) -> dict[str, str]:
@@ -228,87 +185,6 @@ def _completed(kernels: OrbitKernels, given: Mapping[str, object], without: set[
         check_domain(tables[name], value)
     check_constraints(kernels.system, known)
     return Point(point, opened)
-
-
-def complete_batch(kernels: OrbitKernels, given: Iterable[str]) -> Batch:
-    """Which parameters of many points are given, follow, or stay open.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : iterable of str
-        Names of what is fixed or swept.
-
-    Raises
-    ------
-    InputError
-        For a name that fixes nothing, or several that fix one parameter twice.
-    """
-    given, tables, own = list(given), kernels.tables, kernels.parameter_names
-    opened = [table.name for table in kernels.open_parameters]
-    relations = {name: terms for name, terms in kernels.combined.items() if name in own}
-    replacing = [t for terms in relations.values() for t in terms if t not in opened]
-    for name in given:
-        if name not in tables:
-            raise unknown_name("parameter", str(name), [*own, *opened, *replacing])
-    for name, terms in relations.items():
-        if {name, *terms} <= set(given):
-            raise InputError(f"{name} follows from {' and '.join(terms)}: leave one of them out")
-    completed = {n: terms for n, terms in followers(kernels, given).items() if n in own}
-    following = followers(kernels, {*given, *own})
-    completed |= {n: terms for n, terms in following.items() if n in opened}
-    used = {*own, *opened, *(term for terms in completed.values() for term in terms)}
-    for name in given:
-        if name not in used:
-            raise InputError(f"{name} decides nothing about {kernels.name}: leave it out")
-    defaults = default_parameters(kernels)
-    saved = [n for n in opened if n in defaults and n not in given and n not in completed]
-    known = [name for name in own if name not in completed]
-    known += [*(name for name in given if name not in own), *saved]
-    told = [name for name in opened if name in known or name in completed]
-    return Batch(kernels, tuple(known), tuple(told), completed)
-
-
-def complete_arrays(kernels: OrbitKernels, given: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Arrays of parameters for a batch: names known, the rest from the reference point.
-
-    Values outside a domain stay: their points get a status of their own.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : mapping of str to array, number, text or Value
-        Parameters of the equations, or the physical ones in their place.
-
-    Returns
-    -------
-    dict of str to array
-        Parameters of the equations, then open ones as far as they are given.
-
-    Raises
-    ------
-    InputError
-        As for `complete_batch`, for a missing name, or what is no array of real numbers.
-    """
-    batch, defaults = complete_batch(kernels, given), default_parameters(kernels)
-    found = {}
-    for name in batch.known:
-        value = given.get(name, defaults.get(name))
-        if value is None:
-            raise InputError(f"{kernels.name} needs a value for: {name}")
-        try:
-            if isinstance(value, str | Value):
-                value = float(as_value(value))
-            array = np.asarray(value)
-            if array.dtype.kind in "bcmM":
-                raise TypeError(f"{array.dtype} is no type of real numbers")
-            found[name] = array.astype(float)
-        except (TypeError, ValueError) as error:
-            raise InputError(f"parameter {name}: {error}") from None
-    try:
-        return batch.complete(found)
-    except ValueError as error:
-        raise InputError(f"the parameter arrays do not broadcast: {error}") from None
 
 
 def complete_system(
@@ -421,50 +297,14 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
         constraint.
     """
     tables = {p.name: p for p in kernels.parameters}
-    _check_names(kernels, given)
+    check_names(kernels, given)
     values = {name: value_of(table, given[name]) for name, table in tables.items()}
     check_constraints(kernels, values)
     return values
 
 
-def parameter_points(
-    kernels: SystemKernels, parameters: Mapping[str, Any]
-) -> tuple[np.ndarray, tuple[int, ...]]:
-    """Points (n, p) of parameters that broadcast against each other, and their common shape.
-
-    A point outside a domain, or one that breaks a constraint, is NaN.
-
-    Raises
-    ------
-    InputError
-        For an unknown or missing name, or arrays that do not fit.
-    """
-    tables = {p.name: p for p in kernels.parameters}
-    _check_names(kernels, parameters)
-    arrays = []
-    for name, table in tables.items():
-        given = parameters[name]
-        if isinstance(given, str | Value):
-            given = float(value_of(table, given))
-        try:
-            array = np.asarray(given, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(f"parameter {name} is no array of real numbers") from None
-        arrays.append(np.where(in_domains(table, array), array, np.nan))
-    if not arrays:  # a declaration in numbers alone
-        return np.empty((1, 0)), ()
-    try:
-        joined = np.broadcast_arrays(*arrays)
-    except ValueError:
-        shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(tables, arrays, strict=True))
-        raise InputError(f"the parameters do not broadcast: {shapes}") from None
-    points = np.stack([array.ravel() for array in joined], axis=-1)
-    columns = dict(zip(tables, points.T, strict=True))
-    points[~constrained(kernels, columns)] = np.nan
-    return points, joined[0].shape
-
-
-def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
+def check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
+    """Refuse names that are no parameters of a system."""
     names = [p.name for p in kernels.parameters]
     for name in given:
         if name not in names:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import OrbitKernels
+from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import piecewise_at
 from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
 from nonsmooth.runtime.orbits.orbits import Orbits

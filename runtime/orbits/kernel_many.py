@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.completion import complete_arrays
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
+from nonsmooth.runtime.model.parameter_batches import complete_arrays
 from nonsmooth.runtime.model.parameters import constrained, in_domains
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem

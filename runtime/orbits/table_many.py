@@ -10,8 +10,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbits import Orbits

@@ -198,8 +198,11 @@ def test_nothing_is_crossed_before_the_first_crossing(function, duration):
 @given(sums(least=1), st.floats(0.1, 8))
 @example(TrigonometricSum(1.0, -1e-12, (-1.0,), (0.0,), (1.0,)), 1.0)
 @example(TrigonometricSum(-1.0, -1e-12, (1.0,), (0.0,), (1.0,)), 1.0)
+@example(TrigonometricSum(2.0, 1.0, (0.0, 0.003906), (0.0, 0.0), (1.0, 1.0)), 1.0)
 def test_a_start_on_the_boundary_is_judged_by_its_derivatives(function, duration):
-    function = replace(function, constant=function.constant - function(0.0))
+    function = replace(function, constant=0.0)
+    function = replace(function, constant=-function(0.0))
+    assert function(0.0) == 0.0
     slope = function.derivative()(0.0)
     time = first_crossing(function, duration)
     if slope > 1e-9:

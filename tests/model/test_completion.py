@@ -11,12 +11,12 @@ from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.completion import (
     chosen_value,
     complete,
-    complete_arrays,
     complete_system,
     follow,
     left_open,
 )
 from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.model.parameter_batches import complete_arrays
 
 FRICTION = ["dry-friction/global-stick", "dry-friction/symmetric"]
 E, US, UR = "e1", "us1", "ur1"

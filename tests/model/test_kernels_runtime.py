@@ -14,7 +14,7 @@ from scipy.linalg import expm
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model import kernels
-from nonsmooth.runtime.model.completion import complete, complete_arrays, default_parameters
+from nonsmooth.runtime.model.completion import complete, default_parameters
 from nonsmooth.runtime.model.kernels import (
     backend,
     load_orbit,
@@ -22,6 +22,7 @@ from nonsmooth.runtime.model.kernels import (
     orbit_names,
     system_names,
 )
+from nonsmooth.runtime.model.parameter_batches import complete_arrays
 from nonsmooth.runtime.orbits.solve import solve
 
 SYSTEM, ORBIT = "dry-friction", "dry-friction/global-stick"

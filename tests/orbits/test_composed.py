@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import kernels_of, load_system
+from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.many import solve_many

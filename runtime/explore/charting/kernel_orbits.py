@@ -10,8 +10,8 @@ import numpy as np
 
 from nonsmooth.runtime.explore.charting.anchors import Columns
 from nonsmooth.runtime.explore.charting.problem import NEITHER, NO_ORBIT, UNTOLD
-from nonsmooth.runtime.model.completion import Batch, complete_batch
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
+from nonsmooth.runtime.model.parameter_batches import Batch, complete_batch
 from nonsmooth.runtime.orbits.admissible import first_violations
 from nonsmooth.runtime.orbits.kernel_many import solve_from
 from nonsmooth.runtime.shooting.newton import CONVERGED

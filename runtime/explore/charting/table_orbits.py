@@ -13,8 +13,8 @@ from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.explore.charting.anchors import Columns
 from nonsmooth.runtime.explore.charting.phases import first_limits
 from nonsmooth.runtime.explore.charting.problem import NEITHER, NO_ORBIT
-from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
+from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of

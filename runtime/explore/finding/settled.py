@@ -17,9 +17,9 @@ from nonsmooth.runtime.explore.finding.outcomes import (
     pursued_outcomes,
 )
 from nonsmooth.runtime.explore.finding.stroboscope import stroboscopic_returns
-from nonsmooth.runtime.model.completion import parameter_points
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     piecewise_at,
