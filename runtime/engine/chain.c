@@ -1,3 +1,4 @@
+/* Functions of chains of modes whose exponents nearly meet, and their derivatives. */
 #include "chain.h"
 
 #include <complex.h>

@@ -1,3 +1,4 @@
+/* Newton's method on the start and the dwell times of an itinerary, over many points. */
 #include "compose.h"
 
 #include <math.h>

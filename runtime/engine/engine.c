@@ -1,3 +1,4 @@
+/* Follow one motion from event to event: cross, choose the transition, reset, go on. */
 #include "engine.h"
 
 #include <float.h>

@@ -1,3 +1,4 @@
+/* The Python function `simulate` of the engine: motions from arrays into arrays. */
 #include "engine.h"
 #include "module.h"
 

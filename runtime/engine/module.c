@@ -1,3 +1,4 @@
+/* The Python module of the engine; arrays are checked here before C reads them. */
 #include "module.h"
 
 void *module_buffer(PyObject *object, Py_buffer *view, const char *name, char format,

@@ -1,3 +1,4 @@
+/* Sums of the functions of time of one phase: values, derivatives and bounds. */
 #include "phase.h"
 
 #include "sums.h"

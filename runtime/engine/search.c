@@ -1,3 +1,4 @@
+/* The first crossing of the boundaries of a phase, which no step can jump over. */
 #include "sums.h"
 
 static const double SHORTEST = 1e-30; /* cells behind a start in which nothing can be told */

@@ -1,3 +1,4 @@
+/* Read a system from the integers and numbers in which Python packs it. */
 #include "tables.h"
 
 #include "chain.h"

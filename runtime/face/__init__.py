@@ -135,7 +135,7 @@ _HOMES = {
     "NoConvergence": "core.errors",
     "NonsmoothError": "core.errors",
     "Orbit": "orbits.orbit",
-    "Orbits": "orbits.orbits",
+    "Orbits": "orbits.orbit_arrays",
     "PoincareMap": "simulation.returns",
     "Proof": "proof.motion.motion_proof",
     "Recurrence": "simulation.last_cycle",

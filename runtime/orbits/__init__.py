@@ -5,7 +5,6 @@
 `many`                 `solve_many`: many parameter points, in C and in threads
 `problem`              `OrbitProblem`: what kernels and tables answer alike
 `orbit`                `Orbit`: the record of a periodic orbit, and all that can be asked of it
-`orbits`               `Orbits`: many of them as arrays
 `refine`               `refine`: any number of digits, by Newton's method with growing precision
 `stability`            Poincare map, multipliers and the trace criterion
 `admissible`           whether a solution of the equations is a motion of the real system
@@ -15,6 +14,7 @@
 `kernel_many`          many orbits by their kernels: compiled, or on NumPy
 `kernel_problem`       `KernelProblem`: the answers of derived kernels
 `kernel_solve`         one orbit by its kernels
+`orbit_arrays`         the record of the orbits of one itinerary at many parameter points
 `physical_parameters`  all parameters of an orbit's system; what the orbit leaves open is chosen
 `routes`               itineraries through coupled contacts: the routes of the law are listed
 `sensitivity`          kernels of an orbit at its own numbers, and derivatives by its parameters

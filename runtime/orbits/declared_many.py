@@ -13,7 +13,7 @@ from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import piecewise_at
 from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
-from nonsmooth.runtime.orbits.orbits import Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.orbits.table_problem import TableProblem

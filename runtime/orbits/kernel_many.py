@@ -17,7 +17,7 @@ from nonsmooth.runtime.model.parameters import constrained, in_domains
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
-from nonsmooth.runtime.orbits.orbits import Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, OUTSIDE, Solved, solve_reduced
 
 __all__ = ["CHUNK", "solve_from", "solve_kernels_many"]

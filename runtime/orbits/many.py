@@ -11,7 +11,7 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.orbits.declared_many import solve_declared_many, with_admissibility
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, solve_kernels_many
-from nonsmooth.runtime.orbits.orbits import Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.solve import Itinerary, guess_along, period_in
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 

@@ -14,7 +14,7 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.orbits import Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.cycle_newton import sizes, solve_cycle
