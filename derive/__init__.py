@@ -35,8 +35,9 @@ if TYPE_CHECKING:
     )
     from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
     from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-    from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation, Reference
+    from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
     from nonsmooth.derive.declaration.parameter import Parameter
+    from nonsmooth.derive.declaration.presentation import Presentation
     from nonsmooth.derive.declaration.system import System
     from nonsmooth.derive.declaration.transition import Condition, Transition
     from nonsmooth.derive.equations.derivation import derive_equations
@@ -98,10 +99,10 @@ _HOMES = {
     "declaration.itinerary": (
         "Itinerary",
         "Phase",
-        "Presentation",
         "Reference",
     ),
     "declaration.parameter": ("Parameter",),
+    "declaration.presentation": ("Presentation",),
     "declaration.system": ("System",),
     "declaration.transition": (
         "Condition",
@@ -114,7 +115,8 @@ _HOMES = {
         "DerivationError",
     ),
     # what systems and equations ask for, though it stands above them
-    "codegen.emit": ("emit_python",),
+    "codegen.emit": ("emit_library",),
+    "codegen.python_file": ("emit_python",),
     "document.equation_table": ("equation_html", "equation_latex", "equation_lines"),
 }
 register({name: f"nonsmooth.derive.{home}" for home, names in _HOMES.items() for name in names})

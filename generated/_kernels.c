@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 73dda61317382305 */
+ * SymPy 1.14.0, derivation f922ff54e6e267ed */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -9,11 +9,14 @@
 #include <numpy/ndarraytypes.h>
 #include <numpy/ufuncobject.h>
 
+#include <string.h>
+
+#include "interrupt.h"
 #include "rigid_stop.h"
 #include "elastic_stop.h"
 #include "dry_friction.h"
 
-enum { points = 64 };
+enum { points = 64 }; /* of a block */
 
 /* Core entries of one argument of one point, in rows, whatever its strides. */
 static char *entry(char *base, const npy_intp *strides, int rows, int columns, int index)
@@ -36,20 +39,44 @@ static char *entry(char *base, const npy_intp *strides, int rows, int columns, i
             *(type *)entry((base) + (start + point) * (step), strides, size, columns, i) = \
                 (from)[(size) * point + i]
 
+/* The same in columns: entry i of all points of the block side by side. */
+#define GATHER_COLUMNS(type, to, base, step, strides, size, columns) \
+    for (int i = 0; i < (size); ++i) { \
+        const char *const from = entry((base) + start * (step), strides, size, columns, i); \
+        if ((step) == sizeof(type)) \
+            memcpy((to) + i * here, from, (size_t)here * sizeof(type)); \
+        else \
+            for (npy_intp point = 0; point < here; ++point) \
+                (to)[i * here + point] = *(const type *)(from + point * (step)); \
+    }
+#define SCATTER_COLUMNS(type, from, base, step, strides, size, columns) \
+    for (int i = 0; i < (size); ++i) { \
+        char *const to = entry((base) + start * (step), strides, size, columns, i); \
+        if ((step) == sizeof(type)) \
+            memcpy(to, (from) + i * here, (size_t)here * sizeof(type)); \
+        else \
+            for (npy_intp point = 0; point < here; ++point) \
+                *(type *)(to + point * (step)) = (from)[i * here + point]; \
+    }
+
 static const char types_rigid_stop_spectrum[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
 static void loop_rigid_stop_spectrum(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 28];
         GATHER(double, a0, args[0], steps[0], steps + 3, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_spectrum((a0 + 4 * point), (a1 + 7 * point), (a2 + 28 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 4, 7, 0);
         SCATTER(double, a2, args[2], steps[2], steps + 5, 28, 4);
     }
@@ -60,9 +87,12 @@ static void loop_rigid_stop_flow_free(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 1];
@@ -72,8 +102,9 @@ static void loop_rigid_stop_flow_free(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_flow_free((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -83,9 +114,12 @@ static void loop_rigid_stop_flow_contact(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 1];
@@ -95,8 +129,9 @@ static void loop_rigid_stop_flow_contact(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_flow_contact((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -106,14 +141,18 @@ static void loop_rigid_stop_fields(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 40];
         GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_fields((a0 + 5 * point), (a1 + 40 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 40, 5);
     }
 }
@@ -123,14 +162,18 @@ static void loop_rigid_stop_rows(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 25];
         GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_rows((a0 + 5 * point), (a1 + 25 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 25, 5);
     }
 }
@@ -140,14 +183,18 @@ static void loop_rigid_stop_resets(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 60];
         GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_resets((a0 + 5 * point), (a1 + 60 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 60, 5);
     }
 }
@@ -157,17 +204,21 @@ static void loop_rigid_stop_modes(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 10];
         double a3[points * 180];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_modes((a0 + 5 * point), (a1 + 7 * point), (a2 + 10 * point), (a3 + 180 * point));
+        }
         SCATTER(double, a2, args[2], steps[2], steps + 6, 10, 2);
         SCATTER(double, a3, args[3], steps[3], steps + 8, 180, 5);
     }
@@ -178,9 +229,12 @@ static void loop_rigid_stop_one_impact_residual(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -188,8 +242,9 @@ static void loop_rigid_stop_one_impact_residual(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_residual((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 2, 0);
     }
 }
@@ -199,9 +254,12 @@ static void loop_rigid_stop_one_impact_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -209,8 +267,9 @@ static void loop_rigid_stop_one_impact_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
     }
 }
@@ -220,9 +279,12 @@ static void loop_rigid_stop_one_impact_residual_and_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -231,8 +293,9 @@ static void loop_rigid_stop_one_impact_residual_and_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_residual_and_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 2, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 2);
     }
@@ -243,9 +306,12 @@ static void loop_rigid_stop_one_impact_parameter_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 28];
@@ -255,8 +321,9 @@ static void loop_rigid_stop_one_impact_parameter_jacobian(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 28, 4);
         GATHER(double, a3, args[3], steps[3], steps + 9, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_parameter_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 28 * point), (a3 + 2 * point), (a4 + 10 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 10, 5);
     }
 }
@@ -266,9 +333,12 @@ static void loop_rigid_stop_one_impact_poincare_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -276,8 +346,9 @@ static void loop_rigid_stop_one_impact_poincare_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_poincare_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 9 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 9, 3);
     }
 }
@@ -287,9 +358,12 @@ static void loop_rigid_stop_one_impact_saltations(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -297,8 +371,9 @@ static void loop_rigid_stop_one_impact_saltations(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_saltations((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -308,9 +383,12 @@ static void loop_rigid_stop_one_impact_monodromy(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -318,8 +396,9 @@ static void loop_rigid_stop_one_impact_monodromy(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_monodromy((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -329,9 +408,12 @@ static void loop_rigid_stop_one_impact_trace(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -339,8 +421,9 @@ static void loop_rigid_stop_one_impact_trace(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_trace((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
     }
 }
@@ -350,9 +433,12 @@ static void loop_rigid_stop_one_impact_trace_gradient(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 28];
@@ -362,8 +448,9 @@ static void loop_rigid_stop_one_impact_trace_gradient(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 28, 4);
         GATHER(double, a3, args[3], steps[3], steps + 9, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_trace_gradient((a0 + 5 * point), (a1 + 7 * point), (a2 + 28 * point), (a3 + 2 * point), (a4 + 7 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 7, 0);
     }
 }
@@ -373,9 +460,12 @@ static void loop_rigid_stop_one_impact_states(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -383,8 +473,9 @@ static void loop_rigid_stop_one_impact_states(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_states((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 8 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 8, 4);
     }
 }
@@ -394,9 +485,12 @@ static void loop_rigid_stop_one_impact_boundary_functions(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -405,8 +499,9 @@ static void loop_rigid_stop_one_impact_boundary_functions(
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_boundary_functions((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 6 * point), (a4 + 2 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 6, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 2, 0);
     }
@@ -417,9 +512,12 @@ static void loop_rigid_stop_one_impact_flow_free(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 1];
@@ -429,8 +527,9 @@ static void loop_rigid_stop_one_impact_flow_free(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_flow_free((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -440,17 +539,21 @@ static void loop_rigid_stop_one_impact_expand(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
         double a3[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             rigid_stop_one_impact_expand((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 1 * point));
+        }
         SCATTER(double, a2, args[2], steps[2], steps + 6, 2, 0);
         SCATTER(double, a3, args[3], steps[3], steps + 7, 1, 0);
     }
@@ -461,22 +564,25 @@ static void loop_rigid_stop_one_impact_solve(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 2];
         double a2[points * 1];
         double a3[points * 1];
         int32_t a4[points * 1];
         int32_t a5[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 6, 5, 0);
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 6, 5, 0);
         rigid_stop_one_impact_solve(here, a0, a1, a2, a3, a4, a5);
-        SCATTER(double, a1, args[1], steps[1], steps + 7, 2, 0);
-        SCATTER(double, a2, args[2], steps[2], NULL, 1, 0);
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(int32_t, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(int32_t, a5, args[5], steps[5], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a1, args[1], steps[1], steps + 7, 2, 0);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a4, args[4], steps[4], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
     }
 }
 
@@ -485,9 +591,12 @@ static void loop_rigid_stop_one_impact_admissible(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 2];
         int32_t a2[points * 1];
@@ -495,7 +604,11 @@ static void loop_rigid_stop_one_impact_admissible(
         double a4[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 2, 0);
-        rigid_stop_one_impact_admissible(here, a0, a1, a2, a3, a4);
+        for (npy_intp point = 0; point < here; ++point) {
+            if (nonsmooth_ends_later(&work))
+                return;
+            rigid_stop_one_impact_admissible(1, (a0 + 5 * point), (a1 + 2 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point));
+        }
         SCATTER(int32_t, a2, args[2], steps[2], NULL, 1, 0);
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
@@ -507,15 +620,19 @@ static void loop_elastic_stop_spectrum(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 12];
         double a2[points * 60];
         GATHER(double, a0, args[0], steps[0], steps + 3, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_spectrum((a0 + 5 * point), (a1 + 12 * point), (a2 + 60 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 4, 12, 0);
         SCATTER(double, a2, args[2], steps[2], steps + 5, 60, 5);
     }
@@ -526,9 +643,12 @@ static void loop_elastic_stop_flow_contact(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 12];
         double a2[points * 1];
@@ -538,8 +658,9 @@ static void loop_elastic_stop_flow_contact(
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_flow_contact((a0 + 5 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -549,9 +670,12 @@ static void loop_elastic_stop_flow_free(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 12];
         double a2[points * 1];
@@ -561,8 +685,9 @@ static void loop_elastic_stop_flow_free(
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_flow_free((a0 + 5 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -572,14 +697,18 @@ static void loop_elastic_stop_fields(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 40];
         GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_fields((a0 + 5 * point), (a1 + 40 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 40, 5);
     }
 }
@@ -589,14 +718,18 @@ static void loop_elastic_stop_rows(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 25];
         GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_rows((a0 + 5 * point), (a1 + 25 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 25, 5);
     }
 }
@@ -606,14 +739,18 @@ static void loop_elastic_stop_resets(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 20];
         GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_resets((a0 + 5 * point), (a1 + 20 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 20, 5);
     }
 }
@@ -623,17 +760,21 @@ static void loop_elastic_stop_modes(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 12];
         double a2[points * 12];
         double a3[points * 200];
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_modes((a0 + 5 * point), (a1 + 12 * point), (a2 + 12 * point), (a3 + 200 * point));
+        }
         SCATTER(double, a2, args[2], steps[2], steps + 6, 12, 2);
         SCATTER(double, a3, args[3], steps[3], steps + 8, 200, 5);
     }
@@ -644,9 +785,12 @@ static void loop_elastic_stop_one_contact_residual(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -654,8 +798,9 @@ static void loop_elastic_stop_one_contact_residual(
         GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_residual((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 0);
     }
 }
@@ -665,9 +810,12 @@ static void loop_elastic_stop_one_contact_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -675,8 +823,9 @@ static void loop_elastic_stop_one_contact_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -686,9 +835,12 @@ static void loop_elastic_stop_one_contact_residual_and_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -697,8 +849,9 @@ static void loop_elastic_stop_one_contact_residual_and_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_residual_and_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 4 * point), (a4 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 4, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 16, 4);
     }
@@ -709,9 +862,12 @@ static void loop_elastic_stop_one_contact_parameter_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 60];
@@ -721,8 +877,9 @@ static void loop_elastic_stop_one_contact_parameter_jacobian(
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 60, 5);
         GATHER(double, a3, args[3], steps[3], steps + 9, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_parameter_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 60 * point), (a3 + 4 * point), (a4 + 24 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 24, 6);
     }
 }
@@ -732,9 +889,12 @@ static void loop_elastic_stop_one_contact_poincare_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -742,8 +902,9 @@ static void loop_elastic_stop_one_contact_poincare_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_poincare_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 9 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 9, 3);
     }
 }
@@ -753,9 +914,12 @@ static void loop_elastic_stop_one_contact_saltations(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -763,8 +927,9 @@ static void loop_elastic_stop_one_contact_saltations(
         GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_saltations((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 32 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 32, 4);
     }
 }
@@ -774,9 +939,12 @@ static void loop_elastic_stop_one_contact_monodromy(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -784,8 +952,9 @@ static void loop_elastic_stop_one_contact_monodromy(
         GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_monodromy((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -795,9 +964,12 @@ static void loop_elastic_stop_one_contact_trace(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -805,8 +977,9 @@ static void loop_elastic_stop_one_contact_trace(
         GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_trace((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
     }
 }
@@ -816,9 +989,12 @@ static void loop_elastic_stop_one_contact_trace_gradient(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 60];
@@ -828,8 +1004,9 @@ static void loop_elastic_stop_one_contact_trace_gradient(
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 60, 5);
         GATHER(double, a3, args[3], steps[3], steps + 9, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_trace_gradient((a0 + 6 * point), (a1 + 12 * point), (a2 + 60 * point), (a3 + 4 * point), (a4 + 10 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 10, 0);
     }
 }
@@ -839,9 +1016,12 @@ static void loop_elastic_stop_one_contact_states(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -849,8 +1029,9 @@ static void loop_elastic_stop_one_contact_states(
         GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_states((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 12 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 12, 4);
     }
 }
@@ -860,9 +1041,12 @@ static void loop_elastic_stop_one_contact_boundary_functions(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 4];
@@ -871,8 +1055,9 @@ static void loop_elastic_stop_one_contact_boundary_functions(
         GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_boundary_functions((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 12 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 12, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 0);
     }
@@ -883,9 +1068,12 @@ static void loop_elastic_stop_one_contact_flow_contact(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 1];
@@ -895,8 +1083,9 @@ static void loop_elastic_stop_one_contact_flow_contact(
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_flow_contact((a0 + 6 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -906,9 +1095,12 @@ static void loop_elastic_stop_one_contact_flow_free(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 1];
@@ -918,8 +1110,9 @@ static void loop_elastic_stop_one_contact_flow_free(
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_flow_free((a0 + 6 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -929,9 +1122,12 @@ static void loop_elastic_stop_one_contact_reduced(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 1];
@@ -940,8 +1136,9 @@ static void loop_elastic_stop_one_contact_reduced(
         GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 1, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_reduced((a0 + 6 * point), (a1 + 12 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 1, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 1, 1);
     }
@@ -952,9 +1149,12 @@ static void loop_elastic_stop_one_contact_expand(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 12];
         double a2[points * 1];
@@ -963,8 +1163,9 @@ static void loop_elastic_stop_one_contact_expand(
         GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 1, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             elastic_stop_one_contact_expand((a0 + 6 * point), (a1 + 12 * point), (a2 + 1 * point), (a3 + 4 * point), (a4 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 4, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 1, 0);
     }
@@ -975,9 +1176,12 @@ static void loop_elastic_stop_one_contact_solve(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 1];
         double a2[points * 4];
@@ -985,14 +1189,14 @@ static void loop_elastic_stop_one_contact_solve(
         double a4[points * 1];
         int32_t a5[points * 1];
         int32_t a6[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 7, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 8, 1, 0);
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 6, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 1, 0);
         elastic_stop_one_contact_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER(double, a2, args[2], steps[2], steps + 9, 4, 0);
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER(int32_t, a6, args[6], steps[6], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 4, 0);
+        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
     }
 }
 
@@ -1001,9 +1205,12 @@ static void loop_elastic_stop_one_contact_admissible(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 6];
         double a1[points * 4];
         int32_t a2[points * 1];
@@ -1011,7 +1218,11 @@ static void loop_elastic_stop_one_contact_admissible(
         double a4[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 4, 0);
-        elastic_stop_one_contact_admissible(here, a0, a1, a2, a3, a4);
+        for (npy_intp point = 0; point < here; ++point) {
+            if (nonsmooth_ends_later(&work))
+                return;
+            elastic_stop_one_contact_admissible(1, (a0 + 6 * point), (a1 + 4 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point));
+        }
         SCATTER(int32_t, a2, args[2], steps[2], NULL, 1, 0);
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
@@ -1023,15 +1234,19 @@ static void loop_dry_friction_spectrum(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 2];
         double a1[points * 7];
         double a2[points * 14];
         GATHER(double, a0, args[0], steps[0], steps + 3, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_spectrum((a0 + 2 * point), (a1 + 7 * point), (a2 + 14 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 4, 7, 0);
         SCATTER(double, a2, args[2], steps[2], steps + 5, 14, 2);
     }
@@ -1042,9 +1257,12 @@ static void loop_dry_friction_flow_slip_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1054,8 +1272,9 @@ static void loop_dry_friction_flow_slip_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_slip_slip((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1065,9 +1284,12 @@ static void loop_dry_friction_flow_slip_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1077,8 +1299,9 @@ static void loop_dry_friction_flow_slip_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_slip_stick((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1088,9 +1311,12 @@ static void loop_dry_friction_flow_slip_overshoot(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1100,8 +1326,9 @@ static void loop_dry_friction_flow_slip_overshoot(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_slip_overshoot((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1111,9 +1338,12 @@ static void loop_dry_friction_flow_stick_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1123,8 +1353,9 @@ static void loop_dry_friction_flow_stick_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_stick_slip((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1134,9 +1365,12 @@ static void loop_dry_friction_flow_stick_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1146,8 +1380,9 @@ static void loop_dry_friction_flow_stick_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_stick_stick((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1157,9 +1392,12 @@ static void loop_dry_friction_flow_stick_overshoot(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1169,8 +1407,9 @@ static void loop_dry_friction_flow_stick_overshoot(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_stick_overshoot((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1180,9 +1419,12 @@ static void loop_dry_friction_flow_overshoot_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1192,8 +1434,9 @@ static void loop_dry_friction_flow_overshoot_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_overshoot_slip((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1203,9 +1446,12 @@ static void loop_dry_friction_flow_overshoot_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1215,8 +1461,9 @@ static void loop_dry_friction_flow_overshoot_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_overshoot_stick((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1226,9 +1473,12 @@ static void loop_dry_friction_flow_overshoot_overshoot(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 1];
@@ -1238,8 +1488,9 @@ static void loop_dry_friction_flow_overshoot_overshoot(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_flow_overshoot_overshoot((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1249,14 +1500,18 @@ static void loop_dry_friction_fields(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 180];
         GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_fields((a0 + 7 * point), (a1 + 180 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 180, 5);
     }
 }
@@ -1266,14 +1521,18 @@ static void loop_dry_friction_rows(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 85];
         GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_rows((a0 + 7 * point), (a1 + 85 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 85, 5);
     }
 }
@@ -1283,14 +1542,18 @@ static void loop_dry_friction_resets(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 80];
         GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_resets((a0 + 7 * point), (a1 + 80 * point));
+        }
         SCATTER(double, a1, args[1], steps[1], steps + 3, 80, 5);
     }
 }
@@ -1300,17 +1563,21 @@ static void loop_dry_friction_modes(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 7];
         double a1[points * 7];
         double a2[points * 42];
         double a3[points * 760];
         GATHER(double, a0, args[0], steps[0], steps + 4, 7, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_modes((a0 + 7 * point), (a1 + 7 * point), (a2 + 42 * point), (a3 + 760 * point));
+        }
         SCATTER(double, a2, args[2], steps[2], steps + 6, 42, 2);
         SCATTER(double, a3, args[3], steps[3], steps + 8, 760, 5);
     }
@@ -1321,9 +1588,12 @@ static void loop_dry_friction_symmetric_residual(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1331,8 +1601,9 @@ static void loop_dry_friction_symmetric_residual(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_residual((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 5 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 5, 0);
     }
 }
@@ -1342,9 +1613,12 @@ static void loop_dry_friction_symmetric_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1352,8 +1626,9 @@ static void loop_dry_friction_symmetric_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 25 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 25, 5);
     }
 }
@@ -1363,9 +1638,12 @@ static void loop_dry_friction_symmetric_residual_and_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1374,8 +1652,9 @@ static void loop_dry_friction_symmetric_residual_and_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_residual_and_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 5 * point), (a4 + 25 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 5, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 25, 5);
     }
@@ -1386,9 +1665,12 @@ static void loop_dry_friction_symmetric_parameter_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 14];
@@ -1398,8 +1680,9 @@ static void loop_dry_friction_symmetric_parameter_jacobian(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
         GATHER(double, a3, args[3], steps[3], steps + 9, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_parameter_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 5 * point), (a4 + 20 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 20, 4);
     }
 }
@@ -1409,9 +1692,12 @@ static void loop_dry_friction_symmetric_poincare_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1419,8 +1705,9 @@ static void loop_dry_friction_symmetric_poincare_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_poincare_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
     }
 }
@@ -1430,9 +1717,12 @@ static void loop_dry_friction_symmetric_saltations(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1440,8 +1730,9 @@ static void loop_dry_friction_symmetric_saltations(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_saltations((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 32 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 32, 4);
     }
 }
@@ -1451,9 +1742,12 @@ static void loop_dry_friction_symmetric_monodromy(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1461,8 +1755,9 @@ static void loop_dry_friction_symmetric_monodromy(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_monodromy((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -1472,9 +1767,12 @@ static void loop_dry_friction_symmetric_trace(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1482,8 +1780,9 @@ static void loop_dry_friction_symmetric_trace(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_trace((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
     }
 }
@@ -1493,9 +1792,12 @@ static void loop_dry_friction_symmetric_trace_gradient(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 14];
@@ -1505,8 +1807,9 @@ static void loop_dry_friction_symmetric_trace_gradient(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
         GATHER(double, a3, args[3], steps[3], steps + 9, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_trace_gradient((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 5 * point), (a4 + 9 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 9, 0);
     }
 }
@@ -1516,9 +1819,12 @@ static void loop_dry_friction_symmetric_states(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1526,8 +1832,9 @@ static void loop_dry_friction_symmetric_states(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_states((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 12 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 12, 4);
     }
 }
@@ -1537,9 +1844,12 @@ static void loop_dry_friction_symmetric_boundary_functions(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 5];
@@ -1548,8 +1858,9 @@ static void loop_dry_friction_symmetric_boundary_functions(
         GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 5, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_boundary_functions((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 24 * point), (a4 + 3 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 24, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 3, 0);
     }
@@ -1560,9 +1871,12 @@ static void loop_dry_friction_symmetric_flow_slip_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 1];
@@ -1572,8 +1886,9 @@ static void loop_dry_friction_symmetric_flow_slip_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_flow_slip_slip((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1583,9 +1898,12 @@ static void loop_dry_friction_symmetric_flow_slip_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 1];
@@ -1595,8 +1913,9 @@ static void loop_dry_friction_symmetric_flow_slip_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_flow_slip_stick((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1606,9 +1925,12 @@ static void loop_dry_friction_symmetric_reduced(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 2];
@@ -1617,8 +1939,9 @@ static void loop_dry_friction_symmetric_reduced(
         GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_reduced((a0 + 4 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 2, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 2);
     }
@@ -1629,9 +1952,12 @@ static void loop_dry_friction_symmetric_expand(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 2];
@@ -1640,8 +1966,9 @@ static void loop_dry_friction_symmetric_expand(
         GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_symmetric_expand((a0 + 4 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 5 * point), (a4 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 5, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 1, 0);
     }
@@ -1652,9 +1979,12 @@ static void loop_dry_friction_global_stick_residual(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1662,8 +1992,9 @@ static void loop_dry_friction_global_stick_residual(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_residual((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
     }
 }
@@ -1673,9 +2004,12 @@ static void loop_dry_friction_global_stick_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1683,8 +2017,9 @@ static void loop_dry_friction_global_stick_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 36 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 36, 6);
     }
 }
@@ -1694,9 +2029,12 @@ static void loop_dry_friction_global_stick_residual_and_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1705,8 +2043,9 @@ static void loop_dry_friction_global_stick_residual_and_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_residual_and_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point), (a4 + 36 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 6, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 36, 6);
     }
@@ -1717,9 +2056,12 @@ static void loop_dry_friction_global_stick_parameter_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 14];
@@ -1729,8 +2071,9 @@ static void loop_dry_friction_global_stick_parameter_jacobian(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
         GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_parameter_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 30 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 30, 5);
     }
 }
@@ -1740,9 +2083,12 @@ static void loop_dry_friction_global_stick_poincare_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1750,8 +2096,9 @@ static void loop_dry_friction_global_stick_poincare_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_poincare_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
     }
 }
@@ -1761,9 +2108,12 @@ static void loop_dry_friction_global_stick_saltations(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1771,8 +2121,9 @@ static void loop_dry_friction_global_stick_saltations(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_saltations((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 64 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 64, 4);
     }
 }
@@ -1782,9 +2133,12 @@ static void loop_dry_friction_global_stick_monodromy(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1792,8 +2146,9 @@ static void loop_dry_friction_global_stick_monodromy(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_monodromy((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -1803,9 +2158,12 @@ static void loop_dry_friction_global_stick_trace(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1813,8 +2171,9 @@ static void loop_dry_friction_global_stick_trace(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_trace((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
     }
 }
@@ -1824,9 +2183,12 @@ static void loop_dry_friction_global_stick_trace_gradient(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 14];
@@ -1836,8 +2198,9 @@ static void loop_dry_friction_global_stick_trace_gradient(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
         GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_trace_gradient((a0 + 5 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 11 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 11, 0);
     }
 }
@@ -1847,9 +2210,12 @@ static void loop_dry_friction_global_stick_states(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1857,8 +2223,9 @@ static void loop_dry_friction_global_stick_states(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_states((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 20 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 20, 4);
     }
 }
@@ -1868,9 +2235,12 @@ static void loop_dry_friction_global_stick_boundary_functions(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 6];
@@ -1879,8 +2249,9 @@ static void loop_dry_friction_global_stick_boundary_functions(
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_boundary_functions((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 44 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 44, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 0);
     }
@@ -1891,9 +2262,12 @@ static void loop_dry_friction_global_stick_flow_stick_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 1];
@@ -1903,8 +2277,9 @@ static void loop_dry_friction_global_stick_flow_stick_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_flow_stick_stick((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1914,9 +2289,12 @@ static void loop_dry_friction_global_stick_flow_slip_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 1];
@@ -1926,8 +2304,9 @@ static void loop_dry_friction_global_stick_flow_slip_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_flow_slip_stick((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1937,9 +2316,12 @@ static void loop_dry_friction_global_stick_flow_slip_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 1];
@@ -1949,8 +2331,9 @@ static void loop_dry_friction_global_stick_flow_slip_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_flow_slip_slip((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1960,9 +2343,12 @@ static void loop_dry_friction_global_stick_flow_stick_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 1];
@@ -1972,8 +2358,9 @@ static void loop_dry_friction_global_stick_flow_stick_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_flow_stick_slip((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -1983,9 +2370,12 @@ static void loop_dry_friction_global_stick_reduced(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -1994,8 +2384,9 @@ static void loop_dry_friction_global_stick_reduced(
         GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_reduced((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 2, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 2);
     }
@@ -2006,9 +2397,12 @@ static void loop_dry_friction_global_stick_expand(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 7];
         double a2[points * 2];
@@ -2016,8 +2410,9 @@ static void loop_dry_friction_global_stick_expand(
         GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_global_stick_expand((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 6 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
     }
 }
@@ -2027,9 +2422,12 @@ static void loop_dry_friction_solution_ii_residual(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2037,8 +2435,9 @@ static void loop_dry_friction_solution_ii_residual(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_residual((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
     }
 }
@@ -2048,9 +2447,12 @@ static void loop_dry_friction_solution_ii_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2058,8 +2460,9 @@ static void loop_dry_friction_solution_ii_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 36 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 36, 6);
     }
 }
@@ -2069,9 +2472,12 @@ static void loop_dry_friction_solution_ii_residual_and_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2080,8 +2486,9 @@ static void loop_dry_friction_solution_ii_residual_and_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_residual_and_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point), (a4 + 36 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 6, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 36, 6);
     }
@@ -2092,9 +2499,12 @@ static void loop_dry_friction_solution_ii_parameter_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 14];
@@ -2104,8 +2514,9 @@ static void loop_dry_friction_solution_ii_parameter_jacobian(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
         GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_parameter_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 24 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 24, 4);
     }
 }
@@ -2115,9 +2526,12 @@ static void loop_dry_friction_solution_ii_poincare_jacobian(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2125,8 +2539,9 @@ static void loop_dry_friction_solution_ii_poincare_jacobian(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_poincare_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
     }
 }
@@ -2136,9 +2551,12 @@ static void loop_dry_friction_solution_ii_saltations(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2146,8 +2564,9 @@ static void loop_dry_friction_solution_ii_saltations(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_saltations((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 64 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 64, 4);
     }
 }
@@ -2157,9 +2576,12 @@ static void loop_dry_friction_solution_ii_monodromy(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2167,8 +2589,9 @@ static void loop_dry_friction_solution_ii_monodromy(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_monodromy((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 16 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
     }
 }
@@ -2178,9 +2601,12 @@ static void loop_dry_friction_solution_ii_trace(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2188,8 +2614,9 @@ static void loop_dry_friction_solution_ii_trace(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_trace((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 1 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
     }
 }
@@ -2199,9 +2626,12 @@ static void loop_dry_friction_solution_ii_trace_gradient(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 14];
@@ -2211,8 +2641,9 @@ static void loop_dry_friction_solution_ii_trace_gradient(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
         GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_trace_gradient((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 10 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 10, 10, 0);
     }
 }
@@ -2222,9 +2653,12 @@ static void loop_dry_friction_solution_ii_states(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2232,8 +2666,9 @@ static void loop_dry_friction_solution_ii_states(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_states((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 20 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 20, 4);
     }
 }
@@ -2243,9 +2678,12 @@ static void loop_dry_friction_solution_ii_boundary_functions(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 6];
@@ -2254,8 +2692,9 @@ static void loop_dry_friction_solution_ii_boundary_functions(
         GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_boundary_functions((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 44 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 44, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 0);
     }
@@ -2266,9 +2705,12 @@ static void loop_dry_friction_solution_ii_flow_stick_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 1];
@@ -2278,8 +2720,9 @@ static void loop_dry_friction_solution_ii_flow_stick_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_flow_stick_stick((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -2289,9 +2732,12 @@ static void loop_dry_friction_solution_ii_flow_slip_stick(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 1];
@@ -2301,8 +2747,9 @@ static void loop_dry_friction_solution_ii_flow_slip_stick(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_flow_slip_stick((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -2312,9 +2759,12 @@ static void loop_dry_friction_solution_ii_flow_slip_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 1];
@@ -2324,8 +2774,9 @@ static void loop_dry_friction_solution_ii_flow_slip_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_flow_slip_slip((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -2335,9 +2786,12 @@ static void loop_dry_friction_solution_ii_flow_stick_slip(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 1];
@@ -2347,8 +2801,9 @@ static void loop_dry_friction_solution_ii_flow_stick_slip(
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
         GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_flow_stick_slip((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
+        }
         SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
     }
 }
@@ -2358,9 +2813,12 @@ static void loop_dry_friction_solution_ii_reduced(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 3];
@@ -2369,8 +2827,9 @@ static void loop_dry_friction_solution_ii_reduced(
         GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 7, 3, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_reduced((a0 + 4 * point), (a1 + 7 * point), (a2 + 3 * point), (a3 + 3 * point), (a4 + 9 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 8, 3, 0);
         SCATTER(double, a4, args[4], steps[4], steps + 9, 9, 3);
     }
@@ -2381,9 +2840,12 @@ static void loop_dry_friction_solution_ii_expand(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 7];
         double a2[points * 3];
@@ -2391,8 +2853,9 @@ static void loop_dry_friction_solution_ii_expand(
         GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
         GATHER(double, a2, args[2], steps[2], steps + 6, 3, 0);
-        for (npy_intp point = 0; point < here; ++point)
+        for (npy_intp point = 0; point < here; ++point) {
             dry_friction_solution_ii_expand((a0 + 4 * point), (a1 + 7 * point), (a2 + 3 * point), (a3 + 6 * point));
+        }
         SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
     }
 }
@@ -2402,9 +2865,12 @@ static void loop_dry_friction_symmetric_solve(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 2];
         double a2[points * 5];
@@ -2412,14 +2878,14 @@ static void loop_dry_friction_symmetric_solve(
         double a4[points * 1];
         int32_t a5[points * 1];
         int32_t a6[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 7, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 8, 2, 0);
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 4, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 2, 0);
         dry_friction_symmetric_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER(double, a2, args[2], steps[2], steps + 9, 5, 0);
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER(int32_t, a6, args[6], steps[6], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 5, 0);
+        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
     }
 }
 
@@ -2428,9 +2894,12 @@ static void loop_dry_friction_symmetric_admissible(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 5];
         double a2[points * 1];
@@ -2439,7 +2908,11 @@ static void loop_dry_friction_symmetric_admissible(
         double a5[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 6, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 7, 5, 0);
-        dry_friction_symmetric_admissible(here, a0, a1, a2, a3, a4, a5);
+        for (npy_intp point = 0; point < here; ++point) {
+            if (nonsmooth_ends_later(&work))
+                return;
+            dry_friction_symmetric_admissible(1, (a0 + 4 * point), (a1 + 5 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point), (a5 + 1 * point));
+        }
         SCATTER(double, a2, args[2], steps[2], steps + 8, 1, 0);
         SCATTER(int32_t, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
@@ -2452,9 +2925,12 @@ static void loop_dry_friction_global_stick_solve(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 2];
         double a2[points * 6];
@@ -2462,14 +2938,14 @@ static void loop_dry_friction_global_stick_solve(
         double a4[points * 1];
         int32_t a5[points * 1];
         int32_t a6[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 7, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 8, 2, 0);
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 5, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 2, 0);
         dry_friction_global_stick_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER(double, a2, args[2], steps[2], steps + 9, 6, 0);
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER(int32_t, a6, args[6], steps[6], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 6, 0);
+        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
     }
 }
 
@@ -2478,9 +2954,12 @@ static void loop_dry_friction_global_stick_admissible(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 5];
         double a1[points * 6];
         double a2[points * 2];
@@ -2489,7 +2968,11 @@ static void loop_dry_friction_global_stick_admissible(
         double a5[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 6, 5, 0);
         GATHER(double, a1, args[1], steps[1], steps + 7, 6, 0);
-        dry_friction_global_stick_admissible(here, a0, a1, a2, a3, a4, a5);
+        for (npy_intp point = 0; point < here; ++point) {
+            if (nonsmooth_ends_later(&work))
+                return;
+            dry_friction_global_stick_admissible(1, (a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 1 * point), (a4 + 1 * point), (a5 + 1 * point));
+        }
         SCATTER(double, a2, args[2], steps[2], steps + 8, 2, 0);
         SCATTER(int32_t, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
@@ -2502,9 +2985,12 @@ static void loop_dry_friction_solution_ii_solve(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 3];
         double a2[points * 6];
@@ -2512,14 +2998,14 @@ static void loop_dry_friction_solution_ii_solve(
         double a4[points * 1];
         int32_t a5[points * 1];
         int32_t a6[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 7, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 8, 3, 0);
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 4, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 3, 0);
         dry_friction_solution_ii_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER(double, a2, args[2], steps[2], steps + 9, 6, 0);
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER(int32_t, a6, args[6], steps[6], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 6, 0);
+        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
+        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
+        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
     }
 }
 
@@ -2528,9 +3014,12 @@ static void loop_dry_friction_solution_ii_admissible(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
 {
     (void)unused;
+    nonsmooth_work work = {0};
     for (npy_intp start = 0; start < dimensions[0]; start += points) {
         const npy_intp left = dimensions[0] - start;
         const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
         double a0[points * 4];
         double a1[points * 6];
         double a2[points * 2];
@@ -2539,7 +3028,11 @@ static void loop_dry_friction_solution_ii_admissible(
         double a5[points * 1];
         GATHER(double, a0, args[0], steps[0], steps + 6, 4, 0);
         GATHER(double, a1, args[1], steps[1], steps + 7, 6, 0);
-        dry_friction_solution_ii_admissible(here, a0, a1, a2, a3, a4, a5);
+        for (npy_intp point = 0; point < here; ++point) {
+            if (nonsmooth_ends_later(&work))
+                return;
+            dry_friction_solution_ii_admissible(1, (a0 + 4 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 1 * point), (a4 + 1 * point), (a5 + 1 * point));
+        }
         SCATTER(double, a2, args[2], steps[2], steps + 8, 2, 0);
         SCATTER(int32_t, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
@@ -2790,7 +3283,7 @@ enum { function_count = sizeof functions / sizeof *functions };
 static PyUFuncGenericFunction loops[function_count];
 static void *data[function_count];
 
-static int execute(PyObject *module)
+static int add_all(PyObject *module)
 {
     import_array1(-1);
     import_umath1(-1);
@@ -2803,20 +3296,23 @@ static int execute(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "1446f20684974f39") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "f4c73a498b4d0c70") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "2541eed3a67f2ed8") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "d79c593841bc45a0") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "b2f8438272026618") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "62c2468fe536308f") < 0)
         return -1;
     return 0;
 }
 
-static PyModuleDef_Slot slots[] = {{Py_mod_exec, execute}, {0, NULL}};
 static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, "_kernels", "Compiled kernels.", 0, NULL, slots, NULL, NULL, NULL};
+    PyModuleDef_HEAD_INIT, "_kernels", "Compiled kernels.", -1, NULL, NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__kernels(void)
 {
-    return PyModuleDef_Init(&definition);
+    PyObject *const module = PyModule_Create(&definition);
+    if (module && add_all(module) == 0)
+        return module;
+    Py_XDECREF(module);
+    return NULL;
 }

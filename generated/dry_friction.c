@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation b2f8438272026618 */
+ * SymPy 1.14.0, derivation 62c2468fe536308f */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -8140,8 +8140,9 @@ void dry_friction_solution_ii_expand(
 }
 
 /* Newton's method on the reduced equations for `count` points.
- * Takes parameters (4) and guess (2: tau, tau1) for each point, row by row; gives unknowns
- * (5), the trace, the largest reduced residual, iterations and a status for each point.
+ * Takes parameters (4) and guess (2: tau, tau1) of the points; gives unknowns (5), the
+ * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
+ * entry i of a point stands at [i * count + point].
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below 1e-9 max(1, |x|).
  * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
@@ -8151,19 +8152,20 @@ void dry_friction_symmetric_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 8, most = 32 };
+    enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
         double parameter[4][lanes], x[2][lanes], fixed[42][lanes];
-        double taken[lanes], open[lanes];
+        double open[lanes];
+        int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < 4; ++i)
-                parameter[i][lane] = parameters[4 * point + i];
+                parameter[i][lane] = parameters[i * count + point];
             open[lane] = 1.0;
             for (int i = 0; i < 2; ++i)
-                x[i][lane] = guess[2 * point + i];
-            taken[lane] = 0.0;
+                x[i][lane] = guess[i * count + point];
+            taken[lane] = 0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
@@ -8381,15 +8383,16 @@ void dry_friction_symmetric_solve(
                 const double size_1 = fabs(next_1) > 1.0 ? fabs(next_1) : 1.0;
                 x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
                 x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
-                taken[lane] += open[lane];
-                open[lane] = (fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1) ? 0.0 : open[lane];
+                taken[lane] += open[lane] != 0.0 ? 1 : 0;
+                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1)) ? 0.0 : open[lane];
             }
             for (int lane = 0; lane < lanes; ++lane)
                 running += open[lane];
             if (running == 0.0)
                 break;
         }
-        double result[5][lanes], slope[lanes], defect[lanes], determinate[lanes];
+        double result[5][lanes], slope[lanes], defect[lanes];
+        int32_t ended[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
@@ -8560,23 +8563,22 @@ void dry_friction_symmetric_solve(
             largest = fabs(V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9) > largest ? fabs(V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9) : largest;
             largest = fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) > largest ? fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) : largest;
             defect[lane] = largest;
-            determinate[lane] = (fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12) ? 0.0 : 1.0;
+            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]);
+            int32_t ending = ((result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? 3 : 0;
+            ending = open[lane] != 0.0 ? 1 : ending;
+            ending = finite == 0.0 ? ending : 2;
+            ending = ((fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12)) ? 5 : ending;
+            ended[lane] = ending;
         }
+        for (int i = 0; i < 5; ++i)
+            for (int lane = 0; lane < here; ++lane)
+                unknowns[i * count + start + lane] = result[i][lane];
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
-            int sound = isfinite(slope[lane]) != 0;
-            for (int i = 0; i < 5; ++i) {
-                unknowns[5 * point + i] = result[i][lane];
-                sound &= isfinite(result[i][lane]) != 0;
-            }
             trace[point] = slope[lane];
             residual[point] = defect[lane];
-            iterations[point] = (int32_t)taken[lane];
-            status[point] = determinate[lane] == 0.0 ? 5
-                            : !sound                 ? 2
-                            : open[lane] != 0.0      ? 1
-                            : (result[3][lane] <= 0.0 || result[4][lane] <= 0.0)              ? 3
-                                                     : 0;
+            iterations[point] = taken[lane];
+            status[point] = ended[lane];
         }
     }
 }
@@ -8664,8 +8666,9 @@ void dry_friction_symmetric_admissible(
 }
 
 /* Newton's method on the reduced equations for `count` points.
- * Takes parameters (5) and guess (2: tau, tau1) for each point, row by row; gives unknowns
- * (6), the trace, the largest reduced residual, iterations and a status for each point.
+ * Takes parameters (5) and guess (2: tau, tau1) of the points; gives unknowns (6), the
+ * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
+ * entry i of a point stands at [i * count + point].
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below 1e-9 max(1, |x|).
  * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
@@ -8675,19 +8678,20 @@ void dry_friction_global_stick_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 8, most = 32 };
+    enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
         double parameter[5][lanes], x[2][lanes], fixed[33][lanes];
-        double taken[lanes], open[lanes];
+        double open[lanes];
+        int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < 5; ++i)
-                parameter[i][lane] = parameters[5 * point + i];
+                parameter[i][lane] = parameters[i * count + point];
             open[lane] = 1.0;
             for (int i = 0; i < 2; ++i)
-                x[i][lane] = guess[2 * point + i];
-            taken[lane] = 0.0;
+                x[i][lane] = guess[i * count + point];
+            taken[lane] = 0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
@@ -8906,15 +8910,16 @@ void dry_friction_global_stick_solve(
                 const double size_1 = fabs(next_1) > 1.0 ? fabs(next_1) : 1.0;
                 x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
                 x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
-                taken[lane] += open[lane];
-                open[lane] = (fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1) ? 0.0 : open[lane];
+                taken[lane] += open[lane] != 0.0 ? 1 : 0;
+                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1)) ? 0.0 : open[lane];
             }
             for (int lane = 0; lane < lanes; ++lane)
                 running += open[lane];
             if (running == 0.0)
                 break;
         }
-        double result[6][lanes], slope[lanes], defect[lanes], determinate[lanes];
+        double result[6][lanes], slope[lanes], defect[lanes];
+        int32_t ended[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
@@ -9056,23 +9061,21 @@ void dry_friction_global_stick_solve(
             largest = fabs(-V + v1_3) > largest ? fabs(-V + v1_3) : largest;
             largest = fabs(amplitude_tau2*t27*t3 - t4 - z2_1) > largest ? fabs(amplitude_tau2*t27*t3 - t4 - z2_1) : largest;
             defect[lane] = largest;
-            determinate[lane] = 1.0;
+            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
+            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0) | (result[5][lane] <= 0.0)) ? 3 : 0;
+            ending = open[lane] != 0.0 ? 1 : ending;
+            ending = finite == 0.0 ? ending : 2;
+            ended[lane] = ending;
         }
+        for (int i = 0; i < 6; ++i)
+            for (int lane = 0; lane < here; ++lane)
+                unknowns[i * count + start + lane] = result[i][lane];
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
-            int sound = isfinite(slope[lane]) != 0;
-            for (int i = 0; i < 6; ++i) {
-                unknowns[6 * point + i] = result[i][lane];
-                sound &= isfinite(result[i][lane]) != 0;
-            }
             trace[point] = slope[lane];
             residual[point] = defect[lane];
-            iterations[point] = (int32_t)taken[lane];
-            status[point] = determinate[lane] == 0.0 ? 5
-                            : !sound                 ? 2
-                            : open[lane] != 0.0      ? 1
-                            : (result[2][lane] <= 0.0 || result[3][lane] <= 0.0 || result[4][lane] <= 0.0 || result[5][lane] <= 0.0)              ? 3
-                                                     : 0;
+            iterations[point] = taken[lane];
+            status[point] = ended[lane];
         }
     }
 }
@@ -9160,8 +9163,9 @@ void dry_friction_global_stick_admissible(
 }
 
 /* Newton's method on the reduced equations for `count` points.
- * Takes parameters (4) and guess (3: tau, tau1, e1) for each point, row by row; gives unknowns
- * (6), the trace, the largest reduced residual, iterations and a status for each point.
+ * Takes parameters (4) and guess (3: tau, tau1, e1) of the points; gives unknowns (6), the
+ * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
+ * entry i of a point stands at [i * count + point].
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below 1e-9 max(1, |x|).
  * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
@@ -9171,19 +9175,20 @@ void dry_friction_solution_ii_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 8, most = 32 };
+    enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
         double parameter[4][lanes], x[3][lanes], fixed[38][lanes];
-        double taken[lanes], open[lanes];
+        double open[lanes];
+        int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < 4; ++i)
-                parameter[i][lane] = parameters[4 * point + i];
+                parameter[i][lane] = parameters[i * count + point];
             open[lane] = 1.0;
             for (int i = 0; i < 3; ++i)
-                x[i][lane] = guess[3 * point + i];
-            taken[lane] = 0.0;
+                x[i][lane] = guess[i * count + point];
+            taken[lane] = 0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
@@ -9475,15 +9480,16 @@ void dry_friction_solution_ii_solve(
                 x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
                 x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
                 x[2][lane] = open[lane] != 0.0 ? next_2 : e1;
-                taken[lane] += open[lane];
-                open[lane] = (fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1) & (fabs(wanted_2 - e1) <= 1e-9*size_2) ? 0.0 : open[lane];
+                taken[lane] += open[lane] != 0.0 ? 1 : 0;
+                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1) & (fabs(wanted_2 - e1) <= 1e-9*size_2)) ? 0.0 : open[lane];
             }
             for (int lane = 0; lane < lanes; ++lane)
                 running += open[lane];
             if (running == 0.0)
                 break;
         }
-        double result[6][lanes], slope[lanes], defect[lanes], determinate[lanes];
+        double result[6][lanes], slope[lanes], defect[lanes];
+        int32_t ended[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
@@ -9670,23 +9676,21 @@ void dry_friction_solution_ii_solve(
             largest = fabs(-chi*z2_5 - e1 + z1_5) > largest ? fabs(-chi*z2_5 - e1 + z1_5) : largest;
             largest = fabs(-z2_1 + z2_5) > largest ? fabs(-z2_1 + z2_5) : largest;
             defect[lane] = largest;
-            determinate[lane] = 1.0;
+            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
+            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? 3 : 0;
+            ending = open[lane] != 0.0 ? 1 : ending;
+            ending = finite == 0.0 ? ending : 2;
+            ended[lane] = ending;
         }
+        for (int i = 0; i < 6; ++i)
+            for (int lane = 0; lane < here; ++lane)
+                unknowns[i * count + start + lane] = result[i][lane];
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
-            int sound = isfinite(slope[lane]) != 0;
-            for (int i = 0; i < 6; ++i) {
-                unknowns[6 * point + i] = result[i][lane];
-                sound &= isfinite(result[i][lane]) != 0;
-            }
             trace[point] = slope[lane];
             residual[point] = defect[lane];
-            iterations[point] = (int32_t)taken[lane];
-            status[point] = determinate[lane] == 0.0 ? 5
-                            : !sound                 ? 2
-                            : open[lane] != 0.0      ? 1
-                            : (result[2][lane] <= 0.0 || result[3][lane] <= 0.0 || result[4][lane] <= 0.0)              ? 3
-                                                     : 0;
+            iterations[point] = taken[lane];
+            status[point] = ended[lane];
         }
     }
 }

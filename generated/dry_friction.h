@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation b2f8438272026618 */
+ * SymPy 1.14.0, derivation 62c2468fe536308f */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2541eed3a67f2ed8 */
+ * SymPy 1.14.0, derivation d79c593841bc45a0 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -3640,8 +3640,9 @@ void elastic_stop_one_contact_expand(
 }
 
 /* Newton's method on the reduced equations for `count` points.
- * Takes parameters (6) and guess (1: tau) for each point, row by row; gives unknowns
- * (4), the trace, the largest reduced residual, iterations and a status for each point.
+ * Takes parameters (6) and guess (1: tau) of the points; gives unknowns (4), the
+ * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
+ * entry i of a point stands at [i * count + point].
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below 1e-9 max(1, |x|).
  * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
@@ -3651,19 +3652,20 @@ void elastic_stop_one_contact_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 8, most = 32 };
+    enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
         double parameter[6][lanes], x[1][lanes], fixed[75][lanes];
-        double taken[lanes], open[lanes];
+        double open[lanes];
+        int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < 6; ++i)
-                parameter[i][lane] = parameters[6 * point + i];
+                parameter[i][lane] = parameters[i * count + point];
             open[lane] = 1.0;
             for (int i = 0; i < 1; ++i)
-                x[i][lane] = guess[1 * point + i];
-            taken[lane] = 0.0;
+                x[i][lane] = guess[i * count + point];
+            taken[lane] = 0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
@@ -4024,15 +4026,16 @@ void elastic_stop_one_contact_solve(
                 const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
                 const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
                 x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
-                taken[lane] += open[lane];
-                open[lane] = (fabs(wanted_0 - tau) <= 1e-9*size_0) ? 0.0 : open[lane];
+                taken[lane] += open[lane] != 0.0 ? 1 : 0;
+                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0)) ? 0.0 : open[lane];
             }
             for (int lane = 0; lane < lanes; ++lane)
                 running += open[lane];
             if (running == 0.0)
                 break;
         }
-        double result[4][lanes], slope[lanes], defect[lanes], determinate[lanes];
+        double result[4][lanes], slope[lanes], defect[lanes];
+        int32_t ended[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
             const double T = parameter[5][lane];
@@ -4303,23 +4306,22 @@ void elastic_stop_one_contact_solve(
             double largest = 0.0;
             largest = fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) > largest ? fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) : largest;
             defect[lane] = largest;
-            determinate[lane] = (fabs(determinant/(sqrt(2*(p3*p3) + t140*t144*(t21*t21) + t141*t142*t144 + t143)*sqrt(t137 + t139*t140 + t139*t141 + t143)*sqrt((omega3*omega3*omega3*omega3)*t147/((omega3*omega3)*t146 + 1) + (omega4*omega4*omega4*omega4)*t147/((omega4*omega4)*t146 + 1) + (p4*p4) + t145 + (t31*t31)))) <= 1e-12) ? 0.0 : 1.0;
+            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]);
+            int32_t ending = ((result[3][lane] <= 0.0) | (parameter[5][lane] - result[3][lane] <= 0.0)) ? 3 : 0;
+            ending = open[lane] != 0.0 ? 1 : ending;
+            ending = finite == 0.0 ? ending : 2;
+            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t140*t144*(t21*t21) + t141*t142*t144 + t143)*sqrt(t137 + t139*t140 + t139*t141 + t143)*sqrt((omega3*omega3*omega3*omega3)*t147/((omega3*omega3)*t146 + 1) + (omega4*omega4*omega4*omega4)*t147/((omega4*omega4)*t146 + 1) + (p4*p4) + t145 + (t31*t31)))) <= 1e-12)) ? 5 : ending;
+            ended[lane] = ending;
         }
+        for (int i = 0; i < 4; ++i)
+            for (int lane = 0; lane < here; ++lane)
+                unknowns[i * count + start + lane] = result[i][lane];
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
-            int sound = isfinite(slope[lane]) != 0;
-            for (int i = 0; i < 4; ++i) {
-                unknowns[4 * point + i] = result[i][lane];
-                sound &= isfinite(result[i][lane]) != 0;
-            }
             trace[point] = slope[lane];
             residual[point] = defect[lane];
-            iterations[point] = (int32_t)taken[lane];
-            status[point] = determinate[lane] == 0.0 ? 5
-                            : !sound                 ? 2
-                            : open[lane] != 0.0      ? 1
-                            : (result[3][lane] <= 0.0 || parameter[5][lane] - result[3][lane] <= 0.0)              ? 3
-                                                     : 0;
+            iterations[point] = taken[lane];
+            status[point] = ended[lane];
         }
     }
 }

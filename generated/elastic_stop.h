@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2541eed3a67f2ed8 */
+ * SymPy 1.14.0, derivation d79c593841bc45a0 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 1446f20684974f39 */
+ * SymPy 1.14.0, derivation f4c73a498b4d0c70 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -1617,8 +1617,9 @@ void rigid_stop_one_impact_expand(
 }
 
 /* Newton's method on the reduced equations for `count` points.
- * Takes parameters (5) for each point, row by row; gives unknowns
- * (2), the trace, the largest reduced residual, iterations and a status for each point.
+ * Takes parameters (5) of the points; gives unknowns (2), the
+ * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
+ * entry i of a point stands at [i * count + point].
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below 1e-9 max(1, |x|).
  * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
@@ -1628,17 +1629,18 @@ void rigid_stop_one_impact_solve(
     ptrdiff_t count, const double *parameters, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 8, most = 32 };
+    enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
         double parameter[5][lanes], fixed[12][lanes];
-        double taken[lanes], open[lanes];
+        double open[lanes];
+        int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < 5; ++i)
-                parameter[i][lane] = parameters[5 * point + i];
+                parameter[i][lane] = parameters[i * count + point];
             open[lane] = 0.0;
-            taken[lane] = 0.0;
+            taken[lane] = 0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
@@ -1741,7 +1743,8 @@ void rigid_stop_one_impact_solve(
             fixed[10][lane] = t25;
             fixed[11][lane] = t26;
         }
-        double result[2][lanes], slope[lanes], defect[lanes], determinate[lanes];
+        double result[2][lanes], slope[lanes], defect[lanes];
+        int32_t ended[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
             const double p3 = fixed[0][lane];
@@ -1761,23 +1764,22 @@ void rigid_stop_one_impact_solve(
             slope[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
             double largest = 0.0;
             defect[lane] = largest;
-            determinate[lane] = (fabs(determinant/(sqrt(2*(p3*p3) + t21*t24 + t25*(t3*t3))*sqrt(t21 + t24*t26 + t25*t26 + (t3*t3)))) <= 1e-12) ? 0.0 : 1.0;
+            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]);
+            int32_t ending = ((parameter[4][lane] <= 0.0)) ? 3 : 0;
+            ending = open[lane] != 0.0 ? 1 : ending;
+            ending = finite == 0.0 ? ending : 2;
+            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t21*t24 + t25*(t3*t3))*sqrt(t21 + t24*t26 + t25*t26 + (t3*t3)))) <= 1e-12)) ? 5 : ending;
+            ended[lane] = ending;
         }
+        for (int i = 0; i < 2; ++i)
+            for (int lane = 0; lane < here; ++lane)
+                unknowns[i * count + start + lane] = result[i][lane];
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
-            int sound = isfinite(slope[lane]) != 0;
-            for (int i = 0; i < 2; ++i) {
-                unknowns[2 * point + i] = result[i][lane];
-                sound &= isfinite(result[i][lane]) != 0;
-            }
             trace[point] = slope[lane];
             residual[point] = defect[lane];
-            iterations[point] = (int32_t)taken[lane];
-            status[point] = determinate[lane] == 0.0 ? 5
-                            : !sound                 ? 2
-                            : open[lane] != 0.0      ? 1
-                            : (parameter[4][lane] <= 0.0)              ? 3
-                                                     : 0;
+            iterations[point] = taken[lane];
+            status[point] = ended[lane];
         }
     }
 }

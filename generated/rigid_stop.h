@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 1446f20684974f39 */
+ * SymPy 1.14.0, derivation f4c73a498b4d0c70 */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

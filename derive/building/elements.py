@@ -179,7 +179,7 @@ class Friction:
     * `overshoot`, r > 0: -(kinetic normal - falling r),
     * `stick`, r = 0: what holds it, up to static normal either way,
     * `lifted`, where the normal load is not positive: none,
-    * `exhausted-slip` and `exhausted-overshoot`, where `falling` |r| is above `kinetic` normal:
+    * `exhausted-slip` and `exhausted-overshoot`, where ``falling |r|`` is above ``kinetic normal``:
       none.
 
     A normal load that changes with the state may vanish: the contact lifts, and when the load
@@ -204,7 +204,7 @@ class Friction:
     velocity : number or expression
         Velocity of the belt.
     falling : number or expression
-        Slope by which the kinetic force falls with |r|; a negative number lets it rise.
+        Slope by which the kinetic force falls with ``|r|``; a negative number lets it rise.
     normal : number, expression, SoftStop or str
         Normal load: an expression affine in the state, whose symbols bear the names of the
         states; or a soft stop of the oscillator, itself or its name, whose push is the load

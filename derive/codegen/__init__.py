@@ -8,6 +8,7 @@ solver          Newton's method on the reduced equations, compiled over lanes of
 gufunc          NumPy generalized ufuncs around the C functions
 admissibility   the compiled admissibility test
 tables          names and domains as literals beside the kernels
+python_file     the Python file of one system, for a first answer at once
 emit            the files of one system, and of the package
 regenerate      write them, or check them against the derivation
 """

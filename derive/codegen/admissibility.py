@@ -10,8 +10,11 @@ import sympy as sp
 from nonsmooth.derive.codegen.c import print_c
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["admissible_prototype", "admissible_source"]
+
+MOST_STATES = 16  # NONSMOOTH_STATES of support.h
 
 _ADMISSIBLE = Template("""\
 /* Is each of `count` orbits a motion of the real system?
@@ -20,19 +23,19 @@ _ADMISSIBLE = Template("""\
  * data that are not finite), by how much, and how long after the start of the phase. */
 $prototype
 {
-    static const int sums[] = {$sums}, terms[] = {$terms}, at_once[] = {$at_once};
+    static const int sums[] = {$sums}, ${terms}at_once[] = {$at_once};
     static const int opened[] = {$opened};
-    static const int exits[] = {$exits}, first_frequency[] = {$first_frequency};
+    static const int exits[] = {$exits}$first_frequency;
     static const int begins[] = {$begins};
     static const double per_unit[] = {$per_unit};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + $p * point, *const u = unknowns + $n * point;
         const double q[$nq] = {$spectral_parameters};
         const double durations[] = {$durations};
-        double spectral[$ns], derivatives[$nd], coefficients[$nc], frequencies[$nf];
+        double spectral[$ns], derivatives[$nd], $arrays;
         $spectrum(q, spectral, derivatives);
-        $functions(p, spectral, u, coefficients, frequencies);
-        /* the coefficients are differences of the data and carry their rounding */
+        $functions(p, spectral, u, $given);
+$prepared        /* the $data are differences of the data and carry their rounding */
         const double measures[] = {$measures};
         double size = 0.0, missed = 0.0;
         for (int i = 0; i < $nm; ++i)
@@ -40,8 +43,7 @@ $prototype
         /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
         for (int phase = 0; phase < $phases; ++phase) {
             const double miss = fabs(
-                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
-                                   coefficients + exits[phase], durations[phase]).value);
+                $at_exit);
             missed = miss > missed ? miss : missed;
         }
         const double most_missed = 0x1p-30 * size;
@@ -49,26 +51,26 @@ $prototype
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[$least_count], most = 0.0, when = 0.0;
         int found = -1, row = 0;
-        const double *coefficient = coefficients, *frequency = frequencies;
+        $cursors;
         for (int i = 0; i < $least_count; ++i)
             least[i] = 0.0;
         for (int phase = 0; phase < $phases && found == -1; ++phase) {
             const double duration = durations[phase];
-            const int length = 2 + 2 * terms[phase];
+            $length;
             double usual[$most_sums], floor[$most_sums], maximum[$most_sums], time[$most_sums];
             if (!(duration > 0.0) && !at_once[phase])
                 found = duration <= 0.0 ? -2 : -3;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
+                    ? noise + $rounding
                     : least[opened[row + i]] * per_unit[row + i];
                 /* a phase that begins on a boundary and rises crosses it, however little */
                 const int rises = begins[row + i] && duration > 0.0 &&
-                                  nonsmooth_rises(terms[phase], frequency, function, noise);
+                                  $rises;
                 floor[i] = rises ? -(double)INFINITY : usual[i];
             }
-            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
+            $maxima
                              maximum, time);
             for (int i = 0; i < sums[phase] && found == -1; ++i) {
                 if (!(maximum[i] >= floor[i])) {
@@ -83,13 +85,53 @@ $prototype
             }
             row += sums[phase];
             coefficient += sums[phase] * length;
-            frequency += terms[phase];
-        }
+$advance        }
 $bounds        boundary[point] = found;
         excess[point] = most;
         instant[point] = when;
     }
 }""")
+
+_SUMS = {
+    "terms": "terms[] = {$terms}, ",
+    "first_frequency": ", first_frequency[] = {$first_frequency}",
+    "arrays": "coefficients[$nc], frequencies[$nf]",
+    "given": "coefficients, frequencies",
+    "prepared": "",
+    "data": "coefficients",
+    "at_exit": (
+        "nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],\n"
+        "                                   coefficients + exits[phase], durations[phase]).value"
+    ),
+    "cursors": "const double *coefficient = coefficients, *frequency = frequencies",
+    "length": "const int length = 2 + 2 * terms[phase]",
+    "rounding": "nonsmooth_rounding(terms[phase], frequency, function, duration)",
+    "rises": "nonsmooth_rises(terms[phase], frequency, function, noise)",
+    "maxima": (
+        "nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,"
+    ),
+    "advance": "            frequency += terms[phase];\n",
+}
+_MOTIONS = {
+    "terms": "",
+    "first_frequency": "",
+    "arrays": "fields[$nfields], starts[$nstates], ends[$nstates], rows[$nc]",
+    "given": "fields, starts, ends, rows",
+    "prepared": """\
+        nonsmooth_motion motions[$phases];
+        for (int phase = 0; phase < $phases; ++phase)
+            motions[phase] = nonsmooth_motion_of($states, fields + $field * phase,
+                                                 starts + $states * phase, durations[phase]);
+""",
+    "data": "functions",
+    "at_exit": "nonsmooth_value($states, rows + exits[phase], motions[phase].end)",
+    "cursors": "const double *coefficient = rows",
+    "length": "const int length = $states + 1",
+    "rounding": "nonsmooth_motion_rounding(&motions[phase], function)",
+    "rises": "nonsmooth_motion_rises(&motions[phase], function, noise)",
+    "maxima": "nonsmooth_motion_maxima(&motions[phase], sums[phase], coefficient, floor,",
+    "advance": "",
+}
 
 
 def admissible_prototype(orbit: EquationSystem) -> str:
@@ -103,7 +145,19 @@ def admissible_prototype(orbit: EquationSystem) -> str:
 
 
 def admissible_source(orbit: EquationSystem) -> str:
-    """Definition of the compiled admissibility test of an orbit."""
+    """Definition of the compiled admissibility test of an orbit.
+
+    Raises
+    ------
+    DerivationError
+        If it has more states than the compiled search for maxima along its flows takes.
+    """
+    states = len(orbit.system.states)
+    if not orbit.trigonometric and states > MOST_STATES:
+        raise DerivationError(
+            f"orbit {orbit.itinerary.name!r}: {states} states, the compiled search takes at most"
+            f" {MOST_STATES}"
+        )
     functions, spectrum = orbit.boundary_functions, orbit.spectrum
     sums = [sum(b.phase == k for b in functions) for k in range(len(orbit.chain.links))]
     terms = [len(w) for w in orbit.frequencies]
@@ -113,7 +167,8 @@ def admissible_source(orbit: EquationSystem) -> str:
     ]
     names = ", ".join(map(str, orbit.open_parameters))
     many = len(orbit.open_parameters)
-    rows = [*accumulate((len(b.coefficients) for b in functions), initial=0)]
+    widths = [len(b.coefficients) if orbit.trigonometric else states + 1 for b in functions]
+    rows = [*accumulate(widths, initial=0)]
     exits = [
         next(
             row
@@ -127,7 +182,20 @@ def admissible_source(orbit: EquationSystem) -> str:
         for array, symbols in (("p", orbit.parameters), ("u", orbit.unknowns))
         for i, symbol in enumerate(symbols)
     }
+    kind = _SUMS if orbit.trigonometric else _MOTIONS
+    numbers = {
+        "terms": ", ".join(map(str, terms)),
+        "first_frequency": ", ".join(map(str, [*accumulate(terms, initial=0)][:-1])),
+        "phases": len(sums),
+        "states": states,
+        "field": states * (states + 1),
+        "nfields": len(sums) * states * (states + 1),
+        "nstates": len(sums) * states,
+        "nc": sum(widths),
+        "nf": max(sum(terms), 1),
+    }
     return _ADMISSIBLE.substitute(
+        {name: Template(text).substitute(numbers) for name, text in kind.items()},
         p=len(orbit.parameters),
         n=len(orbit.unknowns),
         bounds_text=(
@@ -145,25 +213,26 @@ def admissible_source(orbit: EquationSystem) -> str:
         prototype=admissible_prototype(orbit),
         phases=len(sums),
         sums=", ".join(map(str, sums)),
-        terms=", ".join(map(str, terms)),
         at_once=", ".join(str(int(link.duration == 0)) for link in orbit.chain.links),
         durations=", ".join(print_c(link.duration.xreplace(places)) for link in orbit.chain.links),
         opened=", ".join(map(str, opened)),
         begins=", ".join(str(int(b.begins and b.open_parameter is None)) for b in functions),
         exits=", ".join(map(str, exits)),
-        first_frequency=", ".join(map(str, [*accumulate(terms, initial=0)][:-1])),
         measures=", ".join(print_c(places[symbol]) for symbol in orbit.measures),
         nm=len(orbit.measures),
         per_unit=", ".join(print_c(sp.Float(-b.open_coefficient)) for b in functions),
-        ns=len(spectrum.symbols),
+        ns=max(len(spectrum.symbols), 1),
         nd=max(len(spectrum.symbols) * len(spectrum.parameters), 1),
-        nc=sum(len(b.coefficients) for b in functions),
-        nf=max(sum(terms), 1),
-        nq=len(spectrum.parameters),
+        nq=max(len(spectrum.parameters), 1),
         spectral_parameters=", ".join(
             f"p[{orbit.parameters.index(q)}]" for q in spectrum.parameters
-        ),
+        )
+        or "0.0",
         most_sums=max(sums),
         spectrum=c_function(orbit.system.name, "spectrum", None),
-        functions=c_function(orbit.system.name, "boundary_functions", orbit.itinerary.name),
+        functions=c_function(
+            orbit.system.name,
+            "boundary_functions" if orbit.trigonometric else "phase_fields",
+            orbit.itinerary.name,
+        ),
     )

@@ -1,19 +1,20 @@
 """Kernels as Python functions whose mathematics comes from an argument.
 
-The emitted functions take ``lib`` with ``sin``, ``cos``, ``sqrt``, ``angle``, ``rational``
-(and the entire functions where a flow needs them); one source serves NumPy arrays, mpmath
-and ball arithmetic.
+The emitted functions take ``lib`` with ``sin``, ``cos``, ``sqrt``, ``angle``, ``rational``,
+``constant`` and ``exponential_difference``; one source serves NumPy arrays,
+mpmath and ball arithmetic.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
-from nonsmooth.derive.codegen.body import body_of
+from nonsmooth.derive.codegen.body import Constant, body_of
 from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
@@ -21,7 +22,19 @@ from nonsmooth.derive.errors import DerivationError
 __all__ = ["print_python", "python_kernel", "shape_text"]
 
 
-class _Printer(StrPrinter):
+@lru_cache(maxsize=1 << 14)
+def _ordered_terms(expression: sp.Expr, order: str | None) -> list[sp.Expr]:
+    return list(expression.as_ordered_terms(order))
+
+
+class Ordered:
+    """The order in which a sum is printed, found once for all printers."""
+
+    def _as_ordered_terms(self, expr: sp.Expr, order: str | None = None) -> list[sp.Expr]:
+        return _ordered_terms(expr, order)
+
+
+class _Printer(Ordered, StrPrinter):
     """Python expressions over ``lib``; integers stay integers, other rationals are exact."""
 
     def _print_Rational(self, expr: sp.Rational) -> str:
@@ -45,6 +58,9 @@ class _Printer(StrPrinter):
         power = base if abs(exponent) == 1 else f"{base}**{abs(exponent)}"
         return power if exponent > 0 else f"1/{power}"
 
+    def _print_Constant(self, expr: Constant) -> str:
+        return f'lib.constant("{expr.text}")'
+
     def _print_sin(self, expr: sp.Expr) -> str:
         return f"lib.sin({self._print(expr.args[0])})"
 
@@ -59,25 +75,23 @@ class _Printer(StrPrinter):
         arguments = (f"lib.rational({a}, 1)" if a.is_Integer else self._print(a) for a in expr.args)
         return f"lib.angle({', '.join(arguments)})"
 
-    def _print_EntireDifference(self, expr: sp.Expr) -> str:
-        return f"lib.entire_difference({self.stringify(expr.args, ', ')})"
-
-    def _print_EntirePair(self, expr: sp.Expr) -> str:
-        return f"lib.entire_pair({self.stringify(expr.args, ', ')})"
+    def _print_ExponentialDifference(self, expr: sp.Expr) -> str:
+        k, t, *factors = expr.args
+        texts = [f"({self.stringify(f.args, ', ')}{',' if len(f.args) == 1 else ''})"
+                 for f in factors]  # fmt: skip
+        return f"lib.exponential_difference({', '.join([str(k), self._print(t), *texts])})"
 
     def _print_Function(self, expr: sp.Expr) -> str:
         raise DerivationError(f"no kernel for the function {type(expr).__name__}")
 
-    def _print_Eigenvalue(self, expr: sp.Expr) -> str:
-        index, size, *entries = expr.args
-        texts = [self._print(e) for e in entries]
-        rows = [f"[{', '.join(texts[i : i + size])}]" for i in range(0, len(texts), int(size))]
-        return f"lib.eigenvalue({index}, [{', '.join(rows)}])"
+
+_PRINTER = _Printer()
 
 
+@lru_cache(maxsize=1 << 14)  # kernels of one orbit share most of their expressions
 def print_python(expression: sp.Expr) -> str:
     """An expression as Python source over ``lib``."""
-    return str(_Printer().doprint(expression))
+    return str(_PRINTER.doprint(expression))
 
 
 def shape_text(array: Argument | Output) -> str:

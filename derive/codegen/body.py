@@ -9,10 +9,64 @@ from functools import cached_property, lru_cache
 import sympy as sp
 
 from nonsmooth.derive.codegen.naming import RESERVED
+from nonsmooth.derive.declaration.real_numbers import (
+    map_numbers,
+    nearest_double,
+    number_text,
+)
 from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["Body", "Line", "body_of", "hoisted", "needed", "split"]
+__all__ = ["Body", "Constant", "Line", "body_of", "hoisted", "needed", "split"]
+
+
+class Constant(sp.AtomicExpr):
+    """An irrational number of a kernel, as one number.
+
+    Attributes
+    ----------
+    number : expression
+    text : str
+        The same, as a user gives values.
+    double : float
+        The nearest one.
+    """
+
+    is_real = True
+    number: sp.Expr
+    text: str
+    double: float
+
+    def __new__(cls, number: sp.Expr) -> Constant:
+        """Write a closed number down."""
+        made: Constant = super().__new__(cls)
+        made.number = number
+        made.text, made.double = number_text(number), nearest_double(number)
+        return made
+
+    def _eval_evalf(self, prec: int) -> sp.Expr:
+        return self.number._eval_evalf(prec)
+
+    def _hashable_content(self) -> tuple[str, ...]:
+        return (self.text,)
+
+
+def _prepared(expression: sp.Expr) -> sp.Expr:
+    """An expression with its irrational numbers as constants, as `sp.cse` takes it."""
+    found: sp.Expr = _distributed(map_numbers(expression, Constant))
+    return found
+
+
+@lru_cache(maxsize=1 << 14)
+def _distributed(expression: sp.Expr) -> sp.Expr:
+    """An expression in which no number stands in front of a sum.
+
+    `sp.cse` makes such a product anew, which gives the sum of its terms, and takes it for a
+    product: where the same sum occurs its terms come out multiplied.
+    """
+    if not expression.args:
+        return expression
+    return expression.func(*map(_distributed, expression.args))
 
 
 @dataclass(frozen=True)
@@ -36,15 +90,20 @@ class Body:
         """Symbols that lines or outputs contain."""
         return frozenset().union(*(e.free_symbols for e in self._expressions))
 
-    @property
+    @cached_property
     def operations(self) -> int:
         """Number of arithmetic operations and function calls."""
-        return int(sum(sp.count_ops(e) for e in self._expressions))
+        return sum(map(_operations, self._expressions))
 
     @property
     def _expressions(self) -> tuple[sp.Expr, ...]:
         outputs = (e for output in self.outputs for e in output)
         return (*(line.expression for line in self.lines), *outputs)
+
+
+@lru_cache(maxsize=1 << 14)
+def _operations(expression: sp.Expr) -> int:
+    return int(sp.count_ops(expression))
 
 
 @lru_cache(maxsize=256)  # Python and C are printed from one body
@@ -54,8 +113,8 @@ def body_of(kernel: Kernel) -> Body:
     The symbols of the stages stay; each common term is assigned right before its first use.
     """
     symbols = [s for stage in kernel.stages for s, _ in stage.assignments]
-    right = [e for stage in kernel.stages for _, e in stage.assignments]
-    results = [e for output in kernel.outputs for e in output.expressions]
+    right = [_prepared(e) for stage in kernel.stages for _, e in stage.assignments]
+    results = [_prepared(e) for output in kernel.outputs for e in output.expressions]
     taken = _checked_names(kernel, [*right, *results])
     fresh = (s for s in sp.numbered_symbols("t", real=True) if s.name not in taken)
     # a flat list: SymPy loses common subexpressions of nested ones
@@ -121,11 +180,16 @@ def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
         unknown = sorted(expression.free_symbols - defined, key=str)
         if unknown and kernel.arguments:
             raise DerivationError(f"kernel {kernel.name!r}: {unknown[0]} has no value")
-        if atoms := expression.atoms(sp.NumberSymbol, sp.core.numbers.ImaginaryUnit) | (
-            expression.atoms(sp.zoo, sp.nan, sp.oo, -sp.oo)
-        ):
-            raise DerivationError(f"kernel {kernel.name!r}: no kernel holds {atoms.pop()}")
+        if atoms := _not_held(expression):
+            raise DerivationError(f"kernel {kernel.name!r}: no kernel holds {min(atoms, key=str)}")
     return {*owners, *(s.name for e in expressions for s in e.free_symbols)}
+
+
+@lru_cache(maxsize=1 << 14)
+def _not_held(expression: sp.Expr) -> frozenset[sp.Expr]:
+    """Constants of which no kernel has the value."""
+    symbolic = expression.atoms(sp.NumberSymbol, sp.core.numbers.ImaginaryUnit)
+    return frozenset(symbolic | expression.atoms(sp.zoo, sp.nan, sp.oo, -sp.oo))
 
 
 def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[Line, ...]]:
@@ -154,6 +218,8 @@ def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
     def name(part: sp.Expr) -> sp.Expr:
         if part.is_Atom or not part.free_symbols:
             return part
+        if isinstance(part, sp.Tuple):
+            return sp.Tuple(*map(name, part))
         if part not in found:
             found[part] = next(fresh)
             lines.append(Line(found[part], part))
@@ -190,5 +256,5 @@ def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line,
 
 
 def _by_number(symbol: sp.Symbol) -> tuple[int, str]:
-    digits = str(symbol)[1:]
-    return (int(digits) if digits.isdigit() else -1, str(symbol))
+    digits = symbol.name[1:]
+    return (int(digits) if digits.isdigit() else -1, symbol.name)

@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
-from nonsmooth.derive.codegen.any_arithmetic import shape_text
-from nonsmooth.derive.codegen.body import Line, body_of
+from nonsmooth.derive.codegen.any_arithmetic import Ordered, shape_text
+from nonsmooth.derive.codegen.body import Constant, Line, body_of
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.flows.entire import ExponentialDifference
 
-__all__ = ["c_kernel", "c_prototype", "line_sources", "print_c"]
+__all__ = ["Scope", "c_kernel", "c_prototype", "line_sources", "print_c"]
 
 
-class _Printer(C99CodePrinter):
-    """C expressions: products for integer powers, calls for the rest."""
+class _Printer(Ordered, C99CodePrinter):
+    """C expressions: products for integer powers, calls for the rest.
+
+    A `scope` computes each set of differences of the exponential once.
+    """
+
+    def __init__(self, scope: Scope | None = None) -> None:
+        super().__init__()
+        self.scope = scope
 
     def _print_Pow(self, expr: sp.Pow) -> str:
         base, exponent = expr.base, expr.exp
@@ -36,25 +45,98 @@ class _Printer(C99CodePrinter):
             return f"({product})"
         return f"(1.0/({product}))"
 
+    def _print_Constant(self, expr: Constant) -> str:
+        number = repr(expr.double)
+        return f"({number})" if number.startswith("-") else number
+
     def _print_Angle(self, expr: sp.Expr) -> str:
         return f"nonsmooth_angle({', '.join(self._print(a) for a in expr.args)})"
+
+    def _print_ExponentialDifference(self, expr: sp.Expr) -> str:
+        order, t, *factors = expr.args
+        loads, rates, pairs, rest = _by_kind(factors)
+        degree = sum(len(f.args) for f in factors)
+        if not rates + pairs + rest:
+            power = degree - 1 - int(order)
+            return str(self.parenthesize(t**power / sp.factorial(power), PRECEDENCE["Pow"]))
+        if degree == 1:
+            return str(self._print(sp.exp(-rates[0] * t)))
+        waves = [pair for pair in pairs if pair[1] == 0]
+        name, numbers, lowest = "any", [], 0
+        if not rest and len(rates) == 1 == loads and not pairs:
+            name, numbers = "rate_load", rates
+        elif not rest and not rates and len(pairs) == 1 and loads <= 2:
+            name, numbers = ("pair", "pair_load", "pair_drift")[loads], list(pairs[0])
+        elif not rest and not rates and len(pairs) == 2 and waves and not loads:
+            other = pairs[pairs[0] == waves[-1]]
+            name, numbers = "pair_wave", [*other, waves[-1][0]]
+        if name == "any":
+            lowest = 0 if order <= 3 else int(order)
+            flat = [x for f in factors for x in (sp.Integer(len(f.args)), *f.args)]
+            array = f"(const double[]){{{', '.join(self._print(x) for x in flat)}}}"
+            call = f"nonsmooth_any({self._print(t)}, {lowest}, {len(factors)}, {array})"
+        else:
+            call = f"nonsmooth_{name}({', '.join(self._print(x) for x in (t, *numbers))})"
+        return f"{self.scope.named(call) if self.scope else call}.d{order - lowest}"
 
     def _print_Function(self, expr: sp.Expr) -> str:
         raise DerivationError(f"{type(expr).__name__} has no C: emit this system for Python only")
 
 
+def _by_kind(
+    factors: Sequence[sp.Tuple],
+) -> tuple[int, list[sp.Expr], list[tuple[sp.Expr, ...]], list[sp.Tuple]]:
+    """How many factors are s; the constants of other linear ones; quadratic ones; the rest."""
+    linear = [f.args[0] for f in factors if len(f.args) == 1]
+    pairs = [f.args for f in factors if len(f.args) == 2]
+    rates = [c for c in linear if c != 0]
+    return len(linear) - len(rates), rates, pairs, [f for f in factors if len(f.args) > 2]
+
+
+class Scope:
+    """A block of C, in which each set of differences of the exponential is computed once.
+
+    Attributes
+    ----------
+    indent : str
+    """
+
+    def __init__(self, indent: str) -> None:
+        self.indent = indent
+        self._names: dict[str, str] = {}
+        self._new: list[str] = []
+
+    def named(self, call: str) -> str:
+        """Name of the derivatives that a call gives; the first time it is declared."""
+        if call not in self._names:
+            name = self._names[call] = f"derivatives_{len(self._names)}"
+            self._new.append(f"{self.indent}const nonsmooth_derivatives {name} = {call};")
+        return self._names[call]
+
+    def assigned(self, target: str, expression: sp.Expr) -> list[str]:
+        """Sources of one assignment, and in front what it is the first to need."""
+        plain = not expression.has(ExponentialDifference)
+        text = print_c(expression) if plain else _Printer(self)._print(expression)
+        declared, self._new = self._new, []
+        return [*declared, f"{self.indent}{target} = {text};"]
+
+
+_PRINTER = _Printer()
+
+
+@lru_cache(maxsize=1 << 14)  # kernels of one orbit share most of their expressions
 def print_c(expression: sp.Expr) -> str:
     """An expression as C source."""
-    return str(_Printer().doprint(expression))
+    return str(_PRINTER._print(sp.sympify(expression)))
 
 
-def line_sources(lines: Iterable[Line], indent: str) -> list[str]:
+def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
     """Assignments of local constants, with the stages' titles as comments."""
     sources = []
     for line in lines:
         if line.title:
-            sources.append(f"{indent}/* {line.title} */")
-        sources.append(f"{indent}const double {line.symbol} = {print_c(line.expression)};")
+            sources.append(f"{scope.indent}/* {line.title} */")
+        sources += scope.assigned(f"const double {line.symbol}", line.expression)
     return sources
 
 
@@ -83,11 +165,12 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
             if symbol in body.used and (argument.shape or str(symbol) != argument.name):
                 value = f"{argument.name}[{position}]" if argument.shape else argument.name
                 lines.append(f"    const double {symbol} = {value};")
-    lines += line_sources(body.lines, "    ")
+    scope = Scope("    ")
+    lines += line_sources(body.lines, scope)
     for output, expressions in zip(kernel.outputs, body.outputs, strict=True):
         for position, expression in enumerate(expressions):
             target = f"{output.name}[{position}]" if output.shape else f"*{output.name}"
-            lines.append(f"    {target} = {print_c(expression)};")
+            lines += scope.assigned(target, expression)
     lines.append("}")
     return "\n".join(lines)
 

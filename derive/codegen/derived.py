@@ -12,15 +12,25 @@ from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.translation import moves_freely
 from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.equation_system import EquationSystem, frequencies_of
 from nonsmooth.derive.equations.program import Kernel
+from nonsmooth.derive.equations.shown_conditions import transition_unshown
 from nonsmooth.derive.errors import DeclarationError, DerivationError
 from nonsmooth.derive.flows.modal import derive_flows
 
-__all__ = ["MOST_PHASES", "DerivedSystem", "Underived", "derive_system", "reduced_names"]
+__all__ = [
+    "MOST_PHASES",
+    "MOST_STATES",
+    "DerivedSystem",
+    "Underived",
+    "derive_system",
+    "reduced_names",
+]
 
 # beyond, an orbit's formulas are no longer worth their length: it is composed at run time
 MOST_PHASES = 6
+# states of all phases together, beyond which deriving takes longer than a first answer should
+MOST_STATES = 12
 
 
 @dataclass(frozen=True)
@@ -71,7 +81,7 @@ def derive_system(
     orbits: Sequence[Itinerary],
     progress: Callable[[str], None] = lambda step: None,
     *,
-    composing: bool = False,
+    brief: bool = False,
 ) -> DerivedSystem:
     """Derive a system and its orbits, each as far as it has a closed form.
 
@@ -81,8 +91,9 @@ def derive_system(
     orbits : sequence of Itinerary
     progress : callable
         Told the name of each step when it begins.
-    composing : bool
-        Leave every orbit that can be composed at run time to that.
+    brief : bool
+        Leave orbits to be composed at run time whose formulas are long, or whose motions are
+        damped or forced.
 
     Raises
     ------
@@ -103,8 +114,13 @@ def derive_system(
     functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
     found: list[EquationSystem | Underived] = []
     for orbit in orbits:
-        if composing and _composable(orbit):
-            found.append(Underived(orbit, "it is composed numerically"))
+        reason = _obstacle(form, orbit)
+        if reason is None and brief:
+            reason = _reason_to_compose(form, orbit)
+        if reason is not None:
+            if orbit.vanishing:
+                raise DerivationError(reason)
+            found.append(Underived(orbit, reason))
             continue
         progress(f"{name}/{orbit.name}: equations")
         try:
@@ -123,6 +139,19 @@ def derive_system(
     return DerivedSystem(form, tuple(found), tuple(kernels), tuple(functions))
 
 
+def _reason_to_compose(form: SimulationForm, orbit: Itinerary) -> str | None:
+    """Why a first answer comes sooner without kernels of an orbit."""
+    states = len(orbit.phases) * len(orbit.system.states)
+    if states > MOST_STATES and _composable(orbit):
+        long = f"its formulas are long ({len(orbit.phases)} phases, {states} states)"
+        return f"{long}: `nonsmooth generate` derives them"
+    flows = {} if form.flows is None or orbit.vanishing else form.flows
+    for name in dict.fromkeys(phase.configuration for phase in orbit.phases):
+        if name in flows and frequencies_of(flows[name]) is None:
+            return f"{name!r} is damped or forced: `nonsmooth generate` derives its kernels"
+    return None
+
+
 def _composable(orbit: Itinerary) -> bool:
     """Whether its phases alone say which orbit it is, in the system's own coordinates."""
     special = orbit.presentation or orbit.vanishing or orbit.solved_for or orbit.period
@@ -130,27 +159,38 @@ def _composable(orbit: Itinerary) -> bool:
 
 
 def _form_of(system: System) -> SimulationForm:
-    """The system with its flows where all of them are sums of modes, else without."""
+    """The system with its flows, without those that have no closed form."""
     try:
         spectrum, flows = derive_flows(system)
     except DerivationError:
         return SimulationForm(system)
-    found = SimulationForm(system, spectrum, flows)
-    return found if found.modes is not None else SimulationForm(system)
+    return SimulationForm(system, spectrum, flows)
+
+
+def _obstacle(form: SimulationForm, orbit: Itinerary) -> str | None:
+    """Why the equations of an orbit are not derived, as far as its declaration tells."""
+    if form.flows is None:
+        try:
+            derive_flows(form.system)
+        except DerivationError as problem:
+            return " ".join(str(problem).split())
+    if orbit.symmetry:
+        return "it is known by a part and a symmetry"
+    if moves_freely(orbit.system):
+        return "it is periodic up to a shift: its system does not depend on where"
+    if len(orbit.phases) > MOST_PHASES:
+        return f"it has more than {MOST_PHASES} phases"
+    if boundary := transition_unshown(orbit, orbit.system):
+        return f"behind {boundary!r} conditions decide where it leads, which its phases do not show"
+    return None
 
 
 def _orbit(
     form: SimulationForm, orbit: Itinerary
 ) -> tuple[EquationSystem, list[tuple[Kernel, str | None]], list[str]]:
-    if form.flows is None:
-        raise DerivationError("the flows of its system have no closed form of modes")
-    if orbit.symmetry:
-        raise DerivationError("it is known by a part and a symmetry")
-    if moves_freely(orbit.system):
-        raise DerivationError("it is periodic up to a shift: its system does not depend on where")
-    if len(orbit.phases) > MOST_PHASES:
-        raise DerivationError(f"it has more than {MOST_PHASES} phases")
     equations = derive_equations(orbit)
+    if equations.conservative and orbit.period is None:
+        raise DerivationError("it is one of a family: energy is kept, and no period is declared")
     if equations.spectrum != form.spectrum:
         name = f"{form.system.name}/{orbit.name}"
         raise DerivationError(f"{name}: its presentation changes the spectrum")
@@ -172,14 +212,18 @@ def reduced_names(equations: EquationSystem) -> list[str]:
 
 
 def _check_reference(equations: EquationSystem) -> None:
-    """A reference gives parameters that exist, and a guess of every unknown."""
+    """A reference gives parameters that exist, and a guess of every unknown.
+
+    Coordinates of the start may be absent: dwell times tell them.
+    """
     itinerary = equations.itinerary
     if itinerary.reference is None:
         return
     guess = itinerary.reference.guess
     declared = (*itinerary.system.parameters, *equations.system.parameters)
     unknowns = [str(u) for u in equations.unknowns]
-    missing = [name for name in unknowns if name not in guess]
+    told = set() if itinerary.presentation else set(map(str, equations.chain.section.coordinates))
+    missing = [name for name in unknowns if name not in guess and name not in told]
     strange = [n for n in itinerary.reference.parameters if n not in {p.name for p in declared}]
     if missing:
         raise DeclarationError(

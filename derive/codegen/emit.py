@@ -21,6 +21,7 @@ from nonsmooth.derive.codegen.gufunc import (
     wrapped_solvers,
 )
 from nonsmooth.derive.codegen.naming import constant, module_file
+from nonsmooth.derive.codegen.python_file import GENERATE, Stamp, python_file, text_hash
 from nonsmooth.derive.codegen.solver import solve_prototype, solve_source
 from nonsmooth.derive.codegen.tables import system_tables
 from nonsmooth.derive.declaration.itinerary import Itinerary
@@ -30,9 +31,10 @@ from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["EmittedSystem", "emit_package", "emit_python", "emit_system"]
+__all__ = ["EmittedSystem", "emit_library", "emit_package", "emit_system"]
 
 SUPPORT = "support.h"
+HEADERS = (SUPPORT, "interrupt.h")  # as they are in this folder
 EXTENSION = "_kernels.c"
 PROVENANCE = "PROVENANCE.json"
 COMMAND = "python scripts/regenerate.py"
@@ -76,10 +78,8 @@ class _Function:
     wrapped: Wrapped
 
 
-def emit_python(system: System, orbits: Sequence[Itinerary], source: str) -> str:
-    """Derive a system and give its Python file alone, for a first result at once.
-
-    Orbits that can be composed at run time are left to that.
+def emit_library(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
+    """Give what compiles to the kernels of `emit_python`, of the same derivation.
 
     Parameters
     ----------
@@ -88,10 +88,13 @@ def emit_python(system: System, orbits: Sequence[Itinerary], source: str) -> str
     source : str
         What declares them, for the stamp.
     """
-    derived = derive_system(system, orbits, composing=True)
-    tables = system_tables(derived)
-    stamp = _Stamp(source, _hash(tables, *derived.functions), "nonsmooth generate FILE.py")
-    return _python_file(stamp, system.name, tables, derived.functions)
+    derived = derive_system(system, orbits, brief=True)
+    functions = _c_functions(derived)
+    derivation = text_hash(system_tables(derived), *derived.functions)
+    stamp = Stamp(source, derivation, GENERATE)
+    files = _c_files(stamp, system.name, functions)
+    emitted = EmittedSystem(system.name, source, derivation, files, _wrapped(functions), {})
+    return emit_package([emitted], GENERATE)
 
 
 def emit_system(
@@ -123,12 +126,11 @@ def emit_system(
     progress(f"{name}: C")
     functions = _c_functions(derived)
     definitions = [f.definition for f in functions]
-    derivation = _hash(tables, *derived.functions, *definitions)
-    stamp = _Stamp(source, derivation, command)
+    derivation = text_hash(tables, *derived.functions, *definitions)
+    stamp = Stamp(source, derivation, command)
     emitted = {
-        module_file(name, ".py"): _python_file(stamp, name, tables, derived.functions),
-        module_file(name, ".h"): _header_file(stamp, name, [f.prototype for f in functions]),
-        module_file(name, ".c"): _c_file(stamp, name, definitions),
+        module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
+        **_c_files(stamp, name, functions),
     }
     progress(f"{name}: equations in LaTeX")
     emitted[module_file(name, ".md")] = _markdown_file(stamp, derived)
@@ -137,7 +139,7 @@ def emit_system(
         source,
         derivation,
         emitted,
-        tuple(f.wrapped for f in functions if _wrappable(f.wrapped)),
+        _wrapped(functions),
         {orbit.itinerary.name: orbit.reason for orbit in derived.underived},
     )
 
@@ -162,36 +164,42 @@ def _c_functions(derived: DerivedSystem) -> list[_Function]:
     return found
 
 
-def _wrappable(function: Wrapped) -> bool:
-    """Whether NumPy takes it: cores with entries, not too many of them."""
-    sizes = [array.size for array in (*function.inputs, *function.outputs)]
-    return all(sizes) and sum(sizes) <= _MOST_ENTRIES
+def _wrapped(functions: Sequence[_Function]) -> tuple[Wrapped, ...]:
+    """Wrappers of those that NumPy takes: of entries on both sides, not too many of them."""
+
+    def taken(wrapped: Wrapped) -> bool:
+        arrays, results = wrapped.arrays, wrapped.outputs
+        whole = len(arrays) > len(results) and all(a.size for a in results)
+        return whole and sum(a.size for a in arrays) <= _MOST_ENTRIES
+
+    return tuple(f.wrapped for f in functions if taken(f.wrapped))
 
 
 def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> dict[str, str]:
     """All files of a folder: of the systems, and those that they share.
 
-    Shared are the extension module, the support header and PROVENANCE.json, which records
+    Shared are the extension module, the headers and PROVENANCE.json, which records
     what made each file: `command`.
     """
-    support = files("nonsmooth.derive.codegen").joinpath(SUPPORT).read_text(encoding="utf-8")
-    overall = _hash(support, *(s.derivation for s in systems))
+    package = "nonsmooth.derive.codegen"
+    headers = {name: files(package).joinpath(name).read_text(encoding="utf-8") for name in HEADERS}
+    overall = text_hash(*headers.values(), *(s.derivation for s in systems))
     emitted: dict[str, str] = {}
     origins: dict[str, tuple[str, str]] = {}
     for system in systems:
         emitted |= system.files
         origins |= {file: (system.source, system.derivation) for file in system.files}
-    package = "nonsmooth.derive.codegen"
-    stamp = _Stamp(", ".join(s.source for s in systems), overall, command)
+    stamp = Stamp(", ".join(s.source for s in systems), overall, command)
     emitted[EXTENSION] = extension_source(
         stamp.c(),
         [function for system in systems for function in system.wrapped],
         [(s.name, s.derivation) for s in systems],
     )
     origins[EXTENSION] = (stamp.source, overall)
-    shared = _Stamp(f"{package}/{SUPPORT}", _hash(support), command)
-    emitted[SUPPORT] = shared.c() + "\n" + support
-    origins[SUPPORT] = (package, _hash(support))
+    for name, text in headers.items():
+        shared = Stamp(f"{package}/{name}", text_hash(text), command)
+        emitted[name] = shared.c() + "\n" + text
+        origins[name] = (package, text_hash(text))
     record = {
         "command": command,
         "sympy": sp.__version__,
@@ -209,42 +217,15 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
     return emitted
 
 
-@dataclass(frozen=True)
-class _Stamp:
-    source: str
-    derivation: str
-    command: str
-
-    @property
-    def lines(self) -> list[str]:
-        return [
-            "Generated; do not edit.",
-            f"Source: {self.source}",
-            f"Again: {self.command}",
-            f"SymPy {sp.__version__}, derivation {self.derivation}",
-        ]
-
-    def c(self) -> str:
-        return "/* " + "\n * ".join(self.lines) + " */"
-
-    def python(self) -> str:
-        return "\n".join(f"# {line}" for line in self.lines)
+def _c_files(stamp: Stamp, name: str, functions: Sequence[_Function]) -> dict[str, str]:
+    """Header and source of a system."""
+    return {
+        module_file(name, ".h"): _header_file(stamp, name, [f.prototype for f in functions]),
+        module_file(name, ".c"): _c_file(stamp, name, [f.definition for f in functions]),
+    }
 
 
-def _hash(*parts: str) -> str:
-    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
-
-
-def _python_file(stamp: _Stamp, name: str, tables: str, functions: Sequence[str]) -> str:
-    body = "\n\n\n".join(functions)
-    return (
-        f"{stamp.python()}\n"
-        f'"""Kernels and tables of the system {name}, over any arithmetic ``lib``."""\n\n'
-        f'DERIVATION = "{stamp.derivation}"\n\n{tables}\n\n{body}\n'
-    )
-
-
-def _header_file(stamp: _Stamp, name: str, prototypes: Sequence[str]) -> str:
+def _header_file(stamp: Stamp, name: str, prototypes: Sequence[str]) -> str:
     guard = constant(name, "h")
     body = "\n".join(f"{p};" for p in prototypes)
     return (
@@ -255,7 +236,7 @@ def _header_file(stamp: _Stamp, name: str, prototypes: Sequence[str]) -> str:
     )
 
 
-def _c_file(stamp: _Stamp, name: str, definitions: Sequence[str]) -> str:
+def _c_file(stamp: Stamp, name: str, definitions: Sequence[str]) -> str:
     body = "\n\n".join(definitions)
     return (
         f'{stamp.c()}\n#include "{module_file(name, ".h")}"\n\n'
@@ -263,7 +244,7 @@ def _c_file(stamp: _Stamp, name: str, definitions: Sequence[str]) -> str:
     )
 
 
-def _markdown_file(stamp: _Stamp, derived: DerivedSystem) -> str:
+def _markdown_file(stamp: Stamp, derived: DerivedSystem) -> str:
     comment = "\n".join(["<!--", *stamp.lines, "-->"])
     return comment + "\n\n" + "\n\n".join(_documents(derived)) + "\n"
 

@@ -1,7 +1,9 @@
 """The extension module: every C function as a NumPy generalized ufunc.
 
-The loops gather a block of points into contiguous rows, call the C function and scatter
-its results, so that any strides and broadcasts work. NumPy releases the GIL around them.
+The loops gather a block of points into contiguous rows, or into columns for a function of
+many points, call the C function and scatter its results, so that any strides and broadcasts
+work. NumPy releases the GIL around them;
+between two calls they ask whether they are to end.
 """
 
 from __future__ import annotations
@@ -35,12 +37,24 @@ class Array:
 
 @dataclass(frozen=True)
 class Wrapped:
-    """A C function to wrap; one call takes one point, or `many` with their count first."""
+    """A C function to wrap; one call takes one point, or `many` with their count first.
+
+    An input without entries is none of the wrapper, for NumPy takes none: C gets NULL.
+
+    A `long` one may take as long for a point as others for thousands: it gets one at a time.
+    Others of `many` take and give columns.
+    """
 
     name: str
     inputs: tuple[Array, ...]
     outputs: tuple[Array, ...]
     many: bool = False
+    long: bool = False
+
+    @property
+    def arrays(self) -> tuple[Array, ...]:
+        """Inputs with entries, and outputs."""
+        return (*(a for a in self.inputs if a.size), *self.outputs)
 
     @property
     def signature(self) -> str:
@@ -49,7 +63,8 @@ class Wrapped:
         def text(arrays: Sequence[Array]) -> str:
             return ",".join(f"({','.join(map(str, a.shape))})" for a in arrays)
 
-        return f"{text(self.inputs)}->{text(self.outputs)}"
+        given = len(self.arrays) - len(self.outputs)
+        return f"{text(self.arrays[:given])}->{text(self.outputs)}"
 
 
 def wrapped_functions(system: str, kernels: Sequence[tuple[Kernel, str | None]]) -> list[Wrapped]:
@@ -87,6 +102,7 @@ def wrapped_solvers(orbit: EquationSystem) -> list[Wrapped]:
             (parameters, unknowns),
             (*bounds, count, scalar, scalar),
             many=True,
+            long=True,
         ),
     ]
 
@@ -100,9 +116,12 @@ $stamp
 #include <numpy/ndarraytypes.h>
 #include <numpy/ufuncobject.h>
 
+#include <string.h>
+
+#include "interrupt.h"
 $includes
 
-enum { points = 64 };
+enum { points = 64 }; /* of a block */
 
 /* Core entries of one argument of one point, in rows, whatever its strides. */
 static char *entry(char *base, const npy_intp *strides, int rows, int columns, int index)
@@ -125,6 +144,26 @@ static char *entry(char *base, const npy_intp *strides, int rows, int columns, i
             *(type *)entry((base) + (start + point) * (step), strides, size, columns, i) = \\
                 (from)[(size) * point + i]
 
+/* The same in columns: entry i of all points of the block side by side. */
+#define GATHER_COLUMNS(type, to, base, step, strides, size, columns) \\
+    for (int i = 0; i < (size); ++i) { \\
+        const char *const from = entry((base) + start * (step), strides, size, columns, i); \\
+        if ((step) == sizeof(type)) \\
+            memcpy((to) + i * here, from, (size_t)here * sizeof(type)); \\
+        else \\
+            for (npy_intp point = 0; point < here; ++point) \\
+                (to)[i * here + point] = *(const type *)(from + point * (step)); \\
+    }
+#define SCATTER_COLUMNS(type, from, base, step, strides, size, columns) \\
+    for (int i = 0; i < (size); ++i) { \\
+        char *const to = entry((base) + start * (step), strides, size, columns, i); \\
+        if ((step) == sizeof(type)) \\
+            memcpy(to, (from) + i * here, (size_t)here * sizeof(type)); \\
+        else \\
+            for (npy_intp point = 0; point < here; ++point) \\
+                *(type *)(to + point * (step)) = (from)[i * here + point]; \\
+    }
+
 $loops
 
 typedef struct {
@@ -141,7 +180,7 @@ enum { function_count = sizeof functions / sizeof *functions };
 static PyUFuncGenericFunction loops[function_count];
 static void *data[function_count];
 
-static int execute(PyObject *module)
+static int add_all(PyObject *module)
 {
     import_array1(-1);
     import_umath1(-1);
@@ -158,13 +197,16 @@ $derivations
     return 0;
 }
 
-static PyModuleDef_Slot slots[] = {{Py_mod_exec, execute}, {0, NULL}};
 static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, "_kernels", "Compiled kernels.", 0, NULL, slots, NULL, NULL, NULL};
+    PyModuleDef_HEAD_INIT, "_kernels", "Compiled kernels.", -1, NULL, NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__kernels(void)
 {
-    return PyModuleDef_Init(&definition);
+    PyObject *const module = PyModule_Create(&definition);
+    if (module && add_all(module) == 0)
+        return module;
+    Py_XDECREF(module);
+    return NULL;
 }
 """)
 
@@ -176,12 +218,13 @@ def extension_source(
     kinds = {"double": "NPY_DOUBLE", "int32_t": "NPY_INT32"}
     loops, table = [], []
     for function in functions:
-        arrays = (*function.inputs, *function.outputs)
+        arrays = function.arrays
         types = ", ".join(kinds[a.ctype] for a in arrays)
         loops.append(f"static const char types_{function.name}[] = {{{types}}};\n{_loop(function)}")
         table.append(
             f'    {{"{function.name}", "{function.signature}", loop_{function.name},\n'
-            f"     types_{function.name}, {len(function.inputs)}, {len(function.outputs)}}},"
+            f"     types_{function.name}, {len(arrays) - len(function.outputs)},"
+            f" {len(function.outputs)}}},"
         )
     constants = [
         f'    if (PyModule_AddStringConstant(module, "derivation_{module_file(name, "")}",'
@@ -198,16 +241,19 @@ def extension_source(
 
 
 def _loop(function: Wrapped) -> str:
-    arrays = (*function.inputs, *function.outputs)
+    arrays = function.arrays
     count = len(arrays)
     lines = [
         f"static void loop_{function.name}(",
         "    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)",
         "{",
         "    (void)unused;",
+        "    nonsmooth_work work = {0};",
         "    for (npy_intp start = 0; start < dimensions[0]; start += points) {",
         "        const npy_intp left = dimensions[0] - start;",
         "        const npy_intp here = left < points ? left : points;",
+        "        if (nonsmooth_ends_later(&work))",
+        "            return;",
     ]
     strides, places = count, []
     for array in arrays:
@@ -226,17 +272,25 @@ def _loop(function: Wrapped) -> str:
             f" {places[index]}, {array.size}, {columns});"
         )
 
-    inputs = len(function.inputs)
-    lines += [move("GATHER", i) for i in range(inputs)]
-    if function.many:
+    inputs = count - len(function.outputs)
+    together = function.many and not function.long
+    layout = "_COLUMNS" if together else ""
+    lines += [move(f"GATHER{layout}", i) for i in range(inputs)]
+    if together:
         lines.append(f"        {function.name}(here, {', '.join(names)});")
     else:
-        passed = [
-            f"{'*' if i < inputs and not a.shape else ''}({n} + {a.size} * point)"
-            for i, (n, a) in enumerate(zip(names, arrays, strict=True))
-        ]
-        lines.append("        for (npy_intp point = 0; point < here; ++point)")
-        lines.append(f"            {function.name}({', '.join(passed)});")
-    lines += [move("SCATTER", i) for i in range(inputs, count)]
+        plain = [not a.shape and i < inputs and not function.many for i, a in enumerate(arrays)]
+        given = iter(
+            f"{'*' if scalar else ''}({n} + {a.size} * point)"
+            for n, a, scalar in zip(names, arrays, plain, strict=True)
+        )
+        passed = ["1"] if function.many else []
+        passed += [next(given) if a.size else "NULL" for a in function.inputs]
+        passed += given
+        lines.append("        for (npy_intp point = 0; point < here; ++point) {")
+        if function.long:
+            lines += ["            if (nonsmooth_ends_later(&work))", "                return;"]
+        lines += [f"            {function.name}({', '.join(passed)});", "        }"]
+    lines += [move(f"SCATTER{layout}", i) for i in range(inputs, count)]
     lines += ["    }", "}"]
     return "\n".join(lines)

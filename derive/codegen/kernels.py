@@ -19,30 +19,17 @@ from nonsmooth.derive.equations.program import (
 )
 from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.saltation import monodromy, saltation_matrices
-from nonsmooth.derive.flows.entire import Eigenvalue
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 
 __all__ = ["flow_kernels", "orbit_kernels", "reduced_equations", "spectrum_kernel"]
 
 
 def spectrum_kernel(spectrum: Spectrum) -> Kernel:
-    """Spectrum of a system and its derivatives by the parameters it depends on.
-
-    An eigenvalue without a closed form moves by -chi_p/chi_l, chi the characteristic
-    polynomial, as long as it is simple.
-    """
+    """Spectrum of a system and its derivatives by the parameters it depends on."""
     parameters = spectrum.parameters
-    found: list[tuple[sp.Symbol, sp.Expr]] = []
-    rates: dict[tuple[sp.Symbol, str], sp.Expr] = {}
-    for group, matrix in spectrum.eigenvalues:
-        for i, symbol in enumerate(group):
-            found.append((symbol, Eigenvalue(i, matrix.rows, *matrix)))
-            polynomial = (symbol * sp.eye(matrix.rows) - matrix).det()
-            slope = sp.diff(polynomial, symbol)
-            rates |= {(symbol, str(p)): -sp.diff(polynomial, p) / slope for p in parameters}
-    stage = Stage("spectrum", (*spectrum.entries, *found))
+    stage = Stage("spectrum", spectrum.entries)
     seeds = {str(p): {p: sp.Integer(1)} for p in parameters}
-    stages, moving = differentiate([stage], seeds, rates)
+    stages, moving = differentiate([stage], seeds)
     derivatives = tuple(
         sp.sympify(moving[str(p)].get(s, 0)) for s in spectrum.symbols for p in parameters
     )
@@ -107,8 +94,9 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     saltation_stages, saltations = saltation_matrices(orbit.chain, names)
     monodromy_stages, full = monodromy(orbit.chain, names)
     residual = _flat("residual", orbit.residual)
-    coefficients = [c for b in orbit.boundary_functions for c in b.coefficients]
-    states = [orbit.chain.links[0].before, *(link.following for link in orbit.chain.links)]
+    links, functions = orbit.chain.links, orbit.boundary_functions
+    coefficients = [c for b in functions for c in b.coefficients]
+    states = [links[0].before, *(link.following for link in links)]
 
     def kernel(
         name: str,
@@ -185,18 +173,40 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
             [_table("states", sp.Matrix([list(s) for s in states]))],
             chain,
         ),
-        kernel(
-            "boundary_functions",
-            "Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row"
-            " after the other; and the frequencies of each phase.",
-            point,
-            [
-                _flat("coefficients", coefficients),
-                _flat("frequencies", [w for phase in orbit.frequencies for w in phase]),
-            ],
-            chain,
-        ),
     ]
+    if not orbit.trigonometric:
+        kernels.append(
+            kernel(
+                "phase_fields",
+                "Vector fields [A, b] of the phases, their states at the start and at the end, and"
+                " the boundaries along them [n, c], row by row.",
+                point,
+                [
+                    _table(
+                        "fields",
+                        sp.Matrix.vstack(*(sp.Matrix.hstack(*k.flow.field) for k in links)),
+                    ),
+                    _table("starts", sp.Matrix([list(k.before) for k in links])),
+                    _table("ends", sp.Matrix([list(k.after) for k in links])),
+                    _table("boundaries", sp.Matrix([[*b.normal, b.constant] for b in functions])),
+                ],
+                chain,
+            )
+        )
+    else:
+        kernels.append(
+            kernel(
+                "boundary_functions",
+                "Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row"
+                " after the other; and the frequencies of each phase.",
+                point,
+                [
+                    _flat("coefficients", coefficients),
+                    _flat("frequencies", [w for phase in orbit.frequencies for w in phase]),
+                ],
+                chain,
+            )
+        )
     flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
     kernels += flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters)
     return (*kernels, *_reduced_kernels(orbit, parameters, spectrum))

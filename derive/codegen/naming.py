@@ -21,7 +21,7 @@ def identifier(name: str) -> str:
 
 
 def python_function(kernel: str, orbit: str | None) -> str:
-    """Function of a generated Python module: `kernel`, or `orbit_kernel`."""
+    """Function of a generated Python module: of the system, or of one of its orbits."""
     return identifier(kernel if orbit is None else f"{orbit}_{kernel}")
 
 

@@ -14,7 +14,7 @@ from nonsmooth.derive.codegen.emit import PROVENANCE, EmittedSystem, emit_packag
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 
-__all__ = ["Check", "check", "differences", "emit_systems", "find_generated", "regenerate"]
+__all__ = ["Check", "check", "differences", "emit_systems", "find_generated", "outdated"]
 
 
 @dataclass(frozen=True)
@@ -71,33 +71,29 @@ def emit_systems(
     return emitted
 
 
-def regenerate(
+def outdated(
     folder: Path | None = None,
     system: str | None = None,
     progress: Callable[[str], None] = lambda step: None,
-) -> list[Path]:
-    """Write the files again and return those that changed.
+) -> dict[str, str]:
+    """Derive the files again and give the texts of those that are missing or differ.
 
     Parameters
     ----------
     folder : Path, optional
-        Where to write; generated/ of the checkout when omitted.
+        Where they are; generated/ of the checkout when omitted.
     system : str, optional
         Only this system. Into another folder it goes alone; in the checkout its files and
-        the shared ones are written.
+        the shared ones are meant.
     progress : callable
         Told the name of each step when it begins.
     """
-    files = _wanted(folder, system, progress)
     target = find_generated() if folder is None else folder
-    target.mkdir(parents=True, exist_ok=True)
-    changed = []
-    for name, text in files.items():
-        path = target / name
-        if not path.is_file() or path.read_bytes() != text.encode():
-            path.write_bytes(text.encode())
-            changed.append(path)
-    return changed
+    return {
+        name: text
+        for name, text in _wanted(folder, system, progress).items()
+        if not (path := target / name).is_file() or path.read_bytes() != text.encode()
+    }
 
 
 def check(

@@ -13,7 +13,7 @@ from string import Template
 import sympy as sp
 
 from nonsmooth.derive.codegen.body import Line, body_of, hoisted, needed, split
-from nonsmooth.derive.codegen.c import line_sources, print_c
+from nonsmooth.derive.codegen.c import Scope, line_sources, print_c
 from nonsmooth.derive.codegen.kernels import reduced_equations
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.equation_system import EquationSystem
@@ -25,10 +25,18 @@ MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
 TOLERANCE = "1e-9"  # of the last step: Newton's method squares it
 SINGULAR = "1e-12"  # a determinant in units of its bound
 
+# names of the solver's own, which hide symbols of the same name
+_OWN = """
+count defect ended ending finite fixed guess here i inverse iteration iterations lane lanes
+largest most next open parameter parameters point residual result running slope start status
+taken trace unknowns x
+"""
+
 _SOLVE = Template("""\
 /* Newton's method on the reduced equations for `count` points.
- * Takes parameters ($p)$guess_text for each point, row by row; gives unknowns
- * ($n), the trace, the largest reduced residual, iterations and a status for each point.
+ * Takes parameters ($p)$guess_text of the points; gives unknowns ($n), the
+ * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
+ * entry i of a point stands at [i * count + point].
  * In one step a dwell time changes by a factor of four at most; a point has converged when
  * a whole step is below $tolerance max(1, |x|).
  * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
@@ -36,42 +44,38 @@ _SOLVE = Template("""\
 NONSMOOTH_MULTIVERSION
 $prototype
 {
-    enum { lanes = 8, most = 32 };
+    enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
         double parameter[$p][lanes], ${x}fixed[$fixed][lanes];
-        double taken[lanes], open[lanes];
+        double open[lanes];
+        int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
             const ptrdiff_t point = start + (lane < here ? lane : here - 1);
             for (int i = 0; i < $p; ++i)
-                parameter[i][lane] = parameters[$p * point + i];
+                parameter[i][lane] = parameters[i * count + point];
 $begin
-            taken[lane] = 0.0;
+            taken[lane] = 0;
         }
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
 $prelude
         }
-$newton        double result[$n][lanes], slope[lanes], defect[lanes], determinate[lanes];
+$newton        double result[$n][lanes], slope[lanes], defect[lanes];
+        int32_t ended[lanes];
 #pragma omp simd
         for (int lane = 0; lane < lanes; ++lane) {
 $finish
         }
+        for (int i = 0; i < $n; ++i)
+            for (int lane = 0; lane < here; ++lane)
+                unknowns[i * count + start + lane] = result[i][lane];
         for (int lane = 0; lane < here; ++lane) {
             const ptrdiff_t point = start + lane;
-            int sound = isfinite(slope[lane]) != 0;
-            for (int i = 0; i < $n; ++i) {
-                unknowns[$n * point + i] = result[i][lane];
-                sound &= isfinite(result[i][lane]) != 0;
-            }
             trace[point] = slope[lane];
             residual[point] = defect[lane];
-            iterations[point] = (int32_t)taken[lane];
-            status[point] = determinate[lane] == 0.0 ? 5
-                            : !sound                 ? 2
-                            : open[lane] != 0.0      ? 1
-                            : $negative              ? 3
-                                                     : 0;
+            iterations[point] = taken[lane];
+            status[point] = ended[lane];
         }
     }
 }""")
@@ -109,7 +113,8 @@ def solve_source(orbit: EquationSystem) -> str:
     Raises
     ------
     DerivationError
-        If the reduction leaves more than `MOST_REDUCED` unknowns.
+        If the reduction leaves more than `MOST_REDUCED` unknowns, or a symbol has a name of the
+        solver's own.
     """
     count = len(orbit.reduction.unknowns)
     if count > MOST_REDUCED:
@@ -118,6 +123,9 @@ def solve_source(orbit: EquationSystem) -> str:
             f" the compiled solver takes at most {MOST_REDUCED}"
         )
     body = body_of(reduced_equations(orbit))
+    symbols = {*body.used, *orbit.parameters, *(line.symbol for line in body.lines)}
+    if hidden := sorted({symbol.name for symbol in symbols} & {*_OWN.split()}):
+        raise DerivationError(f"the compiled solver has a {hidden[0]!r} of its own: rename it")
     residual, jacobian, values, (trace,), determinants = body.outputs
     unknowns = orbit.reduction.unknowns
     spectrum = [Line(symbol, expression) for symbol, expression in orbit.spectrum.entries]
@@ -143,15 +151,16 @@ def solve_source(orbit: EquationSystem) -> str:
     outer, inner = " " * 12, " " * 16
     newton = [
         *load(step, (*residual, *jacobian), inner),
-        *_lane_sources(step, inner),
-        *_newton(orbit, residual, jacobian, inner),
+        *_lane_sources(step, scope := Scope(inner)),
+        *_newton(orbit, residual, jacobian, scope),
     ]
+    last = Scope(outer)
     names = ", ".join(map(str, unknowns))
     begin = [f"{outer}open[lane] = {float(count > 0)};"]
     if count:
         begin += [
             f"{outer}for (int i = 0; i < {count}; ++i)",
-            f"{inner}x[i][lane] = guess[{count} * point + i];",
+            f"{inner}x[i][lane] = guess[i * count + point];",
         ]
     return _SOLVE.substitute(
         p=len(orbit.parameters),
@@ -165,7 +174,7 @@ def solve_source(orbit: EquationSystem) -> str:
         prelude="\n".join(
             [
                 *load(prelude, (), outer),
-                *line_sources(prelude, outer),
+                *line_sources(prelude, Scope(outer)),
                 *(f"{outer}fixed[{i}][lane] = {s};" for i, s in enumerate(carried)),
             ]
         ),
@@ -173,34 +182,45 @@ def solve_source(orbit: EquationSystem) -> str:
         finish="\n".join(
             [
                 *load(finish, results, outer),
-                *_lane_sources(finish, outer),
-                *(f"{outer}result[{i}][lane] = {print_c(v)};" for i, v in enumerate(values)),
-                f"{outer}slope[lane] = {print_c(trace)};",
+                *_lane_sources(finish, last),
+                *(
+                    source
+                    for i, v in enumerate(values)
+                    for source in last.assigned(f"result[{i}][lane]", v)
+                ),
+                *last.assigned("slope[lane]", trace),
                 f"{outer}double largest = 0.0;",
                 *(
                     f"{outer}largest = fabs({print_c(r)}) > largest ? fabs({print_c(r)}) : largest;"
                     for r in residual
                 ),
                 f"{outer}defect[lane] = largest;",
-                f"{outer}determinate[lane] = {_determinate(determinants)};",
+                *_status(orbit, determinants, outer),
             ]
         ),
-        negative=_negative(orbit),
     )
 
 
-def _determinate(determinants: Sequence[sp.Expr]) -> str:
-    """Whether no determinant is far below its bound; one that is no number tells nothing."""
-    tests = [f"(fabs({print_c(d)}) <= {SINGULAR})" for d in determinants]
-    return f"{' | '.join(tests)} ? 0.0 : 1.0" if tests else "1.0"
-
-
-def _negative(orbit: EquationSystem) -> str:
-    """Whether a dwell time is not positive."""
+def _status(orbit: EquationSystem, determinants: Sequence[sp.Expr], indent: str) -> list[str]:
+    """The status of a lane, without branches."""
+    # x - x is 0 or NaN, and so is a sum of such
+    values = ("slope[lane]", *(f"result[{i}][lane]" for i in range(len(orbit.unknowns))))
+    finite = " + ".join(f"({value} - {value})" for value in values)
     places = {s: sp.Symbol(f"result[{i}][lane]") for i, s in enumerate(orbit.unknowns)}
     places |= {s: sp.Symbol(f"parameter[{i}][lane]") for i, s in enumerate(orbit.parameters)}
     times = [link.duration.xreplace(places) for link in orbit.chain.links if link.duration != 0]
-    return "(" + " || ".join(f"{print_c(time)} <= 0.0" for time in times) + ")"
+    negative = " | ".join(f"({print_c(time)} <= 0.0)" for time in times)
+    # a determinant that is no number tells nothing
+    singular = " | ".join(f"(fabs({print_c(d)}) <= {SINGULAR})" for d in determinants)
+    lines = [
+        f"const double finite = {finite};",
+        f"int32_t ending = ({negative}) ? 3 : 0;",
+        "ending = open[lane] != 0.0 ? 1 : ending;",
+        "ending = finite == 0.0 ? ending : 2;",
+        *([f"ending = ({singular}) ? 5 : ending;"] if singular else []),
+        "ended[lane] = ending;",
+    ]
+    return [indent + line for line in lines]
 
 
 def _inputs(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:
@@ -211,27 +231,27 @@ def _inputs(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]
     return used - {line.symbol for line in lines}
 
 
-def _lane_sources(lines: Sequence[Line], indent: str) -> list[str]:
+def _lane_sources(lines: Sequence[Line], scope: Scope) -> list[str]:
     """Assignments with sines and cosines from the support header, which vectorise."""
     sources: list[str] = []
     pairs: dict[sp.Expr, int] = {}
     for line in lines:
         if not isinstance(line.expression, sp.sin | sp.cos):
-            sources += line_sources([line], indent)
+            sources += line_sources([line], scope)
             continue
         argument = line.expression.args[0]
         if argument not in pairs:
             pair = pairs[argument] = len(pairs)
-            sources.append(f"{indent}double sine_{pair}, cosine_{pair};")
+            sources.append(f"{scope.indent}double sine_{pair}, cosine_{pair};")
             call = f"nonsmooth_sincos({print_c(argument)}, &sine_{pair}, &cosine_{pair});"
-            sources.append(f"{indent}{call}")
+            sources.append(f"{scope.indent}{call}")
         part = "sine" if isinstance(line.expression, sp.sin) else "cosine"
-        sources.append(f"{indent}const double {line.symbol} = {part}_{pairs[argument]};")
+        sources.append(f"{scope.indent}const double {line.symbol} = {part}_{pairs[argument]};")
     return sources
 
 
 def _newton(
-    orbit: EquationSystem, residual: Sequence[sp.Expr], jacobian: Sequence[sp.Expr], indent: str
+    orbit: EquationSystem, residual: Sequence[sp.Expr], jacobian: Sequence[sp.Expr], scope: Scope
 ) -> list[str]:
     """One damped step of a lane, by Cramer's rule; a closed lane keeps its values."""
     unknowns = orbit.reduction.unknowns
@@ -241,11 +261,12 @@ def _newton(
     matrix = sp.Matrix(size, size, j)
     numerators = matrix.adjugate() * sp.Matrix(r)
     dwell_times = {link.dwell for link in orbit.chain.links}
-    lines = [
-        f"const double {s} = {print_c(e)};"
+    given = [
+        source
         for s, e in zip((*r, *j), (*residual, *jacobian), strict=True)
+        for source in scope.assigned(f"const double {s}", e)
     ]
-    lines.append(f"const double inverse = {print_c(1 / sp.expand(matrix.det()))};")
+    lines = [f"const double inverse = {print_c(1 / sp.expand(matrix.det()))};"]
     for i, x in enumerate(unknowns):
         lines.append(f"const double wanted_{i} = {x} - ({print_c(numerators[i])})*inverse;")
         limited = (
@@ -260,6 +281,6 @@ def _newton(
         f"(fabs(wanted_{i} - {x}) <= {TOLERANCE}*size_{i})" for i, x in enumerate(unknowns)
     )
     lines += [f"x[{i}][lane] = open[lane] != 0.0 ? next_{i} : {x};" for i, x in enumerate(unknowns)]
-    lines.append("taken[lane] += open[lane];")
-    lines.append(f"open[lane] = {small} ? 0.0 : open[lane];")
-    return [indent + line for line in lines]
+    lines.append("taken[lane] += open[lane] != 0.0 ? 1 : 0;")
+    lines.append(f"open[lane] = ({small}) ? 0.0 : open[lane];")
+    return [*given, *(scope.indent + line for line in lines)]

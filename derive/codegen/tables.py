@@ -10,8 +10,9 @@ import sympy as sp
 from nonsmooth.derive.codegen.derived import DerivedSystem, Underived, reduced_names
 from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.declaration.itinerary import Itinerary, Presentation
+from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.equations.equation_system import EquationSystem
 
 __all__ = ["composed_table", "orbit_table", "system_table", "system_tables"]
@@ -78,14 +79,14 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "reduced": reduced_names(orbit),
         "eliminated": {str(e.unknown): e.rule for e in reduction.eliminations},
         "rank": reduction.rank,
-        "section": [str(q) for q in orbit.chain.section.coordinates],
+        "section": list(orbit.chain.coordinates),
         "conservative": orbit.conservative,
         "required": {str(p): str(value) for p, value in orbit.required.items()},
         "vanishing": list(itinerary.vanishing),
         "levels": _levels(orbit),
         "resets": [[[str(e) for e in row] for row in k.reset.tolist()] for k in orbit.chain.links],
         "measures": [str(s) for s in orbit.measures],
-        "terms": [len(w) for w in orbit.frequencies],
+        "terms": [len(w) for w in orbit.frequencies] if orbit.trigonometric else None,
         "boundaries": [
             (
                 b.phase,

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.parameter import check_finite, exact
 from nonsmooth.derive.errors import DeclarationError
 
@@ -120,7 +121,7 @@ class SecondOrder:
         -------
         SecondOrder
         """
-        load = (self.load - self.stiffness * origin).applyfunc(sp.cancel)
+        load = (self.load - self.stiffness * origin).applyfunc(cancel)
         return SecondOrder(self.mass, self.stiffness, tuple(load), self.damping, self.held)
 
     def substituted(self, values: Mapping[sp.Symbol, sp.Expr]) -> SecondOrder:
@@ -228,9 +229,16 @@ def _column(values: Any, size: int, what: str) -> sp.Matrix:
 def _matrix(entries: Any, what: str) -> sp.Matrix:
     """A matrix of finite, exact entries."""
     try:
-        matrix = sp.Matrix(entries).applyfunc(exact)
+        given = sp.Matrix(entries)
     except (ValueError, TypeError):
         raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
-    for entry in matrix:
-        check_finite(entry, what)
-    return matrix
+    for entry in given:
+        try:
+            check_finite(exact(entry), what)
+        except DeclarationError as problem:
+            if str(problem).startswith(what):
+                raise
+            raise DeclarationError(f"{what} holds {entry}: {problem}") from None
+        except (ValueError, TypeError):
+            raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
+    return given.applyfunc(exact)

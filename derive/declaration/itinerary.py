@@ -1,24 +1,23 @@
-"""Itineraries: the cyclic sequence of phases of a periodic orbit, and how it is presented."""
+"""Itineraries: the cyclic sequence of phases of a periodic orbit."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
+from functools import cached_property
 from keyword import iskeyword
 from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.declaration.names import check_name
 from nonsmooth.derive.declaration.parameter import Parameter, exact
+from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Condition, Transition
+from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Itinerary", "Phase", "Presentation", "Reference", "dwell_symbol"]
+__all__ = ["Itinerary", "Phase", "Reference", "dwell_symbol"]
 
 
 @dataclass(frozen=True)
@@ -41,133 +40,15 @@ class Phase:
 
 
 @dataclass(frozen=True)
-class Presentation:
-    """Coordinates and parameters in which an orbit's equations are written.
-
-    Parameters
-    ----------
-    states : tuple of symbols
-        Names of the shifted states, in the order of the system's.
-    origin : tuple of expressions
-        Physical state at which all of them vanish: physical = shifted + origin.
-    parameters : tuple of Parameter
-        New parameters that the substitution brings in.
-    substitution : mapping of symbol to expression
-        System parameters in terms of the new ones, e.g. u_r = u_s + e.
-    """
-
-    states: tuple[sp.Symbol, ...]
-    origin: tuple[sp.Expr, ...]
-    parameters: tuple[Parameter, ...] = ()
-    substitution: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "states", tuple(self.states))
-        object.__setattr__(self, "origin", tuple(map(exact, self.origin)))
-        substitution = {s: exact(e) for s, e in self.substitution.items()}
-        object.__setattr__(self, "substitution", sp.Dict(substitution))
-        if len(self.origin) != len(self.states):
-            raise DeclarationError(
-                f"presentation has {len(self.states)} states but {len(self.origin)} origins"
-            )
-
-    def present(self, system: System) -> System:
-        """Write a system in these coordinates and parameters.
-
-        Parameters
-        ----------
-        system : System
-            In physical coordinates and parameters.
-
-        Returns
-        -------
-        System
-
-        Raises
-        ------
-        DeclarationError
-            If the system has another number of states, or a velocity of a second-order motion is
-            shifted.
-        """
-        if len(self.states) != len(system.states):
-            raise DeclarationError(
-                f"presentation has {len(self.states)} states, system has {len(system.states)}"
-            )
-        values = dict(self.substitution.items())
-        origin = sp.Matrix(self.origin).subs(values)
-        names = dict(zip(system.states, self.states, strict=True))
-        shifts = {s: names[s] + o for s, o in zip(system.states, origin, strict=True)}
-
-        @cache
-        def affine(expression: sp.Expr) -> sp.Expr:
-            moved = sp.expand(expression.subs(values).subs(shifts, simultaneous=True))
-            linear = sum(sp.diff(moved, s) * s for s in self.states)
-            return linear + sp.cancel(sp.expand(moved - linear))
-
-        def dynamics(old: SecondOrder | FirstOrder) -> SecondOrder | FirstOrder:
-            if isinstance(old, SecondOrder):
-                if any(origin[old.mass.rows :, :]):
-                    raise DeclarationError(
-                        "presentation shifts a velocity, which a second-order motion cannot carry"
-                    )
-                return old.substituted(values | names).shifted(origin[: old.mass.rows, :])
-            matrix, offset = old.matrix.subs(values), old.offset.subs(values)
-            return FirstOrder(matrix, (offset + matrix * origin).applyfunc(sp.cancel))
-
-        replaced = set(values)
-        kept = tuple(p for p in system.parameters if p.symbol not in replaced)
-        return replace(
-            system,
-            states=self.states,
-            parameters=kept + self.parameters,
-            configurations=tuple(
-                Configuration(
-                    c.name,
-                    dynamics(c.dynamics),
-                    tuple(Boundary(b.name, affine(b.function), b.acts_when) for b in c.boundaries),
-                    tuple(map(affine, c.constraints)),
-                )
-                for c in system.configurations
-            ),
-            transitions=tuple(
-                Transition(
-                    t.source,
-                    t.boundaries,
-                    t.target,
-                    tuple(Condition(affine(c.function), c.along, c.holds) for c in t.conditions),
-                    {
-                        names[s]: affine(e) - o
-                        for (s, e), o in (
-                            (item, origin[system.states.index(item[0])]) for item in t.reset.items()
-                        )
-                    },
-                    t.order,
-                )
-                for t in system.transitions
-            ),
-            constraints=tuple(sp.expand(c.subs(values)) for c in system.constraints),
-            contacts=tuple(
-                Contact(
-                    c.name,
-                    affine(c.velocity),
-                    {name: affine(force) for name, force in c.forces.items()},
-                    affine(c.surface),
-                )
-                for c in system.contacts
-            ),
-            forcing=tuple((names[c], names[s]) for c, s in system.forcing),
-        )
-
-
-@dataclass(frozen=True)
 class Reference:
     """A known point of an orbit.
 
     Parameters
     ----------
-    parameters : mapping of str to str
-        Values as decimal texts, nondimensional or in the units of the system.
-    guess : mapping of str to str
+    parameters : mapping of str to str or number
+        Values as texts, nondimensional or in the units of the system; a float stands for its
+        shortest decimal. They are kept as texts.
+    guess : mapping of str to str or number
         A few digits of each unknown.
     """
 
@@ -175,8 +56,9 @@ class Reference:
     guess: Mapping[str, str]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "parameters", dict(self.parameters))
-        object.__setattr__(self, "guess", dict(self.guess))
+        for name in ("parameters", "guess"):
+            texts = {key: str(value) for key, value in getattr(self, name).items()}
+            object.__setattr__(self, name, texts)
 
 
 @dataclass(frozen=True)

@@ -9,16 +9,20 @@ from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.real_numbers import settled
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Parameter", "check_finite", "exact", "is_positive", "is_rational"]
 
 
 def exact(expression: Any) -> Any:
-    """A SymPy expression in which each float is the shortest decimal that it prints as."""
+    """A SymPy expression in which each float is the shortest decimal that it prints as.
+
+    Its irrational numbers are as `settled` leaves them.
+    """
     expression = sp.sympify(expression)
     floats = expression.atoms(sp.Float)
-    return expression.xreplace({f: sp.Rational(repr(float(f))) for f in floats})
+    return settled(expression.xreplace({f: sp.Rational(repr(float(f))) for f in floats}))
 
 
 def check_finite(expression: sp.Expr, where: str) -> None:
@@ -65,8 +69,14 @@ class Parameter:
     upper_closed: bool = False
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "lower", exact(self.lower))
-        object.__setattr__(self, "upper", exact(self.upper))
+        for end in ("lower", "upper"):
+            try:
+                object.__setattr__(self, end, exact(getattr(self, end)))
+            except DeclarationError:
+                raise DeclarationError(
+                    f"parameter {self.name}: the end {getattr(self, end)} of its domain is not a"
+                    " real number"
+                ) from None
         if not self.name.isidentifier() or iskeyword(self.name):
             raise DeclarationError(f"parameter name {self.name!r} is not an identifier")
         for end in (self.lower, self.upper):

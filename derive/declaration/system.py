@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
 from nonsmooth.derive.declaration.contact_law import ContactLaw
 from nonsmooth.derive.declaration.dynamics import SecondOrder
@@ -160,6 +161,22 @@ class System:
         source: str = registered("emit_python")(self, orbits, f"the declaration of {self.name}")
         return source
 
+    def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
+        """Derive the same as `source` as the files of an extension in C.
+
+        Parameters
+        ----------
+        orbits : sequence of Itinerary
+            Orbits of the system.
+
+        Returns
+        -------
+        dict of file name to text
+        """
+        emit = registered("emit_library")
+        files: dict[str, str] = emit(self, orbits, f"the declaration of {self.name}")
+        return files
+
     def configuration(self, name: str) -> Configuration:
         """Give the configuration of a name.
 
@@ -291,8 +308,8 @@ class System:
                     raise DeclarationError(
                         f"{where}: in {configuration.name!r} it does not turn, c' = -w s, s' = w c"
                     )
-            speeds.add(sp.simplify(speed))
-        if len(speeds) > 1:
+            speeds.add(cancel(speed))
+        if len(speeds) > 1 and len({sp.simplify(speed) for speed in speeds}) > 1:
             raise DeclarationError(f"{where}: it turns at different speeds: {speeds}")
         for transition in self.transitions:
             if {cosine, sine} & set(transition.reset):

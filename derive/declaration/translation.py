@@ -26,19 +26,17 @@ def moves_freely(system: System) -> bool:
     matrix = _dependences(system)
     symbols = sorted(matrix.free_symbols, key=str)
     values = {s: sp.Rational(sp.prime(40 + 3 * k), 97 + k) for k, s in enumerate(symbols)}
-    numbers = DomainMatrix.from_Matrix(matrix.subs(values)).to_field()
+    numbers = DomainMatrix.from_Matrix(matrix.xreplace(values)).to_field()
     return bool(numbers.rank() < len(system.states))
 
 
 def _dependences(system: System) -> sp.Matrix:
-    """Rows that vanish on a direction where nothing depends on the state along it."""
-    states = sp.Matrix(system.states)
+    """Rows that vanish on a direction where nothing depends on the state along it, once each."""
     functions = [b.function for c in system.configurations for b in c.boundaries]
     functions += [row for c in system.configurations for row in c.constraints]
     functions += [c.function for t in system.transitions for c in t.conditions]
-    matrices = [c.dynamics.field(system.states)[0] for c in system.configurations]
-    matrices += [system.gradient(function)[0] for function in functions]
-    for transition in system.transitions:
-        moved = transition.reset_of(states, system.states)
-        matrices.append(moved.jacobian(states) - sp.eye(len(states)))
-    return sp.Matrix.vstack(*matrices)
+    functions += [image - state for t in system.transitions for state, image in t.reset.items()]
+    gradients = [system.gradient(function)[0] for function in dict.fromkeys(functions)]
+    fields = [c.dynamics.field(system.states)[0] for c in system.configurations]
+    rows = [tuple(row) for matrix in (*fields, *gradients) for row in matrix.tolist()]
+    return sp.Matrix(list(dict.fromkeys(rows)))

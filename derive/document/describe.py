@@ -22,6 +22,7 @@ from nonsmooth.derive.document.blocks import (
     Table,
 )
 from nonsmooth.derive.document.notation.letters import letters_of
+from nonsmooth.derive.document.notation.responses import is_response
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.sections.describe_admissible import admissibility_section
@@ -49,7 +50,7 @@ from nonsmooth.derive.document.sections.describe_system import (
 from nonsmooth.derive.document.sections.describe_trace import trace_section
 from nonsmooth.derive.document.sections.describe_transitions import transition_section
 from nonsmooth.derive.document.views.centres import Centres, name_centres
-from nonsmooth.derive.document.views.closed_forms import closed_flows, without_numeric
+from nonsmooth.derive.document.views.closed_forms import closed_flows
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.view import View, view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
@@ -78,10 +79,10 @@ def describe_system(system: System) -> Document:
     names = [c.name for c in system.configurations]
     spectrum, flows = closed_flows(system, names)
     constants = tuple(p.symbol for p in system.parameters) + spectrum.symbols
-    notation = Notation(system.states, constants)
+    notation = Notation(system.states, constants).with_responses(flows.values())
     centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
     naming = Naming(notation.with_names(centres.names), system)
-    complete = len(flows) == len(names)
+    complete = len(flows) == len(names) and not any(map(is_response, flows.values()))
     configurations = configuration_section(naming, names, {})
     if not complete:
         configurations += constraint_paragraphs(naming, names)
@@ -165,8 +166,7 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
     """
     itinerary = unfolded(itinerary)
     names = list(dict.fromkeys(p.configuration for p in itinerary.phases))
-    spectrum, found = closed_flows(itinerary.presented_system, names)
-    flows = without_numeric(spectrum, found)
+    spectrum, flows = closed_flows(itinerary.presented_system, names)
     naming, centres = naming_of(itinerary, spectrum, flows)
     modal, numbers = flow_section(naming, spectrum, flows, names, centres)
     taken = (*naming.notation.constants, *naming.notation.states, *naming.notation.unknowns)
@@ -208,7 +208,7 @@ def naming_of(
         constants,
         unknowns=(*section.coordinates, *dwell_times),
         start=dict(zip(section.coordinates, section.places, strict=True)),
-    )
+    ).with_responses(flows.values())
     taken = (*constants, *states, *notation.unknowns)
     centres = name_centres(flows.values(), map(notation.symbol, taken))
     return Naming(notation.with_names(centres.names), system), centres

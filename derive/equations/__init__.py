@@ -10,8 +10,11 @@
 `explicit`         dwell times in closed form
 `reduction`        elimination of what is linear or explicit; the map in one variable
 `elimination`      equations that are affine in the start, solved for it
+`affine`           switching and closure, affine in the start given the dwell times
+`forcing`          the harmonic forcings of an orbit, their common period and phase
+`forced`           the reduction of a forced orbit
+`guess`            the start that a reference leaves out, from its dwell times
 `equation_system`  EquationSystem, the frozen record handed to every emitter
 `derivation`       the pipeline: all of these in order
-`appendix`         the source paper's own route to the global stick orbit
 =================  ==============================================================
 """

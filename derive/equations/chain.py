@@ -14,11 +14,14 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.forcing import Forcing
 from nonsmooth.derive.equations.program import Stage, assign
 from nonsmooth.derive.equations.section import Section, reset_matrix
+from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
 
 __all__ = [
+    "PHASE",
     "Chain",
     "Link",
     "derived_time",
@@ -27,6 +30,8 @@ __all__ = [
     "poincare_jacobian",
     "sensitivities",
 ]
+
+PHASE = "phase"  # of the forcing, as a coordinate of the Poincare map
 
 
 @dataclass(frozen=True)
@@ -81,17 +86,49 @@ class Chain:
 
     `section` is the set on which the end of the last phase lands, `start` the one in whose
     coordinates the start is sought; they differ only where an itinerary names more states.
+    Of a forcing only the phase is a coordinate of the Poincare map.
     """
 
     section: Section
     start: Section
     links: tuple[Link, ...]
     stages: tuple[Stage, ...]
+    forcing: Forcing | None = None
 
     @property
     def end(self) -> sp.Matrix:
         """State behind the last transition."""
         return self.links[-1].following
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates of the Poincare map."""
+        names = [str(self.section.coordinates[place]) for place in self._unforced]
+        return (*names, PHASE) if self.forcing else tuple(names)
+
+    @property
+    def _unforced(self) -> list[int]:
+        """Which coordinates of the section belong to no forcing."""
+        forced = self.forcing.states if self.forcing else ()
+        return [i for i, place in enumerate(self.section.places) if place not in forced]
+
+    @property
+    def directions(self) -> sp.Matrix:
+        """Derivatives of the start by the coordinates of the Poincare map."""
+        embedding = self.section.embedding
+        found = embedding[:, self._unforced]
+        if self.forcing is None:
+            return found
+        rates = self.forcing.along_phase(self.links[0].before)
+        return found.row_join(embedding * rates.extract(list(self.section.places), [0]))
+
+    def returning(self, moved: sp.Matrix) -> sp.Matrix:
+        """Changes of those coordinates that changes of the state at the end mean."""
+        places = [self.section.places[i] for i in self._unforced]
+        found = moved.extract(places, list(range(moved.cols)))
+        if self.forcing is None:
+            return found
+        return found.col_join(self.forcing.phase_of(self.end, moved))
 
 
 def follow(
@@ -100,6 +137,7 @@ def follow(
     flows: Mapping[str, Flow],
     section: Section,
     start: Section,
+    forcing: Forcing | None = None,
 ) -> Chain:
     """Follow an itinerary from its start through all phases and transitions."""
     states = system.states
@@ -140,7 +178,8 @@ def follow(
             )
         )
         state = following
-    return Chain(section, start, tuple(links), tuple(s for s in stages if s.assignments))
+    kept = tuple(s for s in stages if s.assignments)
+    return Chain(section, start, tuple(links), kept, forcing)
 
 
 def sensitivities(
@@ -177,8 +216,7 @@ def poincare_jacobian(
     Each phase carries a perturbation by Phi and projects it along the vector field onto
     its exit boundary, (I - f n/(n f)) Phi; the transition's reset follows.
     """
-    matrix, stages = chain.section.embedding, []
-    columns = [str(q) for q in chain.section.coordinates]
+    matrix, stages, columns = chain.directions, [], chain.coordinates
     for index, link in enumerate(chain.links):
         names = [f"carried_{s}_{index + 1}_by_{q}" for s in states for q in columns]
         step, values = assign(f"Phi along {link.dwell}", names, link.transfer * matrix)
@@ -202,7 +240,7 @@ def poincare_jacobian(
         )
         matrix = sp.Matrix(len(states), len(columns), values)
         stages += [step, rate, delay, landing]
-    return tuple(stages), matrix.extract(list(chain.section.places), list(range(len(columns))))
+    return tuple(stages), chain.returning(matrix)
 
 
 def derived_time(dwell: sp.Symbol, duration: sp.Expr) -> Stage:
@@ -221,7 +259,9 @@ def name_functions(
     names: list[str] = []
     for position, function in enumerate(flow.basis):
         frequency = [str(s) for s in sorted(function.free_symbols - {TIME}, key=str)]
-        name = "_".join([type(function).__name__.lower(), *frequency, str(dwell)])
+        kind = type(function)
+        stem = "difference" if kind is ExponentialDifference else kind.__name__.lower()
+        name = "_".join([stem, *frequency, str(dwell)])
         names.append(f"{name}_{position}" if name in names else name)
     values = [function.subs(TIME, dwell if time is None else time) for function in flow.basis]
     return assign(f"functions of {dwell} in {flow.configuration}", names, values)

@@ -12,13 +12,18 @@ from nonsmooth.derive.equations.chain import Chain, follow
 from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
 from nonsmooth.derive.equations.energy import energy_of, is_conservative
 from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.forced import reduce_forced
+from nonsmooth.derive.equations.forcing import PERIODS, Forcing, forcing_of
+from nonsmooth.derive.equations.guess import with_guess
 from nonsmooth.derive.equations.reduction import reduce_itinerary, unreduced
-from nonsmooth.derive.equations.section import section_of, smallest_section, start_of
+from nonsmooth.derive.equations.section import Section, section_of, smallest_section, start_of
 from nonsmooth.derive.equations.symmetry import half_phases, required_values, vanishing_coordinates
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum, derive_flows
 
-__all__ = ["derive_equations"]
+__all__ = ["MOST_OPERATIONS", "derive_equations"]
+
+MOST_OPERATIONS = 1000  # of the states along an orbit: beyond, its derivatives fill a book
 
 
 def derive_equations(itinerary: Itinerary) -> EquationSystem:
@@ -29,13 +34,14 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     * the **section** that the end of the last phase enforces, and the **start** on it;
     * the **chain** of states: start, phases, transitions;
     * the **equations**: one exit condition a phase, and the closure of the start; for a
-      reversible orbit, conditions halfway through the phases;
+      reversible orbit, conditions halfway through the phases; for a forced one, its
+      amplitude and the number of its periods;
     * the **reduction**: whatever is linear or explicit, eliminated.
 
     Jacobians, Poincare map, trace and boundary functions are derived from these when an
     emitter asks for them. Flows are those of modal analysis; the equations of the built-in orbits
     are those of Pascal (2011); a perturbation passes a transition by the saltation matrix of
-    Aizerman and Gantmacher (1958).
+    Aizerman and Gantmakher (1958).
 
     Parameters
     ----------
@@ -50,8 +56,9 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     Raises
     ------
     DerivationError
-        If a configuration has no closed form, the start satisfies no state, or the
-        itinerary gives more or fewer equations than unknowns.
+        If a configuration has no closed form, the formulas are too long, the start satisfies
+        no state, the reference does not tell how many periods of its forcing a forced orbit
+        takes, or the itinerary gives more or fewer equations than unknowns.
 
     Examples
     --------
@@ -69,8 +76,13 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     start = start_of(itinerary, system, section)
     vanishing = vanishing_coordinates(itinerary, system, start) if itinerary.reversor else ()
     start = start.without(vanishing)
-    chain = follow(itinerary, system, flows, section, start)
+    forcing = _forcing(itinerary, system, section)
+    chain = follow(itinerary, system, flows, section, start, forcing)
+    _check_length(itinerary, chain)
     parameters = tuple(p.symbol for p in system.parameters)
+    known = reference_values(itinerary.reference, spectrum, parameters)
+    if not itinerary.reversor and itinerary.period is None:
+        itinerary = with_guess(itinerary, system, chain, known)
     dwell_times = tuple(
         link.dwell
         for link in chain.links
@@ -86,18 +98,20 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
             start.coordinates,
             dwell_times,
             {*parameters, *spectrum.symbols},
-            reference_values(itinerary.reference, spectrum, parameters),
+            known,
             smallest_section(itinerary, system)[1].dimension,
         )
     else:
         stages, equations = chain.stages, _full_turn(itinerary, chain)
-        if itinerary.period is None:
+        if forcing is not None and not itinerary.solved_for:
+            reduction = reduce_forced(itinerary, system, chain, known, spectrum)
+        elif itinerary.period is None and forcing is None:
             reduction = reduce_itinerary(itinerary, system, flows, spectrum)
         else:
-            known = reference_values(itinerary.reference, spectrum, parameters)
             equations = _without_one(itinerary, system, chain, equations, known)
             dimension = smallest_section(itinerary, system)[1].dimension
-            reduction = unreduced(start.coordinates + dwell_times, equations, stages, dimension)
+            left = start.coordinates + dwell_times + swapped
+            reduction = unreduced(left, equations, stages, dimension)
     unknowns = start.coordinates + dwell_times + swapped
     if len(equations) != len(unknowns):
         raise DerivationError(
@@ -150,9 +164,34 @@ def _full_turn(itinerary: Itinerary, chain: Chain) -> tuple[tuple[str, sp.Expr],
         (f"{phase.boundary} ends {phase.configuration}", sp.expand(link.exit))
         for phase, link in zip(itinerary.phases, chain.links, strict=True)
     ]
+    forced = chain.forcing.states if chain.forcing else ()
     for coordinate, place in zip(chain.start.coordinates, chain.start.places, strict=True):
-        equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
+        if place not in forced:
+            equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
+    if chain.forcing is not None:
+        equations += chain.forcing.conditions(chain.start.state)
+        total = sp.Add(*(link.duration for link in chain.links))
+        equations.append((PERIODS, total - chain.forcing.period))
     return tuple(equations)
+
+
+def _forcing(itinerary: Itinerary, system: System, section: Section) -> Forcing | None:
+    """The forcing of an orbit, free on the section."""
+    forcing = forcing_of(itinerary, system)
+    if forcing is not None and not {*forcing.states} <= {*section.places}:
+        raise DerivationError(f"itinerary {itinerary.name!r}: its section ties the forcing")
+    return forcing
+
+
+def _check_length(itinerary: Itinerary, chain: Chain) -> None:
+    """Refuse an orbit whose formulas nobody would read, and whose derivation takes minutes."""
+    terms = (e for stage in chain.stages for _, e in stage.assignments)
+    length = sum(int(sp.count_ops(e)) for e in terms)
+    if length > MOST_OPERATIONS:
+        raise DerivationError(
+            f"itinerary {itinerary.name!r}: its formulas are too long ({length} operations along"
+            f" its phases; {MOST_OPERATIONS} are written out)"
+        )
 
 
 def _without_one(

@@ -1,14 +1,16 @@
 """Equations that are affine in the start's coordinates, solved for them.
 
-The conditions of a reversible orbit are affine in the coordinates of its start, given the
-dwell times. Coordinates whose coefficient holds no function of time go first; the rest
-follow from a square part of the equations by Cramer's rule. What remains are equations for
-the dwell times alone.
+The conditions of a reversible or of a forced orbit are affine in the coordinates of its start,
+given the dwell times. Coordinates whose coefficient holds no function of time go first; the
+rest follow from a square part of the equations, by Cramer's rule where they are few. What
+remains are equations for the dwell times, and for those coordinates that other equations, of
+higher degree, are left to determine.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -18,11 +20,15 @@ from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.equations.program import Stage, assign, evaluate, prune
 from nonsmooth.derive.equations.reduction import Elimination, Reduction
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import Spectrum
 
 __all__ = ["eliminate_coordinates", "reference_values"]
 
 _Equation = tuple[str, sp.Expr]
+
+MOST_BY_CRAMER = 3
+_SOUND = sp.Rational(1, 1000)  # of a determinant, in units of its bound
 
 
 def eliminate_coordinates(
@@ -33,6 +39,8 @@ def eliminate_coordinates(
     constants: set[sp.Symbol],
     choose: Mapping[sp.Symbol, sp.Expr],
     rank: int,
+    polynomials: Sequence[_Equation] = (),
+    known: Sequence[Elimination] = (),
 ) -> Reduction:
     """Reduce equations that are affine in the coordinates to the dwell times.
 
@@ -41,15 +49,22 @@ def eliminate_coordinates(
     stages : sequence of Stage
         Functions of the dwell times, over parameters and spectrum.
     equations : sequence of (meaning, expression)
-        As many as coordinates and dwell times together.
-    coordinates, dwell_times : sequences of symbols
+        With the polynomials as many as coordinates and dwell times together.
+    coordinates : sequence of symbols
+        As many of them as there are polynomials stay unknowns: the first ones, if the others
+        are well determined.
+    dwell_times : sequence of symbols
     constants : set of symbols
         Parameters and spectrum.
     choose : mapping of symbol to number
         A known point: of the square parts of the equations that with the best determinant
         there is solved. Where it is not known whole, the first is.
     rank : int
-        Dimension of the smallest section of the orbit.
+        No more multipliers differ from zero.
+    polynomials : sequence of (meaning, expression)
+        Equations in the coordinates of any degree.
+    known : sequence of Elimination
+        What the stages make explicit already.
 
     Raises
     ------
@@ -59,7 +74,7 @@ def eliminate_coordinates(
     left, open_ones = list(equations), list(coordinates)
     solved: list[Stage] = []
     eliminations: list[Elimination] = []
-    while (pivot := _constant_pivot(left, open_ones, constants)) is not None:
+    while (pivot := _constant_pivot(left, open_ones, constants, len(polynomials))) is not None:
         equation, coordinate = pivot
         meaning, condition = equation
         slope = sp.diff(condition, coordinate)
@@ -70,32 +85,42 @@ def eliminate_coordinates(
         rule = f"linear in: {meaning}"
         eliminations.append(Elimination(coordinate, rule))
         solved.append(Stage(f"{coordinate}: {rule}", ((coordinate, solution),)))
-    determinants: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
-    if open_ones:
-        rows = _rows(left, open_ones, stages, choose)
+    block = _Block((), {}, sp.Integer(1), ())
+    kept: tuple[sp.Symbol, ...] = tuple(open_ones[: len(polynomials)])
+    if len(open_ones) > len(polynomials):
+        rows, kept = _part(left, open_ones, len(polynomials), stages, choose)
+        open_ones = [q for q in open_ones if q not in kept]
         together = [left[i] for i in rows]
         left = [e for i, e in enumerate(left) if i not in rows]
-        block, numerators, determinants = _cramer(together, open_ones, _squared_sizes(stages))
-        solved += reversed(block)
-        if len(left) == 1:
-            left = [_cleared(left[0], dict(zip(open_ones, numerators, strict=True)), determinants)]
+        solve = _cramer if len(open_ones) <= MOST_BY_CRAMER else _successively
+        block = solve(together, open_ones, kept, stages, choose)
+        solved += reversed(block.stages)
         rule = "linear in: " + "; ".join(meaning for meaning, _ in together)
         eliminations += [Elimination(q, rule) for q in open_ones]
     every = (*stages, *reversed(solved))
-    names = [*coordinates, *dwell_times]
-    wanted = [*(e for _, e in left), *coordinates]
+    left += polynomials
+    roots: tuple[sp.Expr, ...] = ()
+    if len(left) == 1:
+        written = {x: e for stage in solved for x, e in stage.assignments if x in coordinates}
+        left = [_cleared(left[0], {q: written[q] for q in written if q not in open_ones}, block)]
+        roots = _roots(left[0], kept)
+    unknowns = (*dwell_times, *kept)
+    names = [*dict.fromkeys((*coordinates, *dwell_times, *(e.unknown for e in known)))]
+    wanted = [*(e for _, e in left), *roots, *coordinates, *(e.unknown for e in known)]
+    wanted += [determinant for determinant, _ in block.determinants]
     return Reduction(
         rotation=0,
         rank=rank,
-        unknowns=tuple(dwell_times),
+        unknowns=unknowns,
         equations=tuple(left),
         stages=prune(every, wanted),
         values={name: name for name in names},
-        eliminations=tuple(eliminations),
+        eliminations=(*known, *eliminations),
         rates={},
         start=None,
         image=None,
-        determinants=determinants,
+        determinants=block.determinants,
+        roots=roots,
     )
 
 
@@ -118,57 +143,94 @@ def reference_values(
 
 
 def _constant_pivot(
-    equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol], constants: set[sp.Symbol]
+    equations: Sequence[_Equation],
+    coordinates: Sequence[sp.Symbol],
+    constants: set[sp.Symbol],
+    kept: int,
 ) -> tuple[_Equation, sp.Symbol] | None:
-    """An equation and a coordinate whose coefficient there is a nonzero constant."""
+    """An equation and a coordinate whose coefficient there is a nonzero constant.
+
+    The first `kept` coordinates are left alone.
+    """
     for equation in equations:
-        for coordinate in coordinates:
+        for coordinate in coordinates[kept:]:
             slope = sp.diff(equation[1], coordinate)
             if slope.free_symbols <= constants and slope.is_nonzero:
                 return equation, coordinate
     return None
 
 
-def _rows(
+def _part(
     equations: Sequence[_Equation],
     coordinates: Sequence[sp.Symbol],
+    kept: int,
     stages: Sequence[Stage],
     choose: Mapping[sp.Symbol, sp.Expr],
-) -> tuple[int, ...]:
-    """Which of the equations are solved for the coordinates."""
-    table = [[sp.diff(e, q) for q in coordinates] for _, e in equations]
-    flat = evaluate(stages, [c for row in table for c in row], choose)
-    numbers = sp.Matrix(len(table), len(coordinates), [sp.sympify(c).evalf(30) for c in flat])
-    chosen = all(n.is_number for n in numbers)
-    best: tuple[sp.Expr, tuple[int, ...]] | None = None
-    for rows in combinations(range(len(equations)), len(coordinates)):
-        if sp.Matrix([table[i] for i in rows]).det() == 0:
-            continue
-        if not chosen:
-            return rows
-        part = numbers.extract(list(rows), list(range(len(coordinates))))
-        size = abs(part.det()) / sp.prod([part.row(i).norm() for i in range(part.rows)])
-        if best is None or size > best[0]:
-            best = (size, rows)
+) -> tuple[tuple[int, ...], tuple[sp.Symbol, ...]]:
+    """Which of the equations are solved, and the coordinates that are kept as unknowns."""
+    table = sp.Matrix([[sp.diff(e, q) for q in coordinates] for _, e in equations])
+    flat = evaluate(stages, table, choose, digits=30)
+    numbers = sp.Matrix(*table.shape, flat)
+    known = all(n.is_number for n in numbers)
+    best: tuple[sp.Expr, tuple[int, ...], tuple[sp.Symbol, ...]] | None = None
+    for names in combinations(coordinates, kept):
+        columns = [i for i, q in enumerate(coordinates) if q not in names]
+        for rows in combinations(range(len(equations)), len(columns)):
+            part = (numbers if known else table).extract(list(rows), columns)
+            determinant = part.det(method="berkowitz")
+            if determinant == 0:
+                continue
+            if not known:
+                return rows, names
+            size = abs(determinant) / sp.prod([part.row(i).norm() for i in range(part.rows)])
+            if best is None or size > best[0]:
+                best = (size, rows, names)
+        if best is not None and best[0] > _SOUND:
+            break
     if best is None:
         raise DerivationError("the equations do not determine the start, given the dwell times")
-    return best[1]
+    return best[1:]
 
 
 def _cleared(
-    equation: _Equation,
-    numerators: Mapping[sp.Symbol, sp.Expr],
-    determinants: Sequence[tuple[sp.Expr, sp.Expr]],
+    equation: _Equation, solutions: Mapping[sp.Symbol, sp.Expr], block: _Block
 ) -> _Equation:
-    """The only equation left, times the determinant, which would be a pole of it.
+    """The only equation left, times a power of the determinant, which would be a pole of it.
 
-    It is the determinant of all the equations, and entire in the dwell time.
+    Of an equation that is affine it is the determinant of all the equations, and entire in the
+    dwell time.
     """
     meaning, condition = equation
-    ((determinant, _),) = determinants
-    constant = condition.subs(dict.fromkeys(numerators, 0))
-    terms = (sp.diff(condition, q) * numerator for q, numerator in numerators.items())
-    return meaning, sp.Add(constant * determinant, *terms)
+    for coordinate, solution in solutions.items():
+        condition = condition.subs(coordinate, solution)
+    numerators = block.numerators
+    if not numerators:
+        return equation
+    zero = dict.fromkeys(numerators, 0)
+    inside = sp.Poly(condition, *numerators)
+    terms = []
+    for powers in reversed(inside.monoms()):
+        orders = list(zip(numerators, powers, strict=True))
+        slope = sp.diff(condition, *((q, k) for q, k in orders if k)) if any(powers) else condition
+        coefficient = slope.subs(zero) / sp.prod([sp.factorial(k) for k in powers])
+        factors = [numerators[q] ** k for q, k in orders]
+        scale = block.determinant ** (inside.total_degree() - sum(powers))
+        terms.append(coefficient * scale * sp.Mul(*factors))
+    return meaning, sp.Add(*terms)
+
+
+def _roots(equation: _Equation, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
+    """Both roots of a quadratic equation in the only unknown."""
+    if len(unknowns) != 1:
+        return ()
+    (unknown,) = unknowns
+    polynomial = sp.Poly(sp.expand(equation[1]), unknown)
+    if polynomial.degree() != 2:
+        return ()
+    a, b, c = polynomial.all_coeffs()
+    half = b / 2
+    root = sp.sqrt(half**2 - a * c)
+    return tuple((sign * root - half) / a for sign in (1, -1))
 
 
 def _squared_sizes(stages: Sequence[Stage]) -> dict[sp.Symbol, sp.Expr]:
@@ -180,6 +242,8 @@ def _squared_sizes(stages: Sequence[Stage]) -> dict[sp.Symbol, sp.Expr]:
         elif isinstance(expression, sp.sin):
             squared = expression.args[0] ** 2
             found[symbol] = 2 * squared / (1 + squared)
+        elif isinstance(expression, ExponentialDifference):
+            found[symbol] = symbol**2
     return found
 
 
@@ -192,45 +256,146 @@ def _squared_bound(coefficient: sp.Expr, sizes: Mapping[sp.Symbol, sp.Expr]) -> 
     return sp.Add(*(sp.factor(c) ** 2 * sizes.get(f, f**2) for f, c in terms.items()))
 
 
-def _cramer(
-    equations: Sequence[_Equation],
-    coordinates: Sequence[sp.Symbol],
-    sizes: Mapping[sp.Symbol, sp.Expr],
-) -> tuple[list[Stage], list[sp.Expr], tuple[tuple[sp.Expr, sp.Expr], ...]]:
-    """Stages that solve linear equations, the numerators, and the determinant with a bound."""
+@dataclass(frozen=True)
+class _Block:
+    """Linear equations, solved in terms of the unknowns that are kept.
+
+    Attributes
+    ----------
+    stages : tuple of Stage
+    numerators : mapping of symbol to expression
+        Of each coordinate, affine in what is kept.
+    determinant : expression
+        What they are divided by.
+    determinants : tuple of (determinant, bound)
+    """
+
+    stages: tuple[Stage, ...]
+    numerators: Mapping[sp.Symbol, sp.Expr]
+    determinant: sp.Expr
+    determinants: tuple[tuple[sp.Expr, sp.Expr], ...]
+
+
+def _bound(
+    equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol], stages: Sequence[Stage]
+) -> sp.Expr:
+    """Hadamard's bound of the determinant of linear equations."""
+    sizes = _squared_sizes(stages)
+    rows = ([_squared_bound(sp.diff(e, q), sizes) for q in coordinates] for _, e in equations)
+    return sp.sqrt(sp.prod([sp.Add(*row) for row in rows], sp.Integer(1)))
+
+
+def _tables(
+    equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol], kept: Sequence[sp.Symbol]
+) -> tuple[list[Stage], sp.Matrix, list[sp.Matrix]]:
+    """Named matrix and right-hand sides: that of the constants, then of each unknown kept."""
     size = len(coordinates)
-    zero = dict.fromkeys(coordinates, 0)
+    zero = dict.fromkeys((*coordinates, *kept), 0)
     naming, values = assign(
         "coefficients of the linear equations",
         [f"coefficient{i + 1}{j + 1}" for i in range(size) for j in range(size)],
         [sp.diff(e, q) for _, e in equations for q in coordinates],
     )
-    matrix = sp.Matrix(size, size, values)
-    other, right = assign(
-        "right-hand sides of the linear equations",
-        [f"right{i + 1}" for i in range(size)],
-        [-e.subs(zero) for _, e in equations],
-    )
-    column = sp.Matrix(right)
+    stages, columns = [naming], []
+    for suffix, unknown in (("", None), *((f"_times_{q}", q) for q in kept)):
+        parts = [e.subs(zero) if unknown is None else sp.diff(e, unknown) for _, e in equations]
+        other, right = assign(
+            "right-hand sides of the linear equations",
+            [f"right{i + 1}{suffix}" for i in range(size)],
+            [-part for part in parts],
+        )
+        stages.append(other)
+        columns.append(sp.Matrix(right))
+    return stages, sp.Matrix(size, size, values), columns
+
+
+def _cramer(
+    equations: Sequence[_Equation],
+    coordinates: Sequence[sp.Symbol],
+    kept: Sequence[sp.Symbol],
+    stages: Sequence[Stage],
+    choose: Mapping[sp.Symbol, sp.Expr],
+) -> _Block:
+    """Linear equations solved by Cramer's rule."""
+    naming, matrix, columns = _tables(equations, coordinates, kept)
     determinant = sp.Symbol("determinant", real=True)
-    replaced = [matrix.copy() for _ in coordinates]
-    for j, numerator in enumerate(replaced):
-        numerator[:, j] = column
-    minors, numerators = assign(
-        "numerators of Cramer's rule",
-        [f"numerator{j + 1}" for j in range(size)],
-        [sp.expand(m.det()) for m in replaced],
+    naming.append(
+        Stage("determinant of the linear equations", ((determinant, sp.expand(matrix.det())),))
     )
-    rows = ([_squared_bound(sp.diff(e, q), sizes) for q in coordinates] for _, e in equations)
-    bound = sp.prod([sp.Add(*row) for row in rows], sp.Integer(1))
-    stages = [
-        naming,
-        other,
-        Stage("determinant of the linear equations", ((determinant, sp.expand(matrix.det())),)),
-        minors,
-        Stage(
-            f"{', '.join(map(str, coordinates))} by Cramer's rule",
-            tuple((q, n / determinant) for q, n in zip(coordinates, numerators, strict=True)),
-        ),
-    ]
-    return [s for s in stages if s.assignments], numerators, ((determinant, sp.sqrt(bound)),)
+    numerators = dict.fromkeys(coordinates, sp.Integer(0))
+    for unknown, column in zip((None, *kept), columns, strict=True):
+        replaced = [matrix.copy() for _ in coordinates]
+        for j, numerator in enumerate(replaced):
+            numerator[:, j] = column
+        suffix = "" if unknown is None else f"_times_{unknown}"
+        minors, values = assign(
+            "numerators of Cramer's rule",
+            [f"numerator{j + 1}{suffix}" for j in range(len(coordinates))],
+            [sp.expand(m.det()) for m in replaced],
+        )
+        naming.append(minors)
+        for q, value in zip(coordinates, values, strict=True):
+            numerators[q] += value * (sp.Integer(1) if unknown is None else unknown)
+    title = f"{', '.join(map(str, coordinates))} by Cramer's rule"
+    naming.append(Stage(title, tuple((q, numerators[q] / determinant) for q in coordinates)))
+    found = tuple(s for s in naming if s.assignments)
+    bound = _bound(equations, coordinates, stages)
+    return _Block(found, numerators, determinant, ((determinant, bound),))
+
+
+def _successively(
+    equations: Sequence[_Equation],
+    coordinates: Sequence[sp.Symbol],
+    kept: Sequence[sp.Symbol],
+    stages: Sequence[Stage],
+    choose: Mapping[sp.Symbol, sp.Expr],
+) -> _Block:
+    """Linear equations solved one after the other, in the order that is best at a known point."""
+    naming, matrix, columns = _tables(equations, coordinates, kept)
+    size, width = len(coordinates), len(coordinates) + len(columns)
+    table = sp.Matrix.hstack(matrix, *columns)
+    flat = evaluate([*stages, *naming], table, choose, digits=30)
+    numbers = sp.Matrix(*table.shape, flat)
+    if not all(n.is_number for n in numbers):
+        raise DerivationError(
+            f"the start solves {size} linear equations, and no reference tells in which order"
+        )
+    rows, places = list(range(size)), list(range(size))
+    pivots: list[sp.Expr] = []
+    order: list[tuple[int, int]] = []
+    while rows:
+        i, j = max(((i, j) for i in rows for j in places), key=lambda ij: abs(numbers[ij]))
+        rows.remove(i)
+        places.remove(j)
+        order.append((i, j))
+        pivots.append(table[i, j])
+        names, values = [], []
+        cells = [(k, m) for k in rows for m in (*places, *range(size, width))]
+        for k, m in cells:
+            numbers[k, m] -= numbers[k, j] * numbers[i, m] / numbers[i, j]
+            names.append(f"left{len(order)}_{k + 1}_{m + 1}")
+            values.append(table[k, m] - table[k, j] * table[i, m] / table[i, j])
+        step, found = assign(f"without {coordinates[j]}", names, values)
+        for cell, value in zip(cells, found, strict=True):
+            table[cell] = value
+        naming.append(step)
+    numerators: dict[sp.Symbol, sp.Expr] = {}
+    known: dict[int, list[sp.Expr]] = {}
+    for i, j in reversed(order):
+        parts = [
+            (table[i, m] - sum(table[i, n] * known[n][m - size] for n in known)) / table[i, j]
+            for m in range(size, width)
+        ]
+        names = [f"{coordinates[j]}_constant", *(f"{coordinates[j]}_times_{q}" for q in kept)]
+        step, known[j] = assign(f"parts of {coordinates[j]}", names, parts)
+        naming.append(step)
+        constant, *rates = known[j]
+        numerators[coordinates[j]] = constant + sum(
+            (r * q for r, q in zip(rates, kept, strict=True)), sp.Integer(0)
+        )
+    naming.append(Stage("the start", tuple((q, numerators[q]) for q in coordinates)))
+    determinant = sp.Symbol("determinant", real=True)
+    naming.append(Stage("determinant of the linear equations", ((determinant, sp.Mul(*pivots)),)))
+    found_stages = tuple(s for s in naming if s.assignments)
+    bound = _bound(equations, coordinates, stages)
+    return _Block(found_stages, numerators, sp.Integer(1), ((determinant, bound),))

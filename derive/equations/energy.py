@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
@@ -15,13 +16,19 @@ def energy_of(dynamics: Dynamics, states: tuple[sp.Symbol, ...]) -> sp.Expr | No
     """Energy of an undamped motion with symmetric matrices, up to a constant; else None."""
     if not isinstance(dynamics, SecondOrder) or dynamics.held:
         return None
-    symmetric = dynamics.mass.is_symmetric() and dynamics.stiffness.is_symmetric()
-    if not symmetric or not dynamics.damping.is_zero_matrix:
+    if (
+        not (_symmetric(dynamics.mass) and _symmetric(dynamics.stiffness))
+        or not dynamics.damping.is_zero_matrix
+    ):
         return None
     size = dynamics.mass.rows
     x, v = sp.Matrix(states[:size]), sp.Matrix(states[size:])
     kinetic, elastic = v.T * dynamics.mass * v, x.T * dynamics.stiffness * x
     return (kinetic[0] + elastic[0]) / 2 - (dynamics.load.T * x)[0]
+
+
+def _symmetric(matrix: sp.Matrix) -> bool:
+    return bool((matrix - matrix.T).applyfunc(cancel).is_zero_matrix)
 
 
 def is_conservative(itinerary: Itinerary, system: System) -> bool:
@@ -43,7 +50,7 @@ def is_conservative(itinerary: Itinerary, system: System) -> bool:
         on_boundary = {fixed: sp.solve(boundary, fixed)[0]}
         image = itinerary.transition_after(system, index).reset_of(sp.Matrix(states), states)
         after = behind.subs(dict(zip(states, image, strict=True)), simultaneous=True)
-        change = sp.cancel(sp.expand((after - before).subs(on_boundary)))
+        change = cancel(sp.expand((after - before).subs(on_boundary)))
         if change.free_symbols & set(states):
             return False
     return True

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import Chain, poincare_jacobian, sensitivities
@@ -21,19 +22,24 @@ from nonsmooth.derive.registry import registered
 __all__ = [
     "BoundaryFunction",
     "EquationSystem",
+    "frequencies_of",
 ]
 
 
 @dataclass(frozen=True)
 class BoundaryFunction:
-    """One boundary along one phase: a sum of functions of the time since its start.
+    """One boundary along one phase: an affine function of the state that the flow carries on.
 
     Attributes
     ----------
     phase : int
     boundary : str
+    normal : 1 x N matrix, constant : expression
+        The function of the state y is ``normal y + constant``, without the open parameter.
     coefficients : tuple of expressions
-        Constant, slope, cosine and sine amplitudes, for the frequencies of the phase.
+        Constant, slope, cosine and sine amplitudes of its values in time, for the frequencies
+        of the phase; empty where the flow is no trigonometric sum. Then the state at the start
+        of the phase and its vector field, which its link of the chain has, tell the values.
     open_parameter : symbol or None
         A parameter that the equations leave open, entering as ``open_coefficient * it``.
     open_coefficient : number
@@ -43,6 +49,8 @@ class BoundaryFunction:
 
     phase: int
     boundary: str
+    normal: sp.Matrix
+    constant: sp.Expr
     coefficients: tuple[sp.Expr, ...]
     open_parameter: sp.Symbol | None
     open_coefficient: sp.Expr
@@ -114,10 +122,15 @@ class EquationSystem:
         stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
         start = self.chain.start
         rows = [link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)]
+        forced = self.chain.forcing.states if self.chain.forcing else ()
         for column, place in enumerate(start.places):
-            closure = sp.Matrix(ends[-1][place, :])
-            closure[column] -= 1
-            rows.append(closure)
+            if place not in forced:
+                closure = sp.Matrix(ends[-1][place, :])
+                closure[column] -= 1
+                rows.append(closure)
+        # those of the forcing are written in the unknowns themselves
+        for equation in self.residual[len(rows) :]:
+            rows.append(sp.Matrix([[sp.diff(equation, u) for u in self.unknowns]]))
         return stages, sp.Matrix.vstack(*rows)
 
     @cached_property
@@ -175,10 +188,15 @@ class EquationSystem:
         more, moving = differentiate(stages, seeds)
         return (*stages, *more), [derivative_of(trace, m) for m in moving.values()]
 
-    @property
+    @cached_property
+    def trigonometric(self) -> bool:
+        """Whether all flows along the orbit are sums of a line, sines and cosines."""
+        return all(frequencies_of(link.flow) is not None for link in self.chain.links)
+
+    @cached_property
     def frequencies(self) -> tuple[tuple[sp.Expr, ...], ...]:
-        """Frequencies of each phase, in order."""
-        return tuple(_frequencies(link.flow) for link in self.chain.links)
+        """Frequencies of each phase, in order; none where it is no trigonometric sum."""
+        return tuple(frequencies_of(link.flow) or () for link in self.chain.links)
 
     @cached_property
     def boundary_functions(self) -> tuple[BoundaryFunction, ...]:
@@ -187,13 +205,15 @@ class EquationSystem:
         Raises
         ------
         DerivationError
-            If a boundary contains two open parameters, or a flow is no trigonometric sum.
+            If a boundary contains two open parameters.
         """
         found = []
         for index, link in enumerate(self.chain.links):
             configuration = self.system.configuration(link.flow.configuration)
             oscillations = [g(w * TIME) for g in (sp.cos, sp.sin) for w in self.frequencies[index]]
             basis = (sp.Integer(1), TIME, *oscillations)
+            if frequencies_of(link.flow) is None:
+                basis = ()
             begin = section_of(self.itinerary.rotated(index), self.system)
             for boundary in configuration.boundaries:
                 row, constant = self.system.gradient(boundary.function)
@@ -205,13 +225,14 @@ class EquationSystem:
                 parameter = opened[0] if opened else None
                 slope = sp.diff(constant, parameter) if parameter else sp.Integer(0)
                 closed = sp.expand(constant - slope * parameter) if parameter else constant
-                values = dict(
-                    zip(link.flow.basis, link.flow.along(row, closed, link.before), strict=True)
-                )
+                along = link.flow.along(row, closed, link.before) if basis else ()
+                values = dict(zip(link.flow.basis, along, strict=bool(basis)))
                 found.append(
                     BoundaryFunction(
                         index,
                         boundary.name,
+                        row,
+                        closed,
                         tuple(values.get(f, sp.Integer(0)) for f in basis),
                         parameter,
                         slope,
@@ -255,18 +276,17 @@ class EquationSystem:
 def _vanishes_on(section: Section, row: sp.Matrix, constant: sp.Expr) -> bool:
     """Whether an affine function of the state is zero on all of a section."""
     values = [*(row * section.embedding), (row * section.constant)[0] + constant]
-    return all(sp.cancel(sp.expand(value)) == 0 for value in values)
+    return all(cancel(sp.expand(value)) == 0 for value in values)
 
 
-def _frequencies(flow: Flow) -> tuple[sp.Expr, ...]:
-    found: list[sp.Expr] = []
+def frequencies_of(flow: Flow) -> tuple[sp.Expr, ...] | None:
+    """Frequencies of a sum of a line, sines and cosines; None for another flow."""
+    found: dict[sp.Expr, None] = {}
     for function in flow.basis:
-        if isinstance(function, sp.cos):
-            found.append(function.args[0] / TIME)
-        elif not isinstance(function, sp.sin) and function not in (sp.Integer(1), TIME):
-            raise DerivationError(
-                f"configuration {flow.configuration!r}: {function} is no trigonometric sum"
-            )
+        if isinstance(function, sp.cos | sp.sin):
+            found[function.args[0] / TIME] = None
+        elif function not in (sp.Integer(1), TIME):
+            return None
     return tuple(found)
 
 

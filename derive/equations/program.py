@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -136,11 +137,37 @@ def derivative_of(expression: sp.Expr, moving: Mapping[sp.Symbol, sp.Expr]) -> s
     """Chain rule: the derivative of an expression whose symbols move as given."""
     return sp.Add(
         *(
-            sp.diff(expression, symbol) * moving[symbol]
+            partial_derivative(expression, symbol) * moving[symbol]
             for symbol in sorted(expression.free_symbols, key=str)
             if symbol in moving
         )
     )
+
+
+@lru_cache(maxsize=1 << 15)  # stages share terms, and each is asked for in many directions
+def partial_derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """Derivative of an expression by a symbol, in the form that SymPy gives it.
+
+    SymPy asks of each part whether its derivative is zero, which takes most of its time.
+    """
+    if expression.is_Atom:
+        return sp.Integer(expression == symbol)
+    if expression.is_Add:
+        return sp.Add(*(partial_derivative(term, symbol) for term in expression.args))
+    if expression.is_Mul:
+        factors = expression.args
+        slopes = [partial_derivative(factor, symbol) for factor in factors]
+        return sp.Add(
+            *(
+                sp.Mul(*factors[:i], slope, *factors[i + 1 :])
+                for i, slope in enumerate(slopes)
+                if slope != 0
+            )
+        )
+    if expression.is_Pow and expression.exp.is_number:
+        base, exponent = expression.args
+        return expression * (partial_derivative(base, symbol) * exponent / base)
+    return sp.diff(expression, symbol)
 
 
 def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ...]:
@@ -170,11 +197,22 @@ def merged(
 
 
 def evaluate(
-    stages: Sequence[Stage], expressions: Iterable[sp.Expr], values: Mapping[sp.Symbol, sp.Expr]
+    stages: Sequence[Stage],
+    expressions: Iterable[sp.Expr],
+    values: Mapping[sp.Symbol, sp.Expr],
+    digits: int | None = None,
 ) -> list[sp.Expr]:
-    """Expressions with every stage written out; for reading and for tests, not for speed."""
+    """Expressions with every stage written out; for reading and for tests, not for speed.
+
+    With `digits` every stage becomes numbers of so many digits, where its inputs are known.
+    """
     known = dict(values)
+
+    def value(expression: sp.Expr) -> sp.Expr:
+        found = sp.sympify(expression).xreplace(known)
+        return found if digits is None else found.evalf(digits)
+
     for stage in stages:
         for symbol, expression in stage.assignments:
-            known[symbol] = expression.xreplace(known)
-    return [sp.sympify(e).xreplace(known) for e in expressions]
+            known[symbol] = value(expression)
+    return [value(e) for e in expressions]

@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, dwell_symbol
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import name_functions
@@ -37,7 +38,7 @@ from nonsmooth.derive.equations.program import (
 from nonsmooth.derive.equations.section import section_of, smallest_section
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 
-__all__ = ["Elimination", "Reduction", "reduce_itinerary", "unreduced"]
+__all__ = ["Elimination", "Reduction", "affine_in", "reduce_itinerary", "unreduced"]
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,9 @@ class Reduction:
     determinants : tuple of (determinant, bound)
         Of linear equations that were solved: where one is far below its bound, the orbit is
         not determined.
+    roots : tuple of expressions
+        Both values of the only unknown where its equation is quadratic, with coefficients that
+        depend on parameters alone; the orbit is explicit.
     """
 
     rotation: int
@@ -88,6 +92,7 @@ class Reduction:
     start: sp.Expr | None
     image: sp.Expr | None
     determinants: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    roots: tuple[sp.Expr, ...] = ()
 
     def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
         """Stages and entries of the derivatives of the equations by the unknowns."""
@@ -333,12 +338,12 @@ def _use_for_coordinate(draft: _Draft, leaving: _Exit, after: sp.Matrix) -> sp.M
     draft.unsolved.remove(chosen)
     if draft.unsolved:  # the solution contains them: later conditions must see them
         substituted = after.subs(chosen, solution)
-        step, after = _affine_in(draft.unsolved, substituted, leaving.dwell)
+        step, after = affine_in(draft.unsolved, substituted, leaving.dwell)
         draft.stages.append(step)
     return after
 
 
-def _affine_in(
+def affine_in(
     coordinates: Sequence[sp.Symbol], state: sp.Matrix, dwell: sp.Symbol
 ) -> tuple[Stage, sp.Matrix]:
     """Name the coefficients of a state that is affine in some section coordinates."""
@@ -360,4 +365,4 @@ def _canonical(expression: sp.Expr, constants: set[sp.Symbol]) -> sp.Expr:
     for term in sp.Add.make_args(sp.expand(expression)):
         coefficient, monomial = term.as_independent(*(term.free_symbols - constants), as_Add=False)
         collected[monomial] = collected.get(monomial, 0) + coefficient
-    return sp.Add(*(sp.factor(sp.cancel(c)) * monomial for monomial, c in collected.items()))
+    return sp.Add(*(factor(cancel(c)) * monomial for monomial, c in collected.items()))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
@@ -60,14 +61,16 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
     """The section at the start of the first phase.
 
     It collects what the end of the last phase enforces: the velocities held through that
-    phase and its exit boundary, carried through the reset, and what the reset assigns.
+    phase, its constraints and its exit boundary, carried through the reset, and what the reset
+    assigns.
     Closing the section's own coordinates then closes the orbit, with no equation twice.
     States without a name of their own in the itinerary are eliminated first.
     """
     states = system.states
     last = itinerary.phases[-1]
     configuration = system.configuration(last.configuration)
-    constraints = [system.gradient(configuration.boundary(last.boundary).function)]
+    vanishing = (configuration.boundary(last.boundary).function, *configuration.constraints)
+    constraints = [system.gradient(function) for function in vanishing]
     if isinstance(configuration.dynamics, SecondOrder):
         size = len(states) // 2
         for index, velocity in configuration.dynamics.held_at(states).items():
@@ -87,7 +90,7 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
     # elimination takes the first columns: those of the states without a name
     order = sorted(range(len(states)), key=lambda i: (str(states[i]) in itinerary.start, i))
     augmented = sp.Matrix.hstack(matrix.extract(list(range(matrix.rows)), order), right)
-    reduced, pivots = augmented.applyfunc(sp.cancel).rref(simplify=True)
+    reduced, pivots = augmented.applyfunc(cancel).rref(simplify=cancel)
     if len(states) in pivots:
         raise DerivationError(f"itinerary {itinerary.name!r}: its start satisfies no state")
     solved = {order[pivot]: row for row, pivot in enumerate(pivots)}
@@ -97,9 +100,9 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
     for column, place in enumerate(places):
         embedding[place, column] = 1
     for state, row in solved.items():
-        constant[state] = sp.factor(reduced[row, len(states)])
+        constant[state] = factor(reduced[row, len(states)])
         for column, place in enumerate(places):
-            embedding[state, column] = -sp.factor(reduced[row, order.index(place)])
+            embedding[state, column] = -factor(reduced[row, order.index(place)])
     return Section(
         _coordinates(itinerary, states, places),
         places,

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import derived_time, name_functions
@@ -129,7 +130,7 @@ def _by_function(expression: sp.Expr, functions: Sequence[sp.Expr]) -> sp.Expr:
     """A sum over the functions of time, with factored coefficients."""
     moving = [f for f in functions if f.is_Symbol]
     collected = sp.collect(sp.expand(expression), moving, evaluate=False)
-    return sp.Add(*(f * sp.factor(sp.cancel(c)) for f, c in collected.items()))
+    return sp.Add(*(f * factor(cancel(c)) for f, c in collected.items()))
 
 
 def phase_starts(itinerary: Itinerary, system: System, start: Section) -> list[sp.Matrix]:
@@ -158,7 +159,7 @@ def end_conditions(
     image = itinerary.transition_after(system, -1).reset_of(ends[-1], system.states)
     for coordinate, place in zip(start.coordinates, start.places, strict=True):
         conditions.append((f"{coordinate} returns", image[place] - coordinate))
-    return [(meaning, sp.factor(sp.expand(condition))) for meaning, condition in conditions]
+    return [(meaning, factor(sp.expand(condition))) for meaning, condition in conditions]
 
 
 def _multiple(
@@ -192,7 +193,7 @@ def _check_reversible(itinerary: Itinerary, flow: Flow, jump: sp.Matrix, shift: 
     turned = sp.Matrix.hstack(
         jump * matrix * jump + matrix, jump * (matrix * shift + offset) + offset
     )
-    if not turned.applyfunc(sp.cancel).is_zero_matrix:
+    if not turned.applyfunc(cancel).is_zero_matrix:
         raise DerivationError(
             f"itinerary {itinerary.name!r}: configuration {flow.configuration!r} is not"
             " reversed by the map that is declared as its reversor"

@@ -1,89 +1,86 @@
-"""Entire functions of an eigenvalue, which never divide by it.
-
-For z'' + lambda z = 0 every solution is built from the functions
-
-    c_k(lambda, t) = sum_j (-lambda)^j t^(k + 2j) / (k + 2j)!,
-
-c_0 = cos(sqrt(lambda) t), c_1 = sin(sqrt(lambda) t)/sqrt(lambda), c_2 = (1 - c_0)/lambda,
-c_3 = (t - c_1)/lambda, entire in lambda: zero, negative and complex eigenvalues need no
-case of their own. A function of a matrix needs their divided differences as well, which
-are entire in all their nodes, equal or not.
-"""
+"""Functions of time of every linear motion, entire in the coefficients they depend on."""
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
+import mpmath
 import sympy as sp
 
-__all__ = ["Eigenvalue", "EntireDifference", "EntirePair"]
+__all__ = ["ExponentialDifference"]
 
 
-class EntireDifference(sp.Function):
-    """Divided difference c_k[l_1, ..., l_j](t), written EntireDifference(k, t, l_1, ..., l_j)."""
+@lru_cache(maxsize=256)  # the derivatives of one function are one column
+def _column(
+    t: sp.Float, factors: tuple[tuple[sp.Float, ...], ...], dps: int
+) -> tuple[mpmath.mpf, ...]:
+    """Solution, with its derivatives, of prod chi (d/dt) y = 0 from (0, ..., 0, 1)."""
+    product = [mpmath.mpf(1)]
+    for factor in factors:
+        polynomial = [*map(mpmath.mpf, factor), mpmath.mpf(1)]
+        longer = [mpmath.mpf(0)] * (len(product) + len(factor))
+        for i, a in enumerate(product):
+            for j, b in enumerate(polynomial):
+                longer[i + j] += a * b
+        product = longer
+    size = len(product) - 1
+    companion = mpmath.zeros(size)
+    for i in range(size):
+        if i + 1 < size:
+            companion[i, i + 1] = 1
+        companion[size - 1, i] = -product[i]
+    whole = mpmath.expm(companion * mpmath.mpf(t))
+    return tuple(whole[i, size - 1] for i in range(size))
+
+
+class ExponentialDifference(sp.Function):
+    """Derivatives by the time of L^-1[1/prod_i chi_i](t), written (k, t, chi_1, ..., chi_j).
+
+    Each factor chi is a monic polynomial in s, given by the Tuple of its coefficients from the
+    constant up, without the leading one: (-r,) is s - r, (w^2, 2 b) is s^2 + 2 b s + w^2, (0,)
+    is s. The function is the k-th derivative of the divided difference of exp(s t) over all
+    roots of all factors. It is entire in the time and in all coefficients, equal roots or not.
+    """
 
     @classmethod
-    def eval(cls, k: Any, t: Any, *nodes: Any) -> Any:
-        """Equal to a polynomial in t where every node is zero."""
-        if nodes and all(node == 0 for node in nodes):
-            order = len(nodes) - 1
-            power = k + 2 * order
-            return sp.Integer(-1) ** order * t**power / sp.factorial(power)
-        return None
+    def eval(cls, k: Any, t: Any, *factors: Any) -> Any:
+        """Order the factors; reduce what is a polynomial, or a derivative of a constant's part."""
+        zero = sp.Tuple(sp.Integer(0))
+        degree = sum(len(factor) for factor in factors)
+        if all(factor == zero for factor in factors):
+            return t ** (degree - 1 - k) / sp.factorial(degree - 1 - k) if k < degree else 0
+        if k > 0 and zero in factors:
+            kept = list(factors)
+            kept.remove(zero)
+            return cls(k - 1, t, *kept)
+        if k >= degree:
+            # prod chi (d/dt) annihilates it
+            s = sp.Dummy("s")
+            polynomials = [s ** len(f) + sum(c * s**i for i, c in enumerate(f)) for f in factors]
+            _, *rest = sp.Poly(sp.expand(sp.Mul(*polynomials)), s).all_coeffs()
+            lower = reversed(rest)
+            return sp.Add(*(-c * cls(k - degree + i, t, *factors) for i, c in enumerate(lower)))
+        ordered = sorted(factors, key=sp.default_sort_key)
+        return None if list(factors) == ordered else cls(k, t, *ordered)
 
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """Derivative by the time (argument 2) or by one of the nodes (arguments 3, ...)."""
-        k, t, *nodes = self.args
-        if argindex == 2:
-            if k > 0:
-                return EntireDifference(k - 1, t, *nodes)
-            # c_0' = -lambda c_1; Leibniz' rule for the divided difference of a product
-            derivative = -nodes[-1] * EntireDifference(1, t, *nodes)
-            return derivative - EntireDifference(1, t, *nodes[:-1]) if nodes[1:] else derivative
-        if argindex > 2:
-            return EntireDifference(k, t, *nodes, nodes[argindex - 3])
-        raise sp.core.function.ArgumentIndexError(self, argindex)
+    def _eval_evalf(self, prec: int) -> sp.Expr | None:
+        """Number of so many bits, where all arguments are numbers."""
+        k, t, *factors = self.args
+        if self.free_symbols:
+            return None
+        dps = mpmath.libmp.prec_to_dps(prec) + 5
+        coefficients = tuple(tuple(c.evalf(dps) for c in factor) for factor in factors)
+        with mpmath.workdps(dps):
+            return sp.Float(_column(t.evalf(dps), coefficients, dps)[int(k)], precision=prec)
 
-
-class EntirePair(sp.Function):
-    """Coefficients of c_k modulo powers of q(l) = (l - m)^2 - d, in real arithmetic.
-
-    EntirePair(k, level, part, t, m, d) is the coefficient of ``(l - m)^part q^level`` in the
-    expansion of c_k(l, t) in powers of q. At level 0 the parts are the mean
-    (c_k(m + s) + c_k(m - s))/2 and the difference (c_k(m + s) - c_k(m - s))/(2 s) with
-    s = sqrt(d), which are real and entire for d positive (real eigenvalues m +- s), zero
-    (a double one) and negative (a complex pair). Higher levels are their derivatives.
-    """
-
-    nargs = 6
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """Derivative by t, m or d (arguments 4, 5, 6)."""
-        k, level, part, t, m, d = self.args
-
-        def at(shift: int, which: int, order: Any = k) -> sp.Expr:
-            return EntirePair(order, level + shift, which, t, m, d)
-
-        if argindex == 4:
-            if k > 0:
-                return at(0, part, k - 1)
-            # multiplication by -l = -(m + (l - m)), with (l - m)^2 = q + d
-            if part == 1:
-                return -m * at(0, 1, 1) - at(0, 0, 1)
-            below = at(-1, 1, 1) if level > 0 else sp.Integer(0)
-            return -m * at(0, 0, 1) - d * at(0, 1, 1) - below
-        if argindex == 5:
-            if part == 1:
-                return 2 * (level + 1) * at(1, 0)
-            return (2 * level + 1) * at(0, 1) + 2 * (level + 1) * d * at(1, 1)
-        if argindex == 6:
-            return (level + 1) * at(1, part)
-        raise sp.core.function.ArgumentIndexError(self, argindex)
-
-
-class Eigenvalue(sp.Function):
-    """One eigenvalue of a matrix without a closed form: Eigenvalue(i, n, L11, L12, ..., Lnn).
-
-    They are counted by real, then imaginary part. The arithmetic that runs the kernel finds
-    them; their derivatives follow from the characteristic polynomial.
-    """
+    def _eval_derivative(self, symbol: sp.Symbol) -> sp.Expr:
+        """Derivative by whatever the time or a coefficient contains."""
+        k, t, *factors = self.args
+        total = sp.diff(t, symbol) * ExponentialDifference(k + 1, t, *factors)
+        for factor in factors:
+            for power, coefficient in enumerate(factor):
+                rate = sp.diff(coefficient, symbol)
+                if rate != 0:
+                    total -= rate * ExponentialDifference(k + power, t, *factors, factor)
+        return total

@@ -11,14 +11,16 @@ and its flow is a sum of functions of time times constant matrices,
 
 Where L has provably positive, distinct eigenvalues on the whole parameter domain the
 functions are 1, t, cos(omega t) and sin(omega t), with frequencies that are radicals of the
-parameters. Elsewhere they are the entire functions of :mod:`nonsmooth.derive.flows.entire`.
+parameters. Elsewhere, and where there is damping, :mod:`nonsmooth.derive.flows.resolvent` gives
+the flow.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import count
+from typing import Any
 
 import sympy as sp
 
@@ -27,7 +29,8 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.flows.entire import EntireDifference, EntirePair
+from nonsmooth.derive.flows.entire import ExponentialDifference
+from nonsmooth.derive.flows.resolvent import resolvent
 
 __all__ = ["TIME", "Flow", "Spectrum", "derive_flows"]
 
@@ -43,27 +46,19 @@ class Spectrum:
     ----------
     entries : tuple of (symbol, expression)
         In order of evaluation; an expression may use the symbols before it.
-    eigenvalues : tuple of (symbols, matrix)
-        Eigenvalues without a closed form: the symbols stand for those of the matrix.
     """
 
     entries: tuple[tuple[sp.Symbol, sp.Expr], ...]
-    eigenvalues: tuple[tuple[tuple[sp.Symbol, ...], sp.Matrix], ...] = ()
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """All spectral symbols in order."""
-        return tuple(s for s, _ in self.entries) + tuple(
-            s for group, _ in self.eigenvalues for s in group
-        )
+        return tuple(s for s, _ in self.entries)
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
         """Symbols of the parameters that the spectrum depends on, by name."""
-        inputs = set().union(
-            *(e.free_symbols for _, e in self.entries),
-            *(m.free_symbols for _, m in self.eigenvalues),
-        )
+        inputs = set().union(*(e.free_symbols for _, e in self.entries))
         return tuple(sorted(inputs - set(self.symbols), key=str))
 
 
@@ -125,7 +120,7 @@ class _Names:
     def __init__(self, taken: Iterable[str]) -> None:
         self.taken = set(taken)  # names of the states and parameters
         self.entries: dict[sp.Expr, sp.Symbol] = {}
-        self.eigenvalues: list[tuple[tuple[sp.Symbol, ...], sp.Matrix]] = []
+        self.resolvents: dict[sp.ImmutableMatrix, Any] = {}  # of blocks of configurations
 
     def symbol(self, stem: str, expression: sp.Expr) -> sp.Expr:
         """Symbol that stands for the expression; the expression itself if it is a number."""
@@ -137,14 +132,10 @@ class _Names:
             self.entries[expression] = sp.Symbol(self._fresh(stem), **assumptions)
         return self.entries[expression]
 
-    def numeric(self, matrix: sp.Matrix) -> tuple[sp.Symbol, ...]:
-        """Symbols for the eigenvalues of a matrix that have no closed form."""
-        for group, known in self.eigenvalues:
-            if known == matrix:
-                return group
-        group = tuple(sp.Symbol(self._fresh("lambda")) for _ in range(matrix.rows))
-        self.eigenvalues.append((group, matrix))
-        return group
+    def coefficient(self, expression: sp.Expr) -> sp.Expr:
+        """A coefficient of a characteristic factor: named where it takes some work."""
+        simple = expression.count_ops() <= 2
+        return expression if simple else self.symbol("coefficient", expression)
 
     def _fresh(self, stem: str) -> str:
         """A name that nothing bears yet: the stem and a number."""
@@ -159,22 +150,18 @@ def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
     Raises
     ------
     DerivationError
-        For a configuration whose closed form is not available here: damping, or a general
-        first-order form.
+        For a configuration of which a block has too many roots and no modes.
     """
     names = _Names([*map(str, system.states), *(p.name for p in system.parameters)])
     flows = {c.name: _flow(c, system, names) for c in system.configurations}
     entries = tuple((symbol, expression) for expression, symbol in names.entries.items())
-    return Spectrum(entries, tuple(names.eigenvalues)), flows
+    return Spectrum(entries), flows
 
 
 def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
     dynamics = configuration.dynamics
     if not isinstance(dynamics, SecondOrder) or not dynamics.damping.is_zero_matrix:
-        raise DerivationError(
-            f"configuration {configuration.name!r}: the closed form covers undamped"
-            " second-order motions only"
-        )
+        return _general_flow(configuration, system, names)
     size = dynamics.mass.rows
     held = sorted(dynamics.held_at(system.states))
     free = [i for i in range(size) if i not in held]
@@ -185,11 +172,9 @@ def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
     terms = _held_terms(len(held))
     if free:
         modes = _positive_modes(stiffness, system.parameters, names)
-        terms += (
-            _entire_terms(stiffness, coupling, load, _functions_of(stiffness, names))
-            if modes is None
-            else _oscillating_terms(stiffness, coupling, load, modes)
-        )
+        if modes is None:
+            return _general_flow(configuration, system, names)
+        terms += _oscillating_terms(stiffness, coupling, load, modes)
     matrices, offsets = _assemble(terms, size, free, held)
     return Flow(
         configuration.name,
@@ -198,6 +183,46 @@ def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
         tuple(sp.ImmutableMatrix(o) for o in offsets.values()),
         dynamics.field(system.states),
     )
+
+
+def _general_flow(configuration: Configuration, system: System, names: _Names) -> Flow:
+    """Flow of any linear motion, from the resolvent of its field."""
+    matrix, offset = configuration.dynamics.field(system.states)
+    try:
+        fractions = resolvent(matrix, offset, system.parameters, names.symbol, names.resolvents)
+    except DerivationError as problem:
+        raise DerivationError(f"configuration {configuration.name!r}: {problem}") from None
+    size = matrix.rows
+    one = sp.Integer(1)
+    found: dict[sp.Expr, sp.Matrix] = {one: sp.zeros(size, size + 1)}
+    for fraction in fractions:
+        factors = tuple(f.func(*map(names.coefficient, f)) for f in fraction.factors)
+        for k, numerator in enumerate(fraction.powers):
+            if numerator.is_zero_matrix:
+                continue
+            value = _function_of_time(k, factors, system.parameters, names)
+            # a multiple of a power of time joins the others of that power
+            scale, function = value.as_independent(TIME, as_Add=False)
+            found[function] = found.get(function, sp.zeros(size, size + 1)) + scale * numerator
+    return Flow(
+        configuration.name,
+        tuple(found),
+        tuple(sp.ImmutableMatrix(m[:, :size]) for m in found.values()),
+        tuple(sp.ImmutableMatrix(m[:, size]) for m in found.values()),
+        (matrix, offset),
+    )
+
+
+def _function_of_time(
+    k: int, factors: tuple[sp.Tuple, ...], parameters: tuple[Parameter, ...], names: _Names
+) -> sp.Expr:
+    """Function of one fraction: trigonometric where its only roots are shown to be imaginary."""
+    if len(factors) == 1 and len(factors[0]) == 2:
+        square, damping = factors[0]
+        if damping == 0 and is_positive(square, parameters):
+            omega = names.symbol("omega", sp.sqrt(square))
+            return sp.cos(omega * TIME) if k else sp.sin(omega * TIME) / omega
+    return ExponentialDifference(k, TIME, *factors)
 
 
 def _held_terms(size: int) -> list[_Term]:
@@ -271,60 +296,6 @@ def _oscillating_terms(
             if column == "x":
                 terms.append((function, row, "1", -matrix * centre))
     return terms
-
-
-def _entire_terms(
-    stiffness: sp.Matrix,
-    coupling: sp.Matrix,
-    load: sp.Matrix,
-    function: Callable[[int], list[tuple[sp.Expr, sp.Matrix]]],
-) -> list[_Term]:
-    """Blocks of the flow for any L, from c_0(L), ..., c_3(L) (variation of constants)."""
-    terms: list[_Term] = []
-    for k, row, column, factor in (
-        (0, "xf", "xf", sp.eye(stiffness.rows)),
-        (1, "xf", "vf", sp.eye(stiffness.rows)),
-        (2, "xf", "xh", -coupling),
-        (3, "xf", "vh", -coupling),
-        (2, "xf", "1", load),
-        (1, "vf", "xf", -stiffness),
-        (0, "vf", "vf", sp.eye(stiffness.rows)),
-        (1, "vf", "xh", -coupling),
-        (2, "vf", "vh", -coupling),
-        (1, "vf", "1", load),
-    ):
-        for scalar, matrix in function(k):
-            terms.append((scalar, row, column, matrix * factor))
-    return terms
-
-
-def _functions_of(
-    stiffness: sp.Matrix, names: _Names
-) -> Callable[[int], list[tuple[sp.Expr, sp.Matrix]]]:
-    """c_k(L) as a sum of entire scalar functions times polynomials of L, for each k."""
-    size = stiffness.rows
-    identity = sp.eye(size)
-    if size == 2 and not stiffness.is_zero_matrix:
-        a, b, c, d = stiffness
-        mean = names.symbol("mean", (a + d) / 2)
-        spread = names.symbol("spread", ((a - d) / 2) ** 2 + b * c)
-        deviation = stiffness - (a + d) / 2 * identity
-        return lambda k: [
-            (EntirePair(k, 0, 0, TIME, mean, spread), identity),
-            (EntirePair(k, 0, 1, TIME, mean, spread), deviation),
-        ]
-    if stiffness.is_zero_matrix:
-        nodes: tuple[sp.Expr, ...] = (sp.Integer(0),)
-    elif size == 1:
-        nodes = (names.symbol("lambda", stiffness[0]),)
-    else:
-        nodes = names.numeric(stiffness)
-    products = [identity]
-    for node in nodes[:-1]:
-        products.append(products[-1] * (stiffness - node * identity))
-    return lambda k: [
-        (EntireDifference(k, TIME, *nodes[: i + 1]), product) for i, product in enumerate(products)
-    ]
 
 
 def _assemble(

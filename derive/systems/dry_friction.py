@@ -6,7 +6,7 @@ in units of 1/omega_3, omega_3 = sqrt((k1 + k2)/m1), and forces divided by k1 + 
     x1'' + x1 - chi x2 = u1,          chi = k2/(k1 + k2),
     x2'' + chi eta (x2 - x1) = eta u2,  eta = m1/m2.
 
-Each mass slips (x' < V, u = us), sticks (x' = V, |u| < ur) or overshoots (x' > V,
+Each mass slips (x' < V, u = us), sticks (x' = V, ``|u| < ur``) or overshoots (x' > V,
 u = -us), which makes nine configurations. f1 and f2 are the forces that friction has to
 balance on a mass that sticks.
 """
@@ -20,8 +20,9 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation, Reference
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
 from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError

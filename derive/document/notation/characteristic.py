@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.notation.symbols import Notation
 
-__all__ = ["characteristic_pieces"]
+__all__ = ["characteristic_pieces", "polynomial_pieces"]
 
 _LARGEST_BLOCK = 6
 # of a block with more than two rows; more make coefficients that nobody reads
@@ -48,7 +50,7 @@ def characteristic_pieces(
         if any(len(sp.Add.make_args(sp.fraction(c)[0])) > _MOST_TERMS for c in expanded):
             return None
         coefficients = [sp.factor(c) for c in expanded]
-        pieces = _polynomial(notation, coefficients, variable)
+        pieces = polynomial_pieces(notation, coefficients, variable)
         factors[pieces] = factors.get(pieces, 0) + 1
     found: list[str] = []
     for pieces, power in sorted(factors.items(), key=lambda f: (len(f[0]), f[0])):
@@ -61,7 +63,9 @@ def characteristic_pieces(
     return tuple(found) if sum(map(width, found)) <= _LONGEST else None
 
 
-def _polynomial(notation: Notation, coefficients: list[sp.Expr], variable: str) -> tuple[str, ...]:
+def polynomial_pieces(
+    notation: Notation, coefficients: Sequence[sp.Expr], variable: str
+) -> tuple[str, ...]:
     """Terms of a monic polynomial, the highest power first."""
     degree = len(coefficients) - 1
     pieces: list[str] = []

@@ -71,16 +71,15 @@ class Printer(LatexPrinter):
         sine, cosine = (self._print(a) for a in expression.args)
         return rf"\operatorname{{arg}}\left({cosine} + \mathrm{{i}} {sine}\right)"
 
-    def _print_EntireDifference(self, expression: sp.Expr) -> str:
-        order, time, *nodes = (self._print(a) for a in expression.args)
-        return rf"c_{{{order}}}\left[{', '.join(nodes)}\right]\left({time}\right)"
-
-    def _print_EntirePair(self, expression: sp.Expr) -> str:
-        order, level, part, *rest = expression.args
-        time, mean, spread = (self._print(a) for a in rest)
-        index = f"{order}" if level == 0 else f"{order},{level}"
-        accent = "hat" if part == 1 else "bar"
-        return rf"\{accent}{{c}}_{{{index}}}\left({time}; {mean}, {spread}\right)"
+    def _print_ExponentialDifference(self, expression: sp.Expr, exp: str | None = None) -> str:
+        order, time, *factors = expression.args
+        responses = self.notation.responses
+        if responses.knows(tuple(factors)):
+            text = responses.latex(int(order), tuple(factors), self._print(time))
+        else:
+            written = ", ".join(self._print(sp.Tuple(*f)) for f in factors)
+            text = rf"{responses.letter}^{{({order})}}\left[{written}\right]({self._print(time)})"
+        return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
 
     def radicand(self, base: sp.Expr) -> str:
         """What stands below a root: one fraction, unless its terms have denominators."""
@@ -189,7 +188,8 @@ class Printer(LatexPrinter):
         factors = list(sp.Mul.make_args(rest))
         roots = [f for f in factors if f.is_Pow and abs(f.exp) == sp.Rational(1, 2)]
         scale = sp.Integer(1)
-        if number.is_Rational and any(f.base.is_number for f in roots):
+        closed = [f for f in roots if f.base.is_number]
+        if number.is_Rational and closed and len(closed) < len(roots):
             scale, number = number**2, sp.Integer(sign)
         above, below = [abs(number).p, abs(number).q] if number.is_Rational else [abs(number), 1]
         above, below = [sp.sympify(above)], [sp.sympify(below)]

@@ -13,14 +13,17 @@ One general rule, no table per orbit:
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.declaration import algebra
 from nonsmooth.derive.document.notation.printer import Printer
+from nonsmooth.derive.document.notation.responses import Responses, responses_of
+from nonsmooth.derive.flows.modal import Flow
 
 __all__ = ["Notation"]
 
@@ -65,6 +68,8 @@ class Notation:
         Those of the spectrum that are entries of projectors.
     names : mapping of symbol to LaTeX
         Symbols that the document itself introduces.
+    responses : Responses
+        Numbers of the factors of impulse responses.
     """
 
     states: tuple[sp.Symbol, ...]
@@ -74,10 +79,16 @@ class Notation:
     start: Mapping[sp.Symbol, int] = field(default_factory=dict)
     projectors: tuple[sp.Symbol, ...] = ()
     names: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    responses: Responses = field(default_factory=Responses)
 
     def with_names(self, names: Mapping[sp.Symbol, str]) -> Notation:
         """The same notation with more symbols that the document introduces."""
         return replace(self, names={**self.names, **names})
+
+    def with_responses(self, flows: Iterable[Flow]) -> Notation:
+        """The same notation, with numbers for the factors of the flows' impulse responses."""
+        symbols = (*self.states, *self.constants, *self.unknowns)
+        return replace(self, responses=responses_of(flows, map(self.symbol, symbols)))
 
     def symbol(self, name: sp.Symbol | str) -> str:
         """LaTeX of a symbol."""
@@ -87,6 +98,9 @@ class Notation:
         inner, by, variable = text.rpartition("_by_")
         if by:
             return rf"\partial_{{{self.symbol(variable)}}} {self.symbol(inner)}"
+        inner, times, variable = text.rpartition("_times_")
+        if times:
+            return rf"{self.symbol(inner)}^{{({self.symbol(variable)})}}"
         if text in self._functions:
             return self.latex(self._functions[text])
         state = self._state_at(text)
@@ -149,7 +163,7 @@ class Notation:
             states = sorted((s for s in monomial.free_symbols if self.is_state(s)), key=str)
             rest, state = monomial.as_independent(*states, as_Add=False)
             inner = grouped.setdefault(state, {})
-            inner[rest] = inner.get(rest, sp.Integer(0)) + sp.factor(sp.cancel(factor))
+            inner[rest] = inner.get(rest, sp.Integer(0)) + algebra.factor(algebra.cancel(factor))
         sums: dict[sp.Expr, sp.Expr] = {}
         for state, inner in grouped.items():
             factor = sp.factor_terms(sp.Add(*(r * f for r, f in inner.items())))

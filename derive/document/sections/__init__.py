@@ -1,1 +1,1 @@
-"""The sections of a document, each by the module `describe_TOPIC` that writes it."""
+"""The sections of a document, each by a module of its own."""

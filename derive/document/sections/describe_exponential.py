@@ -12,7 +12,6 @@ from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.notation.characteristic import characteristic_pieces
 from nonsmooth.derive.document.notation.letters import Letters
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
-from nonsmooth.derive.document.sections.describe_damped import damped_blocks, damped_coordinate
 
 __all__ = ["exponential_blocks"]
 
@@ -56,14 +55,6 @@ def exponential_blocks(
                 Paragraph(f"{flow}: the eigenvalues are the roots of"),
                 Formula((Line(rf"\det\left({unit}\right)", "=", _ended(pieces)),)),
             ]
-        for configuration in sharing:
-            motion = damped_coordinate(
-                configuration.dynamics.field(system.states), system.parameters
-            )
-            if motion is not None:
-                if len(sharing) > 1:
-                    blocks.append(Paragraph(f"*{configuration.name}*:"))
-                blocks += damped_blocks(naming, letters, motion)
     return blocks, numbers
 
 

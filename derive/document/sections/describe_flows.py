@@ -11,7 +11,6 @@ from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.notation.wording import enumeration
 from nonsmooth.derive.document.views.centres import Centres, centre_of
-from nonsmooth.derive.flows.entire import EntireDifference, EntirePair
 from nonsmooth.derive.flows.modal import Flow
 
 __all__ = ["flow_blocks"]
@@ -20,18 +19,6 @@ _Terms = list[tuple[sp.Expr, sp.Matrix]]
 
 # em beyond which a matrix is not written inside a sum
 _WIDE = 24.0
-
-_ENTIRE = (
-    r"The entire functions $c_{k}(\lambda, t) = \sum_{j} (-\lambda)^{j} t^{k + 2j}/(k + 2j)!$"
-    r" are defined for every eigenvalue: $c_{0} = \cos(\sqrt{\lambda}\,t)$ and"
-    r" $c_{1} = \sin(\sqrt{\lambda}\,t)/\sqrt{\lambda}$."
-)
-_DIFFERENCE = r" $c_{k}[\lambda_{1}, \ldots](t)$ are their divided differences in $\lambda$."
-_PAIR = (
-    r" With $\lambda_{\pm} = \mu \pm \sqrt{\delta}$, $\bar{c}_{k}(t; \mu, \delta)$ is the mean of"
-    r" $c_{k}$ at both and $\hat{c}_{k}(t; \mu, \delta)$ their difference divided by"
-    r" $2\sqrt{\delta}$."
-)
 
 
 def flow_blocks(
@@ -53,11 +40,6 @@ def flow_blocks(
         numbers[flow.configuration] = distinct.index(known) + 1
     blocks = _centres(notation, state, flows, numbers, centres)
     functions = [g for f in distinct for g in f.basis]
-    if any(isinstance(g, EntirePair | EntireDifference) for g in functions):
-        text = _ENTIRE
-        text += _DIFFERENCE if any(isinstance(g, EntireDifference) for g in functions) else ""
-        text += _PAIR if any(isinstance(g, EntirePair) for g in functions) else ""
-        blocks.append(Paragraph(text))
     if in_blocks:
         blocks.append(
             Paragraph(

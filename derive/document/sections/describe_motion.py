@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
@@ -56,7 +57,7 @@ def motion_of(configuration: Configuration, naming: Naming, letters: MatrixLette
     """Write the equations of motion, in the letters of the matrices if given."""
     notation, dynamics, states = naming.notation, configuration.dynamics, naming.system.states
     matrix, offset = dynamics.field(states)
-    matrix, offset = matrix.applyfunc(sp.cancel), offset.applyfunc(sp.cancel)
+    matrix, offset = matrix.applyfunc(cancel), offset.applyfunc(cancel)
     if isinstance(dynamics, FirstOrder):
         return _first_order(naming, matrix, offset)
     x, size = naming.letter, dynamics.mass.rows

@@ -115,8 +115,13 @@ def equation_section(view: View) -> list[Block]:
 
 
 def _except(view: View, dropped: Sequence[sp.Symbol]) -> str:
-    """Name the coordinates that energy makes return, given that the others do."""
+    """Name the coordinates that return if the others do, and why."""
     if not dropped:
         return ""
+    if view.equations.chain.forcing:
+        return (
+            ", with the amplitude of the forcing and whole periods of it in place of the closure"
+            " of its cosine and sine,"
+        )
     names = view.naming.list(dropped)
     return f" but {names}, which the energy makes return if all others do,"

@@ -142,13 +142,28 @@ def _local_maps(view: View) -> list[Block]:
         rf"{jump}\left(I - \frac{{f_{{{k}}} n_{{{k}}}}}{{n_{{{k}}} f_{{{k}}}}}\right)"
         rf" \Phi^{{({k})}}"
     )
-    product = rf"E^{{+}} {local} E,"
+    chain = view.equations.chain
+    letter = "L" if chain.forcing else "E"
+    product = rf"{letter}^{{+}} {local} {letter},"
     if len(links) > 1:
-        product = rf"E^{{+}} \left({_product(view)} {local}\right) E,"
+        product = rf"{letter}^{{+}} \left({_product(view)} {local}\right) {letter},"
     blocks: list[Block] = [Paragraph(text), Formula((Line("J", "=", (product,)),))]
     where = f"where $E^{{+}}$ takes the section's coordinates {naming.list(section.coordinates)}"
     where += " of a state, and"
-    if view.reversible:
+    if chain.forcing:
+        where = (
+            f"for the coordinates {view.map_coordinates}, of which ${letter}$ holds the"
+            f" derivatives of the start and ${letter}^{{+}}$ takes the changes: the amplitude of"
+            " the forcing does not change, and its cosine and sine move with its phase alone,"
+        )
+        lines = [
+            Line(letter, "=", (f"{naming.notation.latex(chain.directions)},",)),
+            Line(rf"{letter}^{{+}}", "=", (naming.notation.latex(_returning(view)),)),
+        ]
+        blocks += [Paragraph(where), Formula(tuple(lines))]
+        where = "and, at the ends of the phases"
+        where += unit if resets else ""
+    elif view.reversible:
         where += " $E$ is the derivative by them of a state on the section,"
         on_section = transposed(naming, section.state)
         line = Line(naming.state, "=", (f"{on_section}.",), None, sp.ImmutableMatrix(section.state))
@@ -207,7 +222,7 @@ def _saltation(view: View) -> list[Block]:
     product = (
         rf"{_product(view)} S_{{{k}}} \Phi^{{({k})}},\qquad",
         r"\mathcal{M} f_{0}^{+} = f_{0}^{+},\qquad",
-        r"\operatorname{tr} \mathcal{M} = 1 + \operatorname{tr} J,",
+        rf"\operatorname{{tr}} \mathcal{{M}} = {_neutral(view)} + \operatorname{{tr}} J,",
     )
     jumps = any(m != link.reset for link, m in zip(view.links, saltations(view), strict=True))
     at_orbit = "At the orbit" if jumps else f"At the orbit $f_{{k}}^{{+}} = {carried}$, hence"
@@ -231,7 +246,8 @@ def _saltation(view: View) -> list[Block]:
             "$f_{0}^{+}$ being the vector field at the start. By the second form of $S_{k}$,"
             r" $\mathcal{M}$ is the product of the local maps plus a matrix whose columns are"
             " multiples of $f_{0}^{+}$, a vector that the local maps take to zero. So beside the"
-            r" multiplier 1 of $f_{0}^{+}$, and zeros, $\mathcal{M}$ has the multipliers of $J$."
+            r" multiplier 1 of $f_{0}^{+}$, and zeros, $\mathcal{M}$ has the multipliers of $J$"
+            f"{_beside(view)}."
         ),
     ]
 
@@ -256,6 +272,27 @@ def _saltation_lines(view: View) -> list[Line]:
     last = lines[-1]
     end = (*last.pieces[:-1], f"{last.pieces[-1].removesuffix(',')}.")
     return [*lines[:-1], Line(last.left, last.relation, end, None, last.shows)]
+
+
+def _returning(view: View) -> sp.Matrix:
+    """What takes the coordinates of the Poincaré map of a change of the last state."""
+    chain = view.equations.chain
+    return chain.returning(sp.eye(chain.end.rows))
+
+
+def _neutral(view: View) -> int:
+    """Multipliers 1 that every orbit has: of time, and of what no motion changes in a forcing."""
+    forcing = view.equations.chain.forcing
+    return 2 * len(forcing.places) if forcing else 1
+
+
+def _beside(view: View) -> str:
+    """What else has the multiplier 1."""
+    if view.equations.chain.forcing is None:
+        return ""
+    return ", and the multiplier 1 of what no motion changes: the amplitudes of the forcing" + (
+        " and the differences of phase" if _neutral(view) > 2 else ""
+    )
 
 
 def _index(view: View) -> str:

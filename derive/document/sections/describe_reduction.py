@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from nonsmooth.derive.document.blocks import Block, Formula, Paragraph, Table
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.notation.wording import Naming, count, numbered
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
@@ -53,6 +53,7 @@ def reduction_section(view: View) -> list[Block]:
             Paragraph(f"The reduced system has {count(len(reduction.equations), 'equation')}:")
         )
         blocks += numbered_rest(view)
+        blocks += _both_roots(view)
     else:
         blocks.append(Paragraph("Nothing remains to be solved: the orbit is explicit."))
     others = [(s, e) for s, e in reduction.values.items() if s != e and s in equations.unknowns]
@@ -60,6 +61,26 @@ def reduction_section(view: View) -> list[Block]:
         blocks.append(Paragraph("The unknowns that do not appear among the stages are"))
         blocks.append(Formula(tuple(naming.equal(s, e) for s, e in others)))
     return blocks
+
+
+def _both_roots(view: View) -> list[Block]:
+    """The roots of the reduced equation where it is quadratic."""
+    reduction, naming = view.reduction, view.naming
+    if not reduction.roots:
+        return []
+    (unknown,), ((_, equation),) = reduction.unknowns, reduction.equations
+    a, b, c = sp.Poly(sp.expand(equation), unknown).all_coeffs()
+    half, radicand = sp.factor_terms(-b / 2), sp.expand((b / 2) ** 2 - a * c)
+    latex = naming.notation.latex
+    above = rf"{latex(half)} \pm \sqrt{{{latex(radicand)}}}"
+    value = rf"\frac{{{above}}}{{{latex(a)}}}."
+    return [
+        Paragraph(
+            "It is quadratic, so that the orbit is explicit. An itinerary has up to two orbits;"
+            " which of them is a motion of the system, admissibility decides:"
+        ),
+        Formula((Line(naming.notation.symbol(unknown), "=", (value,)),)),
+    ]
 
 
 def _beyond(view: View) -> list[Block]:

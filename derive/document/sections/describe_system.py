@@ -9,13 +9,15 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
+from nonsmooth.derive.document.blocks import Block, Formula, Paragraph, Table
 from nonsmooth.derive.document.notation.letters import letters_of
+from nonsmooth.derive.document.notation.responses import is_response
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.sections.describe_exponential import exponential_blocks
 from nonsmooth.derive.document.sections.describe_flows import flow_blocks
 from nonsmooth.derive.document.sections.describe_motion import MatrixLetters, matrices_of, motion_of
+from nonsmooth.derive.document.sections.describe_responses import response_flows
 from nonsmooth.derive.document.views.centres import Centres
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
@@ -220,14 +222,11 @@ def modal_section(
             ),
             Formula(tuple(naming.equal(s, e, tidy=_single(e)) for s, e in entries)),
         ]
-    needed = {s for f in used for g in f.basis for s in g.free_symbols}
-    for group, matrix in spectrum.eigenvalues:
-        if needed & set(group):
-            blocks += [
-                Paragraph(f"{naming.list(group)} are the eigenvalues of the matrix"),
-                Formula((Line("", "", (naming.notation.latex(matrix),)),)),
-            ]
-    more, numbers = flow_blocks(naming.notation, naming.state, used, naming.second_order, centres)
+    if any(map(is_response, used)):
+        more, numbers = response_flows(naming, used)
+    else:
+        in_blocks = naming.second_order
+        more, numbers = flow_blocks(naming.notation, naming.state, used, in_blocks, centres)
     return blocks + more, numbers
 
 

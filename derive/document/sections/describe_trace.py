@@ -60,14 +60,13 @@ def _one_sided(view: View) -> str:
 
 def _sum(view: View) -> list[Block]:
     """The trace as the sum of the diagonal, and how many multipliers can differ from zero."""
-    equations, section = view.equations, view.equations.chain.section
-    rank, size = equations.reduction.rank, section.dimension
+    equations = view.equations
+    rank, size = equations.reduction.rank, len(equations.chain.coordinates)
     diagonal = [rf"J_{{{i}{i}}}" for i in range(1, size + 1)]
     text = (
-        f"$J$ is a matrix of {number(size)} rows, for the coordinates"
-        f" {view.naming.list(section.coordinates)}. "
+        f"$J$ is a matrix of {number(size)} rows, for the coordinates {view.map_coordinates}. "
         if size > 1
-        else f"$J$ is a number, for the coordinate {view.naming.list(section.coordinates)}. "
+        else f"$J$ is a number, for the coordinate {view.map_coordinates}. "
     )
     if rank < size:
         itinerary = equations.itinerary
@@ -85,7 +84,7 @@ def _sum(view: View) -> list[Block]:
 
 def _full_rank(view: View) -> list[Block]:
     """Stability of a map whose trace alone does not decide."""
-    if view.equations.chain.section.dimension == 2:
+    if len(view.equations.chain.coordinates) == 2:
         return [
             Paragraph(
                 rf"Two multipliers can differ from zero, and $|{_TRACE}| < 1$ does not decide. Both"

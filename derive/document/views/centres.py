@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel, factor
+from nonsmooth.derive.document.notation.responses import is_response
 from nonsmooth.derive.flows.modal import Flow
 
 __all__ = ["Centres", "centre_of", "name_centres"]
@@ -53,7 +55,10 @@ def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
     taken : iterable of str
         LaTeX of all other symbols.
     """
-    found = {f.configuration: c for f in flows if (c := centre_of(f)) and not c.is_zero_matrix}
+    shown = list(flows)
+    if any(map(is_response, shown)):
+        shown = []  # motions are written coordinate by coordinate, about no centre
+    found = {f.configuration: c for f in shown if (c := centre_of(f)) and not c.is_zero_matrix}
     used = set(taken)
     columns: dict[str, sp.Matrix] = {}
     values: dict[sp.Symbol, sp.Expr] = {}
@@ -80,12 +85,12 @@ def centre_of(flow: Flow) -> sp.Matrix | None:
     matrix, offset = flow.field
     size = matrix.rows
     # states that drift come last, so that they are the free ones
-    drifting = (matrix * matrix).applyfunc(sp.cancel)
-    order = sorted(range(size), key=lambda i: (drifting[i, :].is_zero_matrix, i))
+    drifting = (matrix * matrix).applyfunc(cancel)
+    order = sorted(range(size), key=lambda i: (not any(drifting[i, :]), i))
     unknowns = sp.symbols(f"centre0:{size}")
     solutions = sp.linsolve((matrix[:, order], -offset), *unknowns)
     if not solutions:
         return None
     (solution,) = solutions
-    values = sp.Matrix(solution).subs(dict.fromkeys(unknowns, 0)).applyfunc(sp.factor)
+    values = sp.Matrix(solution).subs(dict.fromkeys(unknowns, 0)).applyfunc(factor)
     return sp.Matrix([values[order.index(i)] for i in range(size)])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 
 from nonsmooth.derive.declaration.configuration import Configuration
@@ -10,7 +10,7 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum, derive_flows
 
-__all__ = ["closed_flows", "without_numeric"]
+__all__ = ["closed_flows"]
 
 
 def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[str, Flow]]:
@@ -27,16 +27,6 @@ def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[s
     except DerivationError:
         closed = [c for c in chosen if _is_closed(system, c)]
         return derive_flows(_alone(system, closed)) if closed else (Spectrum(()), {})
-
-
-def without_numeric(spectrum: Spectrum, flows: Mapping[str, Flow]) -> dict[str, Flow]:
-    """Flows in which no eigenvalue occurs that is found from numbers only."""
-    numeric = {symbol for group, _ in spectrum.eigenvalues for symbol in group}
-    return {
-        name: flow
-        for name, flow in flows.items()
-        if not any(function.free_symbols & numeric for function in flow.basis)
-    }
 
 
 def _is_closed(system: System, configuration: Configuration) -> bool:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.document.notation.arrange import grouped_by
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.saltation import saltation_matrix
@@ -52,16 +53,14 @@ def saltations(view: View) -> tuple[sp.Matrix, ...]:
             condition = condition.subs(images, simultaneous=True)
         at_boundary = _solved(view, sp.expand(condition))
         found.append(
-            sp.ImmutableMatrix(
-                matrix.subs(at_boundary).applyfunc(lambda e: sp.factor(sp.cancel(e)))
-            )
+            sp.ImmutableMatrix(matrix.subs(at_boundary).applyfunc(lambda e: factor(cancel(e))))
         )
     return tuple(found)
 
 
 def keeps_volume(view: View) -> bool:
     """Whether no transition changes volumes of the state space; the flows never do."""
-    return all(sp.cancel(matrix.det()) == 1 for matrix in saltations(view))
+    return all(cancel(matrix.det()) == 1 for matrix in saltations(view))
 
 
 def monodromy_trace(view: View) -> MonodromyTrace | None:
@@ -116,7 +115,7 @@ def _within(symbol: sp.Symbol, terms: list[sp.Expr]) -> bool:
 
 def _split(coefficient: sp.Expr, projectors: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, sp.Expr]:
     """Factors with entries of projectors, and the others."""
-    factors = sp.Mul.make_args(sp.factor(coefficient))
+    factors = sp.Mul.make_args(factor(coefficient))
     outer = sp.Mul(*(f for f in factors if f.free_symbols & set(projectors)))
     inner = sp.Mul(*(f for f in factors if not f.free_symbols & set(projectors)))
     return outer, inner

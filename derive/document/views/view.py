@@ -11,9 +11,9 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.views.centres import Centres, name_centres
-from nonsmooth.derive.equations.chain import Link
+from nonsmooth.derive.equations.chain import PHASE, Link
 from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.reduction import Reduction
@@ -56,6 +56,13 @@ class View:
     def flows(self) -> dict[str, Flow]:
         """Flows of the orbit's configurations, each once."""
         return {link.flow.configuration: link.flow for link in self.links}
+
+    @property
+    def map_coordinates(self) -> str:
+        """Coordinates of the Poincaré map, listed."""
+        chain, notation = self.equations.chain, self.naming.notation
+        listed = [f"${notation.symbol(name)}$" for name in chain.coordinates if name != PHASE]
+        return enumeration([*listed, *(["the phase of the forcing"] if chain.forcing else [])])
 
     @cached_property
     def undecided(self) -> tuple[Itinerary, System, Section]:
@@ -155,7 +162,7 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
         | dict(zip(start.coordinates, start.places, strict=True)),
         tuple(s for s in spectrum.symbols if s in entries - frequencies),
         centres.names,
-    )
+    ).with_responses(flows)
     return Naming(notation, system), centres
 
 

@@ -160,8 +160,8 @@ def _escaped(text: str) -> str:
     return "".join(_SPECIAL.get(c, c) for c in text)
 
 
-def compile_pdf(latex: str, target: Path) -> None:
-    """Compile an article to a PDF file, in a temporary directory and without a shell.
+def compile_pdf(latex: str) -> bytes:
+    """Content of an article's PDF file, compiled in a temporary directory, without a shell.
 
     Raises
     ------
@@ -198,4 +198,4 @@ def compile_pdf(latex: str, target: Path) -> None:
             if done.returncode != 0:
                 report = "\n".join((done.stdout + done.stderr).splitlines()[-15:])
                 raise RuntimeError(f"{Path(engine).name} failed:\n{report}")
-        shutil.copyfile(Path(folder, "document.pdf"), target)
+        return Path(folder, "document.pdf").read_bytes()

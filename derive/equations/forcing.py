@@ -1,0 +1,167 @@
+"""The harmonic forcings of an orbit: its period is theirs, and their phase is an unknown.
+
+A forcing is a pair of states c' = -w s, s' = w c on the circle c^2 + s^2 = 1. Over whole
+periods it comes back whatever else moves, so that its closure says only how long the orbit is,
+
+    tau1 + ... + taup = 2 pi k / w,
+
+with a whole number k, and its start is known but for the phase. Several forcings come back
+together where their frequencies are whole multiples of one; they have begun together, at c = 1,
+so that one phase is that of all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.parameter import exact
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.errors import DerivationError
+
+__all__ = ["PERIODS", "Forcing", "forcing_of"]
+
+PERIODS = "the orbit takes whole periods of the forcing"
+
+
+@dataclass(frozen=True)
+class Forcing:
+    """Forcings of an orbit, all of them harmonics of one frequency.
+
+    Attributes
+    ----------
+    frequency : expression
+        The greatest of which the frequency of each forcing is a whole multiple.
+    multiples : tuple of int
+        Those multiples.
+    places : tuple of (int, int)
+        Which states are cosine and sine of each forcing.
+    turns : int
+        Periods of `frequency` to one of the orbit.
+    """
+
+    frequency: sp.Expr
+    multiples: tuple[int, ...]
+    places: tuple[tuple[int, int], ...]
+    turns: int
+
+    @property
+    def period(self) -> sp.Expr:
+        """Period of the orbit."""
+        return 2 * sp.pi * self.turns / self.frequency
+
+    @property
+    def states(self) -> tuple[int, ...]:
+        """Places of all cosines and sines."""
+        return tuple(place for pair in self.places for place in pair)
+
+    def conditions(self, start: sp.Matrix) -> tuple[tuple[str, sp.Expr], ...]:
+        """Give the equations of the start: amplitudes, then phases with respect to the first.
+
+        Parameters
+        ----------
+        start : N x 1 matrix
+            State at the start of the orbit.
+        """
+        found = []
+        (c, s), *_ = pairs = [(start[i], start[j]) for i, j in self.places]
+        number = "" if len(pairs) == 1 else " 1"
+        found.append((f"amplitude of forcing{number} is one", c**2 + s**2 - 1))
+        for place, (other_c, other_s) in enumerate(pairs[1:], start=1):
+            common = sp.igcd(self.multiples[0], self.multiples[place])
+            up, own = self.multiples[place] // common, self.multiples[0] // common
+            began = f"forcing {place + 1} began with forcing 1"
+            wanted = sp.expand((c + sp.I * s) ** up)
+            if own == 1:
+                found.append((f"{began}: cosine", other_c - sp.re(wanted)))
+                found.append((f"{began}: sine", other_s - sp.im(wanted)))
+            else:
+                found.append(
+                    (f"amplitude of forcing {place + 1} is one", other_c**2 + other_s**2 - 1)
+                )
+                turned = sp.expand((other_c + sp.I * other_s) ** own * sp.conjugate(wanted))
+                found.append((began, sp.im(turned)))
+        return tuple(found)
+
+    def along_phase(self, start: sp.Matrix) -> sp.Matrix:
+        """Give the derivative of the forcings by their common phase.
+
+        Parameters
+        ----------
+        start : N x 1 matrix
+        """
+        moved = sp.zeros(start.rows, 1)
+        for multiple, (c, s) in zip(self.multiples, self.places, strict=True):
+            moved[c], moved[s] = -multiple * start[s], multiple * start[c]
+        return moved
+
+    def phase_of(self, end: sp.Matrix, moved: sp.Matrix) -> sp.Matrix:
+        """Give the change of the common phase that changes of the state at the end mean.
+
+        Parameters
+        ----------
+        end : N x 1 matrix
+        moved : N x d matrix
+            Changes of it.
+        """
+        c, s = self.places[0]
+        return (end[c] * moved[s, :] - end[s] * moved[c, :]) / self.multiples[0]
+
+
+def forcing_of(itinerary: Itinerary, system: System) -> Forcing | None:
+    """Find the forcings of an orbit and how many of their periods it takes; None without any.
+
+    That number is the nearest to the dwell times of the itinerary's reference.
+
+    Raises
+    ------
+    DerivationError
+        If the forcings have no common period, or the reference does not tell the number.
+    """
+    if not system.forcing:
+        return None
+    where = f"itinerary {itinerary.name!r}"
+    places = tuple((system.states.index(c), system.states.index(s)) for c, s in system.forcing)
+    matrix, _ = system.configurations[0].dynamics.field(system.states)
+    frequencies = [matrix[s, c] for c, s in places]
+    ratios = [sp.cancel(w / frequencies[0]) for w in frequencies]
+    if not all(ratio.is_Rational and ratio != 0 for ratio in ratios):
+        raise DerivationError(f"{where}: its forcings have no common period")
+    whole = sp.ilcm(1, *(ratio.q for ratio in ratios))
+    multiples = [int(ratio * whole) for ratio in ratios]
+    common = sp.igcd(0, *multiples)
+    frequency = frequencies[0] * common / whole
+    if itinerary.period is not None:
+        raise DerivationError(f"{where}: its period is given, and that of its forcing too")
+    turns = _turns(itinerary, system, frequency)
+    if not turns:
+        raise DerivationError(f"{where}: no reference tells how many periods of its forcing it has")
+    return Forcing(frequency, tuple(m // common for m in multiples), places, turns)
+
+
+def _turns(itinerary: Itinerary, system: System, frequency: sp.Expr) -> int:
+    """Periods of a frequency in the reference's dwell times; 0 where that is not known."""
+    reference = itinerary.reference
+    if reference is None:
+        return 0
+    known = {
+        p.symbol: exact(reference.parameters[p.name])
+        for p in system.parameters
+        if p.name in reference.parameters
+    }
+    times = [
+        reference.guess.get(phase.dwell_time)
+        for phase in itinerary.phases
+        if phase.dwell_time not in itinerary.vanishing
+    ]
+    if None in times:
+        return 0
+    turned = frequency.xreplace(known) * sp.Add(*map(exact, _texts(times))) / (2 * sp.pi)
+    return int(sp.floor(turned + sp.Rational(1, 2))) if turned.is_number else 0
+
+
+def _texts(times: Sequence[str | None]) -> list[str]:
+    return [time for time in times if time is not None]

@@ -1,0 +1,368 @@
+"""Flow of any linear motion, read off its resolvent.
+
+With B = [[A, b], [0, 0]] the motion y' = A y + b is the first part of e^(Bt), whose Laplace
+transform is the resolvent (s - B)^-1. B falls into blocks, each of which drives only those
+behind it: a forcing drives a mass and is not driven, a held coordinate drives the free ones,
+and the constant 1 drives them all. Block by block the resolvent is a sum of
+
+    polynomial matrix in s  /  product of characteristic factors,
+
+so that the flow is a sum of matrices times :class:`ExponentialDifference`, which have no
+singularity where roots of the factors meet: at critical damping, in resonance, at a stiffness
+of zero.
+
+A block of second order, x'' + D x' + L x = ..., in which D and L commute, falls further into its
+modes, where the eigenvalues of L are known to be distinct.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.errors import DerivationError
+
+__all__ = ["MOST_ROOTS", "Fraction", "resolvent"]
+
+# A block whose characteristic polynomial does not factor further is written out up to here. Beyond,
+# doubles lose digits: of 100 periods of 3, 4 and 5 damped masses in a row the worst errors were
+# 1.4, 6 and 70 times the unit of tests/derive/test_flow_accuracy.py, their conditions in it.
+MOST_ROOTS = 6
+_NEAR = sp.Rational(1, 10**4)
+
+Naming = Callable[[str, sp.Expr], sp.Expr]
+
+
+@dataclass(frozen=True)
+class Fraction:
+    """A part of the resolvent: a polynomial matrix divided by characteristic factors.
+
+    Attributes
+    ----------
+    factors : tuple of sympy Tuple
+        Monic polynomials in s by their coefficients, from the constant up, without the leading.
+    powers : tuple of N x (N + 1) matrices
+        Coefficients of the numerator, from the constant up; the last column is the offset's.
+    """
+
+    factors: tuple[sp.Tuple, ...]
+    powers: tuple[sp.Matrix, ...]
+
+
+# fractions of rectangular blocks, by their factors: coefficients of the numerators
+_Sum = dict[tuple[sp.Tuple, ...], list[DomainMatrix]]
+
+
+def resolvent(
+    matrix: sp.Matrix,
+    offset: sp.Matrix,
+    parameters: Sequence[Parameter],
+    naming: Naming,
+    known: dict[sp.ImmutableMatrix, _Sum],
+) -> tuple[Fraction, ...]:
+    """Give the resolvent of ``y' = matrix y + offset`` as a sum of fractions.
+
+    Parameters
+    ----------
+    matrix : N x N matrix
+    offset : N x 1 matrix
+    parameters : sequence of Parameter
+        Their domains decide which eigenvalues are distinct.
+    naming : callable
+        Takes a stem and an expression that needs a root; gives a symbol for it.
+    known : dict
+        Resolvents of blocks, found for other configurations of the system; it grows.
+
+    Returns
+    -------
+    tuple of Fraction
+
+    Raises
+    ------
+    DerivationError
+        If a block has more than `MOST_ROOTS` roots and no modes.
+    """
+    size = matrix.rows
+    augmented = sp.zeros(size + 1, size + 1)
+    augmented[:size, :size], augmented[:size, size] = matrix, offset
+    blocks = _blocks(augmented)
+    local = []
+    for block in blocks:
+        part = sp.ImmutableMatrix(augmented.extract(block, block))
+        if part not in known:
+            known[part] = _local(part, parameters, naming)
+        local.append(known[part])
+    found: dict[tuple[sp.Tuple, ...], list[sp.Matrix]] = {}
+    for first, source in enumerate(blocks):
+        reached: dict[int, _Sum] = {first: local[first]}
+        for later in range(first + 1, len(blocks)):
+            arriving: _Sum = {}
+            for before, fractions in reached.items():
+                link = augmented.extract(blocks[later], blocks[before])
+                if not link.is_zero_matrix:
+                    _add(arriving, _product({(): [_exact(link)]}, fractions))
+            if arriving:
+                reached[later] = _product(local[later], arriving)
+        for target, fractions in reached.items():
+            for factors, powers in fractions.items():
+                rows = found.setdefault(factors, [])
+                for k, numerator in enumerate(powers):
+                    if len(rows) <= k:
+                        rows.append(sp.zeros(size + 1, size + 1))
+                    entries = numerator.to_Matrix().applyfunc(_shown)
+                    for i, row in enumerate(blocks[target]):
+                        for j, column in enumerate(source):
+                            rows[k][row, column] += entries[i, j]
+    return tuple(
+        Fraction(factors, tuple(m[:size, :] for m in powers)) for factors, powers in found.items()
+    )
+
+
+def _blocks(matrix: sp.Matrix) -> list[list[int]]:
+    """Strongly connected coordinates, those that drive first."""
+    found = sp.Matrix(matrix).strongly_connected_components()
+    blocks = [sorted(block) for block in found]
+    ordered: list[list[int]] = []
+    while blocks:
+        for block in blocks:
+            others = [j for other in blocks if other is not block for j in other]
+            if matrix.extract(block, others).is_zero_matrix:
+                ordered.append(block)
+                blocks.remove(block)
+                break
+    return ordered
+
+
+def _exact(matrix: sp.Matrix) -> DomainMatrix:
+    """A matrix over a field of rational functions, in which what cancels is gone."""
+    return DomainMatrix.from_Matrix(matrix.applyfunc(_hidden)).to_field().to_sparse()
+
+
+class _Opaque(sp.Symbol):
+    """Stands for what is no rational function: an irrational number, a root of parameters."""
+
+    value: sp.Expr
+
+    def __new__(cls, value: sp.Expr) -> _Opaque:
+        found: _Opaque = sp.Symbol.__new__(cls, f"opaque {value}")
+        found.value = value
+        return found
+
+
+def _hidden(expression: sp.Expr) -> sp.Expr:
+    """The expression with stand-ins for what is no rational function."""
+    return expression.replace(_is_opaque, _Opaque)
+
+
+def _is_opaque(expression: sp.Expr) -> bool:
+    if expression.is_Pow:
+        return not expression.exp.is_Integer
+    if expression.is_Add or expression.is_Mul or expression.is_Rational:
+        return False
+    return bool(expression.is_Function or expression.is_number)
+
+
+def _shown(expression: sp.Expr) -> sp.Expr:
+    """The expression with what they stand for."""
+    found = expression
+    while opaque := found.atoms(_Opaque):  # a root may stand for one of another
+        found = found.xreplace({o: o.value for o in opaque})
+    return _tidy(found) if found is not expression else sp.factor_terms(found)
+
+
+def _joined(one: DomainMatrix, other: DomainMatrix) -> tuple[DomainMatrix, DomainMatrix]:
+    """Both over one field."""
+    first, second = one.unify(other)
+    return first, second
+
+
+def _add(total: _Sum, more: _Sum) -> None:
+    for factors, powers in more.items():
+        known = total.setdefault(factors, [])
+        for k, block in enumerate(powers):
+            if k < len(known):
+                one, other = _joined(known[k], block)
+                known[k] = one + other
+            else:
+                known.append(block)
+
+
+def _product(left: _Sum, right: _Sum) -> _Sum:
+    total: _Sum = {}
+    for first, by in left.items():
+        for second, of in right.items():
+            factors = tuple(sorted((*first, *second), key=sp.default_sort_key))
+            powers: dict[int, DomainMatrix] = {}
+            for i, a in enumerate(by):
+                for j, b in enumerate(of):
+                    one, other = _joined(a, b)
+                    product = one * other
+                    if i + j in powers:
+                        product = DomainMatrix.add(*_joined(powers[i + j], product))
+                    powers[i + j] = product
+            _add(total, {factors: [powers[k] for k in sorted(powers)]})
+    return total
+
+
+def _local(block: sp.ImmutableMatrix, parameters: Sequence[Parameter], naming: Naming) -> _Sum:
+    """Resolvent of one block by itself."""
+    modes = _modes(block, parameters, naming) if block.rows > 2 else None
+    if modes is not None:
+        return modes
+    size = block.rows
+    if size > MOST_ROOTS:
+        raise DerivationError(
+            f"its characteristic polynomial has a part of {size} roots, which has neither"
+            " modes nor a readable closed form"
+        )
+    # Faddeev and LeVerrier: adj(s - K) = sum_k s^k N_k
+    matrix = _exact(block)
+    identity = DomainMatrix.eye(size, matrix.domain)
+    coefficients: list[Any] = []  # elements of the field
+    numerators = [identity]
+    for k in range(1, size + 1):
+        product = matrix * numerators[0]
+        trace = sum((product[i, i].element for i in range(size)), matrix.domain.zero)
+        coefficients.insert(0, -trace / matrix.domain.convert(k))
+        if k < size:
+            numerators.insert(0, product + identity.scalarmul(coefficients[0]))
+    return {_factors([_shown(matrix.domain.to_sympy(c)) for c in coefficients]): numerators}
+
+
+def _factors(coefficients: Sequence[sp.Expr]) -> tuple[sp.Tuple, ...]:
+    """Irreducible factors of a monic polynomial; one of degree two stays whole, as a pair."""
+    if len(coefficients) <= 2:
+        return (sp.Tuple(*coefficients),)
+    s = sp.Dummy("s")
+    polynomial = s ** len(coefficients) + sum(c * s**k for k, c in enumerate(coefficients))
+    _, found = sp.factor_list(polynomial, s)
+    factors = []
+    for factor, multiplicity in found:
+        *rest, leading = reversed(sp.Poly(factor, s).all_coeffs())
+        if rest:
+            factors += multiplicity * [sp.Tuple(*(_tidy(c / leading) for c in rest))]
+    return tuple(sorted(factors, key=sp.default_sort_key))
+
+
+def _modes(block: sp.Matrix, parameters: Sequence[Parameter], naming: Naming) -> _Sum | None:
+    """Resolvent of x'' + D x' + L x = 0 mode by mode, where D and L commute."""
+    size = block.rows // 2
+    places = _positions(block)
+    if places is None:
+        return None
+    positions, velocities = places
+    stiffness = -block.extract(velocities, positions)
+    damping = -block.extract(velocities, velocities)
+    if not (stiffness * damping - damping * stiffness).applyfunc(_tidy).is_zero_matrix:
+        return None
+    projectors = _projectors(stiffness, parameters, naming)
+    if projectors is None:
+        return None
+    total: _Sum = {}
+    for eigenvalue, projector in projectors:
+        rate = _tidy((damping * projector).trace())
+        zeroth, first = sp.zeros(2 * size, 2 * size), sp.zeros(2 * size, 2 * size)
+        for i, (x, v) in enumerate(zip(positions, velocities, strict=True)):
+            for j, (y, w) in enumerate(zip(positions, velocities, strict=True)):
+                p = projector[i, j]
+                zeroth[x, y], first[x, y] = rate * p, p
+                zeroth[x, w], zeroth[v, y] = p, -eigenvalue * p
+                first[v, w] = p
+        _add(total, {(sp.Tuple(eigenvalue, rate),): [_exact(zeroth), _exact(first)]})
+    return total
+
+
+def _positions(block: sp.Matrix) -> tuple[list[int], list[int]] | None:
+    """Positions of a block of second order, and the velocity of each; None for another block."""
+    positions: list[int] = []
+    velocities: list[int] = []
+    for i in range(block.rows):
+        entries = {j: e for j, e in enumerate(block.row(i)) if e != 0}
+        if list(entries.values()) == [1]:
+            positions.append(i)
+            velocities += entries
+    distinct = len({*positions, *velocities}) == block.rows == 2 * len(positions)
+    return (positions, velocities) if distinct else None
+
+
+def _projectors(
+    matrix: sp.Matrix, parameters: Sequence[Parameter], naming: Naming
+) -> list[tuple[sp.Expr, sp.Matrix]] | None:
+    """Eigenvalues and projectors of a matrix whose eigenvalues are shown to be real and apart."""
+    eigenvalues = _eigenvalues(matrix, parameters, naming)
+    if eigenvalues is None:
+        return None
+    found: list[tuple[sp.Expr, sp.Matrix]] = []
+    rest = sp.eye(matrix.rows)
+    for one in eigenvalues[:-1]:
+        projector = sp.eye(matrix.rows)
+        for other in eigenvalues:
+            if other is not one:
+                projector = projector * (matrix - other * sp.eye(matrix.rows)) / (one - other)
+        projector = projector.applyfunc(lambda e: naming("p", _plain(e)))
+        found.append((one, projector))
+        rest = rest - projector
+    # they add up to one exactly: errors of projectors that nearly cancel do so too
+    return [*found, (eigenvalues[-1], rest)]
+
+
+def _eigenvalues(
+    matrix: sp.Matrix, parameters: Sequence[Parameter], naming: Naming
+) -> list[sp.Expr] | None:
+    """Real, distinct eigenvalues in radicals; None where they are not shown to be."""
+    s = sp.Dummy("s")
+    _, factors = sp.factor_list((s * sp.eye(matrix.rows) - matrix).det(method="berkowitz"), s)
+    found: list[sp.Expr] = []
+    for factor, multiplicity in factors:
+        *rest, leading = reversed(sp.Poly(factor, s).all_coeffs())
+        if multiplicity > 1 or len(rest) > 2:
+            return None
+        roots = _roots([_tidy(c / leading) for c in rest], parameters, naming)
+        if roots is None or not all(_apart(a, b, parameters) for a in roots for b in found):
+            return None
+        found += roots
+    return found
+
+
+def _roots(
+    coefficients: Sequence[sp.Expr], parameters: Sequence[Parameter], naming: Naming
+) -> list[sp.Expr] | None:
+    """Real, distinct roots of a monic polynomial of degree one or two."""
+    if len(coefficients) == 1:
+        return [-coefficients[0]]
+    product, negative_sum = coefficients
+    discriminant = _tidy(negative_sum**2 - 4 * product)
+    if not is_positive(discriminant, parameters):
+        return None
+    if discriminant.is_number and discriminant < negative_sum**2 * _NEAR:
+        return None  # known to nearly coalesce: the projectors would cancel
+    gap = naming("gap", _plain(sp.sqrt(discriminant)))
+    larger = naming("lambda", _plain((gap - negative_sum) / 2))
+    # the smaller one by the product of both: a difference would cancel
+    stable = is_positive(product, parameters) and is_positive(-negative_sum, parameters)
+    smaller = product / larger if stable else (-negative_sum - gap) / 2
+    return [larger, naming("lambda", _plain(smaller))]
+
+
+def _apart(one: sp.Expr, other: sp.Expr, parameters: Sequence[Parameter]) -> bool:
+    """Whether roots of two factors are shown to differ by enough."""
+    difference = one - other
+    if difference.is_number:
+        return bool(difference**2 > _NEAR * (one**2 + other**2))
+    return any(is_positive(d, parameters) for d in (difference, -difference))
+
+
+def _tidy(expression: sp.Expr) -> sp.Expr:
+    """A rational function in its shortest usual form."""
+    if expression.is_Atom:
+        return expression
+    return sp.factor_terms(sp.cancel(expression))
+
+
+def _plain(expression: sp.Expr) -> sp.Expr:
+    return sp.radsimp(sp.expand(expression)) if expression.is_number else expression
