@@ -29,7 +29,20 @@ _GUARD = 96
 
 
 def check_census(content: dict[str, Any]) -> None:
-    """Prove the certificate of each orbit, and that no two are one; Failure says what cannot be."""
+    """Prove the certificate of each orbit, and that no two are one; Failure says what cannot be.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Raises
+    ------
+    Failure
+        If a claim is not proved.
+    Malformed
+        If the file has another shape.
+    """
     check_shape(content, CENSUS)
     check_sum(content)
     bits, orbits = check_bits(content), content["orbits"]

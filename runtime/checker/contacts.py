@@ -43,7 +43,25 @@ class ContactLaw:
         return [*limits, *chain.from_iterable(self.free.values())]
 
     def check(self, entry: dict[str, Any], conditions: list[tuple[Any, str, bool]]) -> int:
-        """A transition is one of the law; how many conditions are of steps before the last."""
+        """A transition is one of the law; how many conditions are of steps before the last.
+
+        Parameters
+        ----------
+        entry : dict
+            The transition, as the file states it.
+        conditions : list of (row, configuration, sign)
+            Its conditions.
+
+        Returns
+        -------
+        int
+            The first conditions are these.
+
+        Raises
+        ------
+        Failure
+            If the law lets another thing happen.
+        """
         before, behind = (self.configurations[entry[key]] for key in ("source", "target"))
         moved = {(self.arrivals | self.reaching).get(name, -1) for name in entry["boundaries"]}
         demand(-1 not in moved and moved, "a boundary is no contact's")

@@ -6,7 +6,7 @@ carry a last entry 1, so that every affine map is one matrix and every affine fu
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from math import factorial
 from typing import Any, NamedTuple
@@ -26,7 +26,7 @@ from nonsmooth.runtime.checker.exact import (
 )
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 
-__all__ = ["Declared", "Phase", "Step", "Transition", "Watched", "Way", "gauge_of"]
+__all__ = ["StatedBoundary", "StatedPhase", "StatedSystem", "Step", "Transition", "Way", "gauge_of"]
 
 _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
 
@@ -68,7 +68,7 @@ class Step(NamedTuple):
     reset: Any
 
 
-class Watched(NamedTuple):
+class StatedBoundary(NamedTuple):
     """A boundary in a phase; rows are reduced by what is known to be zero there.
 
     The first derivative where the phase begins that is not zero has the order, and `begins` is
@@ -85,7 +85,7 @@ class Watched(NamedTuple):
     speed: Any
 
 
-class Phase(NamedTuple):
+class StatedPhase(NamedTuple):
     """What has to hold in a phase.
 
     Rows that vanish where it begins; boundaries; for each order in which stops may act what may
@@ -95,13 +95,13 @@ class Phase(NamedTuple):
     """
 
     held: list[Any]
-    watched: list[Watched]
+    watched: list[StatedBoundary]
     orders: list[list[Way]]
     lawful: bool
     decided: bool
 
 
-class Declared:
+class StatedSystem:
     """The system, itinerary and closing of a certificate.
 
     Parameters
@@ -110,15 +110,19 @@ class Declared:
     values : mapping of str to fmpq or RationalFunction
         Of all parameters that the file names: the declaration's entries are functions of them.
         Where it takes roots its entries are numbers, and bound to no names.
+    constants : sequence of fmpq or RationalFunction, optional
+        The irrational numbers of the declaration, in its order.
     """
 
-    def __init__(self, content: dict[str, Any], values: Mapping[str, Any]) -> None:
+    def __init__(
+        self, content: dict[str, Any], values: Mapping[str, Any], constants: Sequence[Any] = ()
+    ) -> None:
         declared, self.closing = content["declaration"], content["closing"]
         names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
         self.rational = '"mid"' not in json.dumps(declared)
         self.bound = sorted(names) == sorted(values)
         demand(self.bound or not names, "the declaration is not over the parameters that are named")
-        self.variables = [values[name] for name in names]
+        self.variables = [*(values[name] for name in names), *constants]
         self.size, self.forcing = len(declared["states"]), declared["forcing"]
         self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]
         self._check_names(declared["states"])
@@ -224,19 +228,67 @@ class Declared:
         return Step(name, self.fields[name], row, staying, name, identity)
 
     def number(self, entry: Any) -> Any:
-        """A fraction, a ball, or a rational function."""
+        """A fraction, a ball, or a rational function.
+
+        Parameters
+        ----------
+        entry : str or dict
+            As the file states it.
+
+        Returns
+        -------
+        fmpq, arb or RationalFunction
+            The number itself.
+
+        Raises
+        ------
+        Failure
+            If the entry is no number.
+        """
         found = number_of(entry, self.variables)
         if isinstance(found, RationalFunction) and not found.below.is_one():
             self.poles.append(found)
         return found
 
     def row(self, entries: list[Any]) -> tuple[Any, ...]:
-        """An affine function of the state."""
+        """An affine function of the state.
+
+        Parameters
+        ----------
+        entries : list
+            N + 1 numbers, as the file states them.
+
+        Returns
+        -------
+        tuple of fmpq, arb or RationalFunction, length N + 1
+            Acts on (y, 1).
+
+        Raises
+        ------
+        Failure
+            If it has another length.
+        """
         demand(len(entries) == self.size + 1, "a row of another size")
         return tuple(map(self.number, entries))
 
     def rows(self, entries: list[Any]) -> list[Any]:
-        """As many of them as there are states."""
+        """As many of them as there are states.
+
+        Parameters
+        ----------
+        entries : list of lists
+            N rows of N + 1 numbers, as the file states them.
+
+        Returns
+        -------
+        list of tuple
+            N rows of length N + 1.
+
+        Raises
+        ------
+        Failure
+            If they are not as many.
+        """
         demand(len(entries) == self.size, "a matrix of another size")
         return [*map(self.row, entries)]
 
@@ -245,6 +297,16 @@ class Declared:
 
         The field is f = Omega^-1 grad E with E = y'H y/2, so each phase keeps E and Omega. At a
         boundary the reset keeps E, and Omega on its tangents: monodromy is symplectic.
+
+        Returns
+        -------
+        dict of str to rows (N + 1, N + 1)
+            Energy of each configuration; empty where no form is kept.
+
+        Raises
+        ------
+        Failure
+            If what the file states of the closing is not so.
         """
         kind = self.closing["kind"]
         demand((kind == "forcing") == bool(self.forcing), "a forcing is left out")
@@ -342,8 +404,24 @@ class Declared:
                 )
         return found
 
-    def phases(self, vanishing: list[Any]) -> list[Phase]:
-        """What has to hold in each phase of an orbit where some functions vanish at its start."""
+    def phases(self, vanishing: list[Any]) -> list[StatedPhase]:
+        """What has to hold in each phase of an orbit where some functions vanish at its start.
+
+        Parameters
+        ----------
+        vanishing : list of rows, each of length N + 1
+            What vanishes where the orbit begins.
+
+        Returns
+        -------
+        list of StatedPhase
+            One for each phase.
+
+        Raises
+        ------
+        Failure
+            If the declaration is not exact.
+        """
         demand(self.rational, "the declaration is not exact")
         facts = self._from(vanishing) if vanishing else self.known
         return [self._phase(place, *each) for place, each in enumerate(facts)]
@@ -370,7 +448,7 @@ class Declared:
             found.append((place, free, [*basis, [fmpq(0)] * len(free)]))
         return min(found, key=lambda entry: len(entry[1]))
 
-    def _phase(self, place: int, begin: Any, kept: Any, end: Any) -> Phase:
+    def _phase(self, place: int, begin: Any, kept: Any, end: Any) -> StatedPhase:
         step = self.steps[place]
         boundaries, held = self.configurations[step.name]
         ending = self.itinerary[place]["boundaries"]
@@ -380,7 +458,7 @@ class Declared:
             rate = product(row, step.field)
             still = not any(reduced(rate, kept))
             ends = reduced(row, end), reduced(rate, end)
-            watched.append(Watched(name, row, name in ending, order, begins, still, *ends))
+            watched.append(StatedBoundary(name, row, name in ending, order, begins, still, *ends))
         own = [boundaries[name] for name in ending if name != _FORCING_PHASE]
         listed = [t for t in self.transitions if t.begins == step.taken.begins]
         numbers = sorted({t.order for t in listed if t.order})
@@ -396,7 +474,7 @@ class Declared:
                 moved = tuple(x - int(j == k) for j, x in enumerate(row))
                 decided &= not any(reduced(moved, end))
         lawful = bool(numbers) or any(t.early is not None for t in listed)
-        return Phase([reduced(row, begin) for row in held], watched, orders, lawful, decided)
+        return StatedPhase([reduced(row, begin) for row in held], watched, orders, lawful, decided)
 
     def _ways(
         self, taken: Transition, listed: list[Transition], number: int, own: list[Any], end: Any
@@ -425,7 +503,18 @@ class Declared:
 
 
 def gauge_of(direction: Any) -> int:
-    """The first coordinate of a direction: zero where the cycle begins."""
+    """The first coordinate of a direction: zero where the cycle begins.
+
+    Parameters
+    ----------
+    direction : sequence, length N
+        Exact entries, not all zero.
+
+    Returns
+    -------
+    int
+        Number of the first entry that is not zero.
+    """
     return next(k for k, x in enumerate(direction) if x)
 
 

@@ -4,8 +4,8 @@ Unknowns z are those of the orbit, the parameter, and for a grazing its time. In
 with e in [-1, 1], and in models of the first order the orbit's equations and the event's are
 H = c + L e, with balls c and L. For any Y a root is a fixed point of e -> e - Y H, whose values
 lie in K = (I - Y L) [-1, 1] - Y c. Where that is inside [-1, 1] there is a fixed point, by
-Brouwer's theorem; the norm of I - Y L is then below 1, so Y is not singular and it is a root.
-All roots in the box are in K.
+Brouwer's theorem (1911); the norm of I - Y L is then below 1, so Y is not singular and it is a
+root. All roots in the box are in K.
 """
 
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.checker.declared import Declared
+from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import (
     Failure,
     check_sum,
@@ -22,7 +22,7 @@ from nonsmooth.runtime.checker.exact import (
     exact,
     inside,
 )
-from nonsmooth.runtime.checker.orbit import Orbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at, values_of
 from nonsmooth.runtime.checker.shape import EVENTS, check_bits, check_shape
 from nonsmooth.runtime.checker.stability import (
@@ -41,7 +41,20 @@ _INSTANTS = {**dict.fromkeys([*_MULTIPLIERS, "vanishing-phase"], ""),
 
 
 def check_events(content: dict[str, Any]) -> None:
-    """Prove every event of a file; Failure says which one cannot be."""
+    """Prove every event of a file; Failure says which one cannot be.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Raises
+    ------
+    Failure
+        If an event is not proved.
+    Malformed
+        If the file has another shape.
+    """
     check_shape(content, EVENTS)
     check_sum(content)
     for number, event in enumerate(content["events"], 1):
@@ -58,8 +71,9 @@ def _check(event: dict[str, Any]) -> None:
         demand(event["reason"] and not any(told), "numbers of no event")
         return
     demand(not event["reason"], "a reason why it is undecided")
-    values, constants = values_of(event["parameters"], [event["parameter"]])
-    declared = Declared(event, values)
+    told = event["declaration"].get("constants", [])
+    values, numbers, constants = values_of(event["parameters"], [event["parameter"]], told)
+    declared = StatedSystem(event, values, numbers)
     demand(declared.bound and declared.rational, "the declaration is not exact")
     energies = declared.closes()
     box, place = event["box"], len(declared.unknowns)  # of the parameter
@@ -75,7 +89,7 @@ def _check(event: dict[str, Any]) -> None:
         space = space_of(len(box), 1)
         sides = zip(middles, radii, strict=True)
         unknowns = [space.variable(k, m, r) for k, (m, r) in enumerate(sides)]
-        orbit = Orbit(declared, number_at([unknowns[place], *constants]))
+        orbit = CheckedOrbit(declared, number_at([unknowns[place], *constants]))
         demand(orbit.count == place, "the box is of another size")
         values = orbit.along(unknowns[:place])
         orbit.returns(energies)
@@ -113,7 +127,7 @@ def _roots(
     return [m + r * e for m, r, e in zip(middles, radii, found, strict=True)]
 
 
-def _event(orbit: Orbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any]:
+def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any]:
     """What an event's own equations miss."""
     kind, place, declared = event["kind"], event["phase"], orbit.declared
     demand(event["instant"] == _INSTANTS.get(kind, event["instant"]), "another instant")
@@ -154,7 +168,7 @@ def _event(orbit: Orbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any
     return [orbit.value(row, state)]
 
 
-def _multiplier(orbit: Orbit, kind: str) -> Any:
+def _multiplier(orbit: CheckedOrbit, kind: str) -> Any:
     """The characteristic polynomial at -1 or 1; for a torus what is zero for a pair."""
     demand(orbit.declared.alone, "one-sided maps")
     demand(kind == "flip" or not orbit.declared.omega, "1 is always a multiplier")

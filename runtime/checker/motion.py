@@ -9,9 +9,9 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.declared import Phase, Watched, Way
+from nonsmooth.runtime.checker.declared import StatedBoundary, StatedPhase, Way
 from nonsmooth.runtime.checker.exact import demand, exact
-from nonsmooth.runtime.checker.orbit import Orbit, lower
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.vanishing import vanishing
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
@@ -22,8 +22,26 @@ _MOST = 10_000  # windows
 _SMALL = 5  # halvings behind which the exponential of a field is that of a small matrix
 
 
-def admissibility(orbit: Orbit, margins: list[Any]) -> str:
-    """The verdict, and that every margin is kept that is stated."""
+def admissibility(orbit: CheckedOrbit, margins: list[Any]) -> str:
+    """The verdict, and that every margin is kept that is stated.
+
+    Parameters
+    ----------
+    orbit : CheckedOrbit
+        The orbit, located.
+    margins : list of dict
+        As the file states them.
+
+    Returns
+    -------
+    {"proved", "refuted", "undecided"}
+        What is found here.
+
+    Raises
+    ------
+    Failure
+        If a margin is not kept.
+    """
     stated = {(m["phase"] - 1, m["boundary"], m["quantity"]): exact(m["least"]) for m in margins}
     demand(len(stated) == len(margins), "a margin is stated twice")
     for margin in margins:
@@ -40,7 +58,9 @@ def admissibility(orbit: Orbit, margins: list[Any]) -> str:
     return "proved" if {*found} == {-1} else "undecided"
 
 
-def _phase(orbit: Orbit, place: int, phase: Phase, stated: dict[Any, Any]) -> list[int | None]:
+def _phase(
+    orbit: CheckedOrbit, place: int, phase: StatedPhase, stated: dict[Any, Any]
+) -> list[int | None]:
     """Of all that has to hold in a phase -1 if it does, 1 if it does not, None if unknown.
 
     Margins that are kept are taken from `stated`.
@@ -78,7 +98,7 @@ def _phase(orbit: Orbit, place: int, phase: Phase, stated: dict[Any, Any]) -> li
     return found if 1 in found else [*found, _below(orbit, place, waves)]
 
 
-def _follows(orbit: Orbit, phase: Phase, last: Any) -> int | None:
+def _follows(orbit: CheckedOrbit, phase: StatedPhase, last: Any) -> int | None:
     """Whether in every order the first transition whose conditions hold is the itinerary's."""
     if not phase.decided:
         return None
@@ -88,7 +108,7 @@ def _follows(orbit: Orbit, phase: Phase, last: Any) -> int | None:
     return None if None in found else -1
 
 
-def _first(orbit: Orbit, ways: list[Way], last: Any) -> int | None:
+def _first(orbit: CheckedOrbit, ways: list[Way], last: Any) -> int | None:
     """-1 if the first way whose conditions hold is wanted, 1 if it is not, None if unknown."""
     for way in ways:
         held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
@@ -99,12 +119,12 @@ def _first(orbit: Orbit, ways: list[Way], last: Any) -> int | None:
     return 1
 
 
-def _holds(orbit: Orbit, row: Any, last: Any, expected: bool) -> bool | None:
+def _holds(orbit: CheckedOrbit, row: Any, last: Any, expected: bool) -> bool | None:
     sign = 0 if row is None else _sign(orbit.value(row, last))
     return None if sign is None else (sign > 0) == expected
 
 
-def _below(orbit: Orbit, place: int, waves: list[tuple[Watched, Any]]) -> int | None:
+def _below(orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, Any]]) -> int | None:
     """-1 if the functions are negative inside the phase, 1 if one is positive there.
 
     Time runs from 0 to 1: the field b is the phase's times its dwell time. In a window of times

@@ -3,7 +3,7 @@
 Everything is for one parameter point, in balls, or for all parameters of a tile at once, in
 Taylor models of them: numbers and matrices are arb and arb_mat, or TaylorModel.
 
-Existence is one root of the equations in a box, by Krawczyk's theorem.
+Existence is one root of the equations in a box, by Krawczyk's theorem (1969).
 """
 
 from collections.abc import Callable, Sequence
@@ -12,18 +12,18 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
 
-from nonsmooth.runtime.checker.declared import Declared, gauge_of
+from nonsmooth.runtime.checker.declared import StatedSystem, gauge_of
 from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
-__all__ = ["Chain", "Cut", "Orbit", "Passage", "lower", "trace_of"]
+__all__ = ["CheckedOrbit", "Cut", "Passage", "PhaseNumbers", "lower", "trace_of"]
 
 Cut = Callable[[Any], Any]
 _LOW = 2  # order of what need not be sharp
 _TRIES = 4  # sizes of Krawczyk's box, where none is given
 
 
-class Chain(NamedTuple):
+class PhaseNumbers(NamedTuple):
     """Numbers of the cycle: of each phase the field, the row that ends it, the reset behind."""
 
     fields: list[Any]
@@ -31,11 +31,22 @@ class Chain(NamedTuple):
     resets: list[Any]
     period: Any
 
-    def each(self, change: Callable[[Any], Any]) -> "Chain":
-        """The same in other numbers."""
+    def each(self, change: Callable[[Any], Any]) -> "PhaseNumbers":
+        """The same in other numbers.
+
+        Parameters
+        ----------
+        change : callable
+            From a matrix or number to the other numbers.
+
+        Returns
+        -------
+        PhaseNumbers
+            Of the same phases.
+        """
         fields, rows, resets = ([change(m) for m in part] for part in self[:3])
         period = None if self.period is None else change(self.period)
-        return Chain(fields, rows, resets, period)
+        return PhaseNumbers(fields, rows, resets, period)
 
 
 class Passage(NamedTuple):
@@ -47,10 +58,10 @@ class Passage(NamedTuple):
     ends: list[Any]
 
 
-class Orbit:
+class CheckedOrbit:
     """The orbit of a declaration, in numbers that `number` gives of its exact ones."""
 
-    def __init__(self, declared: Declared, number: Callable[[Any], Any]) -> None:
+    def __init__(self, declared: StatedSystem, number: Callable[[Any], Any]) -> None:
         self.declared, self.number = declared, number
         self.first = len(declared.free) + bool(declared.forcing)  # the dwell times begin there
         self.count = self.first + len(declared.steps)
@@ -61,18 +72,46 @@ class Orbit:
         if declared.forcing:
             c, s = declared.forcing[0]
             period = 2 * arb.pi() * declared.closing["turns"] / fields[0][s, c]
-        self.chain = Chain(fields, rows, resets, period)
+        self.chain = PhaseNumbers(fields, rows, resets, period)
         poles = (range_of(number(entry)) for entry in declared.poles)
         demand(all(x.is_finite() for x in poles), "a number of the declaration has a pole")
 
     def numbers(self, rows: Any) -> Any:
-        """A matrix of exact entries in numbers."""
+        """A matrix of exact entries in numbers.
+
+        Parameters
+        ----------
+        rows : sequence of rows
+            Exact entries.
+
+        Returns
+        -------
+        arb_mat or a matrix of TaylorModel
+            Of the same shape.
+        """
         return matrix([list(map(self.number, row)) for row in rows])
 
     def passage(
-        self, chain: Chain, unknowns: Sequence[Any], flows: list[Any], slopes: bool = True
+        self, chain: PhaseNumbers, unknowns: Sequence[Any], flows: list[Any], slopes: bool = True
     ) -> Passage:
-        """Switching, closure and how the cycle closes; with derivatives by the unknowns."""
+        """Switching, closure and how the cycle closes; with derivatives by the unknowns.
+
+        Parameters
+        ----------
+        chain : PhaseNumbers
+            Fields, rows and resets of the phases.
+        unknowns : sequence of arb or TaylorModel
+            Free states, the forcing's time, dwell times; in the system's units.
+        flows : list of matrices (N + 1, N + 1)
+            exp (B t) of each phase.
+        slopes : bool, default True
+            Whether derivatives are wanted.
+
+        Returns
+        -------
+        Passage
+            Values of the equations (n, 1), slopes (n, n), starts and ends of the phases.
+        """
         free, size, here = self.declared.free, self.declared.size, self.first - 1
         first: list[Any] = [[0]] * size + [[1]]
         slope: list[list[Any]] = [[0] * self.count for _ in range(size + 1)]
@@ -122,6 +161,20 @@ class Orbit:
 
         And about the inverse of the slopes there. Nothing is proved of both: Krawczyk's test
         judges.
+
+        Parameters
+        ----------
+        guess : sequence of arb or TaylorModel
+            The unknowns, about; in the system's units.
+        cuts : sequence of callable
+            Each cuts numbers to an order; the orders rise.
+        full : callable
+            Cuts numbers to the order in which the unknowns are given back.
+
+        Returns
+        -------
+        tuple of (list, matrix (n, n))
+            Unknowns, and about the inverse of the slopes.
         """
         unknowns, inverse = list(guess), None
         for cut in (*cuts, full):
@@ -140,6 +193,20 @@ class Orbit:
 
         K = x - Y F(x) + (I - Y F'(X)) (X - x) contains all roots of X; inside X, just one. If
         no radii are given some are tried.
+
+        Parameters
+        ----------
+        centre : sequence of arb or TaylorModel
+            Middle of the box, in the system's units.
+        radii : sequence of arb, optional
+            Half of each side of the box, in the system's units.
+        inverse : matrix (n, n), optional
+            About the inverse of the slopes; computed if not given.
+
+        Returns
+        -------
+        tuple of (bool, bool)
+            Each True if that is proved.
         """
         times = [t.mid() for t in centre[self.first :]]
         near = _exponentials(self.chain, times)
@@ -182,14 +249,36 @@ class Orbit:
         return unique, empty
 
     def along(self, unknowns: Sequence[Any]) -> list[Any]:
-        """Pass with numbers for the unknowns that are roots or not: what the equations miss."""
+        """Pass with numbers for the unknowns that are roots or not: what the equations miss.
+
+        Parameters
+        ----------
+        unknowns : sequence of arb or TaylorModel
+            Free states, the forcing's time, dwell times; in the system's units.
+
+        Returns
+        -------
+        list of arb or TaylorModel
+            Values of the equations, in the system's units.
+        """
         self.dwell = list(unknowns[self.first :])
         self.flows = _exponentials(self.chain, self.dwell)
         self.now = self.passage(self.chain, unknowns, self.flows, slopes=False)
         return list(self.now.values.entries())
 
     def returns(self, energies: dict[str, Any]) -> None:
-        """The coordinate whose closure was left out is given back by the energy."""
+        """The coordinate whose closure was left out is given back by the energy.
+
+        Parameters
+        ----------
+        energies : dict of str to rows
+            As `StatedSystem.closes` gives them; empty if none is kept.
+
+        Raises
+        ------
+        Failure
+            If the energy does not give it.
+        """
         if not energies:
             return
         omega = range_of(self.numbers(self.declared.omega)).det()
@@ -203,7 +292,20 @@ class Orbit:
         demand(force > 0 or force < 0, "the energy does not give the coordinate left out")
 
     def value(self, row: Any, state: Sequence[Any]) -> Any:
-        """An affine function of a state."""
+        """An affine function of a state.
+
+        Parameters
+        ----------
+        row : sequence, length N + 1
+            Exact entries of an affine function, acting on (y, 1).
+        state : sequence of arb, length N + 1
+            The state, with a last entry 1.
+
+        Returns
+        -------
+        arb or TaylorModel
+            In the function's units.
+        """
         terms = (self.number(x) * y for x, y in zip(row, state, strict=True) if x)
         return sum(terms, arb(0))
 
@@ -232,7 +334,13 @@ class Orbit:
         return matrix([[found[i, j] for j in range(len(free))] for i in free])
 
     def enclosures(self) -> dict[str, Any]:
-        """Of all that is stated by name."""
+        """Of all that is stated by name.
+
+        Returns
+        -------
+        dict of str to arb or TaylorModel
+            Start, dwell times and period in the system's units; the nondimensional trace.
+        """
         declared = self.declared
         found = dict(zip(declared.start, self.now.starts[0].entries()[:-1], strict=True))
         found |= dict(zip(declared.dwell, self.dwell, strict=True))
@@ -243,7 +351,18 @@ class Orbit:
 
 
 def lower(number: Any) -> Any:
-    """The same in a lower order: what is beyond it is in the radius of the constant term."""
+    """The same in a lower order: what is beyond it is in the radius of the constant term.
+
+    Parameters
+    ----------
+    number : arb, matrix or TaylorModel
+        Only models are changed.
+
+    Returns
+    -------
+    arb, matrix or TaylorModel
+        It contains the given one.
+    """
     if not isinstance(number, TaylorModel) or number.space.order <= _LOW:
         return number
     space, parts = space_of(number.space.variables, _LOW), number.parts
@@ -252,7 +371,7 @@ def lower(number: Any) -> Any:
     return TaylorModel(space, (rest.range(), *parts[1:count]))
 
 
-def _exponentials(chain: Chain, times: Sequence[Any]) -> list[Any]:
+def _exponentials(chain: PhaseNumbers, times: Sequence[Any]) -> list[Any]:
     return [(b * t).exp() for b, t in zip(chain.fields, times, strict=True)]
 
 
@@ -265,5 +384,16 @@ def _inverse(slopes: Any) -> Any:
 
 
 def trace_of(square: Any) -> Any:
-    """Sum of the diagonal."""
+    """Sum of the diagonal.
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+        Of balls or Taylor models.
+
+    Returns
+    -------
+    arb or TaylorModel
+        The trace.
+    """
     return sum((square[k, k] for k in range(square.nrows())), arb(0))

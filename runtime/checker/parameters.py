@@ -6,11 +6,11 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz_poly
 
-from nonsmooth.runtime.checker.declared import Declared
+from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import NUMBER, Failure, demand, exact
-from nonsmooth.runtime.core.rational_functions import symbols
+from nonsmooth.runtime.core.irrational_numbers import irrationals
 
 __all__ = ["independent", "number_at", "number_in", "values_of"]
 
@@ -19,14 +19,31 @@ _OPERATORS = {
     ast.Div: operator.truediv, ast.Pow: operator.pow,
 }  # fmt: skip
 _TOKEN = re.compile(
-    r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,5})?|[^\W\d]\w*|\*\*|[-+*/()])\s*", re.ASCII
+    r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,5})?|[^\W\d]\w*|\*\*|[-+*/(),])\s*", re.ASCII
 )
 _LONGEST = 1000  # characters of an expression
 _HIGHEST = 10_000  # exponent
+_LARGEST, _MOST_COEFFICIENTS = fmpq(2) ** 8192, 102  # of a polynomial whose root is taken
 
 
 def number_in(text: str) -> Any:
-    """What an expression means: a fraction, or a ball where irrational functions enter."""
+    """What an expression means: a fraction, or a ball where irrational functions enter.
+
+    Parameters
+    ----------
+    text : str
+        As in "3/4" or "sqrt(2)/2".
+
+    Returns
+    -------
+    fmpq or arb
+        A ball of the working precision.
+
+    Raises
+    ------
+    Failure
+        If the text is no such number.
+    """
     if NUMBER.fullmatch(text):
         return exact(text)
     tokens, place = [], 0
@@ -48,11 +65,15 @@ def _value(node: Any, source: str) -> Any:
         case ast.Name(id="pi"):
             return arb.pi()
         case ast.Call(
-            func=ast.Name(id="sqrt" | "sin" | "cos" | "exp" | "log" as name),
+            func=ast.Name(
+                id="sqrt" | "sin" | "cos" | "exp" | "log" | "asin" | "acos" | "atan" as name
+            ),
             args=[inner],
             keywords=[],
         ):
             return getattr(arb(_value(inner, source)), name)()
+        case ast.Call(func=ast.Name(id="root"), args=[_, _, _, *_] as numbers, keywords=[]):
+            return _root([_value(number, source) for number in numbers])
         case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=inner):
             operand = _value(inner, source)
             return -operand if isinstance(sign, ast.USub) else operand
@@ -66,6 +87,17 @@ def _value(node: Any, source: str) -> Any:
     raise Failure(f"{source[:60]!r} is no number")
 
 
+def _root(numbers: list[Any]) -> Any:
+    """The real root of a number, counted from the lowest, of a polynomial with integers."""
+    fits = all(isinstance(n, fmpq) and n.q == 1 and abs(n) < _LARGEST for n in numbers)
+    demand(fits and len(numbers) < _MOST_COEFFICIENTS, "no root of a polynomial")
+    place, *coefficients = (int(n.p) for n in numbers)
+    roots: Any = fmpz_poly(coefficients[::-1]).complex_roots()
+    real = sorted((x.real for x, _ in roots if x.imag == 0), key=lambda x: x.mid())
+    demand(coefficients[0] and 0 <= place < len(real), "a polynomial has no such root")
+    return real[place]
+
+
 def _alike(left: Any, right: Any) -> tuple[Any, Any]:
     """Two numbers of one kind; integers go with both."""
     if isinstance(left, arb) or isinstance(right, arb):
@@ -74,27 +106,59 @@ def _alike(left: Any, right: Any) -> tuple[Any, Any]:
 
 
 def values_of(
-    parameters: Mapping[str, str], varying: Sequence[str] = ()
-) -> tuple[dict[str, Any], list[Any]]:
-    """Exact values by name, and the irrational constants that some are functions of.
+    parameters: Mapping[str, str], varying: Sequence[str] = (), stated: Sequence[str] = ()
+) -> tuple[dict[str, Any], list[Any], list[Any]]:
+    """Exact values by name, those of stated constants, and what irrational ones are made of.
 
-    Parameters that vary are variables; in functions they come before the constants.
+    Parameters that vary are variables; in functions they come before the irrational constants.
+
+    Parameters
+    ----------
+    parameters : dict of str to str
+        Expressions, by name.
+    varying : sequence of str, optional
+        Names of the parameters that vary.
+    stated : sequence of str, optional
+        Expressions that a declaration holds beside them.
+
+    Returns
+    -------
+    tuple of (dict, list, list of arb)
+        Values by name, those of the stated expressions, and the irrational constants.
+
+    Raises
+    ------
+    Failure
+        If a parameter is given twice, is no number or not finite.
     """
     demand(not {*parameters} & {*varying}, "a parameter is given twice")
-    known = {text: number_in(text) for text in parameters.values()}
-    constants = {text: value for text, value in known.items() if isinstance(value, arb)}
-    demand(all(value.is_finite() for value in constants.values()), "a parameter is not finite")
-    places = [f"variable{k}" for k in range(len(varying) + len(constants))]
-    own = dict(zip([*varying, *constants], symbols(places), strict=True)) if places else {}
-    values = {name: own[name] for name in varying}
-    # a name that varies may look like the text of a constant
-    place = dict(zip(constants, [*own.values()][len(varying) :], strict=True)) if own else {}
-    values |= {name: place.get(text, known[text]) for name, text in parameters.items()}
-    return values, [*constants.values()]
+    known = {text: number_in(text) for text in (*parameters.values(), *stated)}
+    irrational = [text for text, value in known.items() if isinstance(value, arb)]
+    demand(all(known[text].is_finite() for text in irrational), "a parameter is not finite")
+    try:
+        found = irrationals(varying, irrational, lambda text: arb(number_in(text)))
+    except ArithmeticError:
+        raise Failure("an irrational number cannot be told from others") from None
+    known |= found.numbers
+    values = dict(zip(varying, found.variables, strict=True))
+    values |= {name: known[text] for name, text in parameters.items()}
+    constants = [arb(number_in(text)) for text in found.generators]
+    return values, [known[text] for text in stated], constants
 
 
 def number_at(values: Sequence[Any]) -> Callable[[Any], Any]:
-    """Exact entries in numbers, at values of what they are functions of."""
+    """Exact entries in numbers, at values of what they are functions of.
+
+    Parameters
+    ----------
+    values : sequence of arb or TaylorModel
+        Of the variables, then of the constants.
+
+    Returns
+    -------
+    callable
+        From an exact entry to its number.
+    """
     found: dict[Any, Any] = {}
 
     def number(entry: Any) -> Any:
@@ -107,10 +171,24 @@ def number_at(values: Sequence[Any]) -> Callable[[Any], Any]:
     return number
 
 
-def independent(declared: Declared, constants: Any, box: Sequence[Any] = ()) -> None:
+def independent(declared: StatedSystem, constants: Any, box: Sequence[Any] = ()) -> None:
     """No divisor of the exact arithmetic is zero for all parameters at these constants.
 
     Where only parameters vary no rational function is; constants may depend on each other.
+
+    Parameters
+    ----------
+    declared : StatedSystem
+        Whose exact arithmetic is done.
+    constants : sequence of arb
+        Irrational ones.
+    box : sequence of (fmpq, fmpq), optional
+        Lower and upper end of each parameter that varies.
+
+    Raises
+    ------
+    Failure
+        If a divisor may be zero at the point that is tried.
     """
     point = [arb(low + (high - low) * fmpq(37 + k, 101)) for k, (low, high) in enumerate(box)]
     for divisor in declared.exactly.divisors if constants else ():

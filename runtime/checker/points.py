@@ -4,7 +4,7 @@ from typing import Any
 
 from flint import arb, ctx
 
-from nonsmooth.runtime.checker.declared import Declared
+from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import (
     agreed_claims,
     ball,
@@ -14,7 +14,7 @@ from nonsmooth.runtime.checker.exact import (
     inside,
 )
 from nonsmooth.runtime.checker.motion import admissibility
-from nonsmooth.runtime.checker.orbit import Orbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape
 from nonsmooth.runtime.checker.stability import has_multipliers, stability
@@ -26,7 +26,20 @@ _ENOUGH = 128  # bits that do for admissibility
 
 
 def check(content: dict[str, Any]) -> None:
-    """Prove every claim of a certificate; Failure says which one cannot be."""
+    """Prove every claim of a certificate; Failure says which one cannot be.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Raises
+    ------
+    Failure
+        If a claim is not proved.
+    Malformed
+        If the file has another shape.
+    """
     check_shape(content, CERTIFICATE)
     check_sum(content)
     bits = check_bits(content)
@@ -41,13 +54,14 @@ def check(content: dict[str, Any]) -> None:
     with ctx.workprec(bits + _GUARD):
         period = {"period": content["given_period"]} if content["given_period"] else {}
         demand(not period.keys() & content["parameters"].keys(), "two periods are given")
-        values, constants = values_of({**content["parameters"], **period})
-        declared = Declared(content, values)
+        told = content["declaration"].get("constants", [])
+        values, stated, constants = values_of({**content["parameters"], **period}, (), told)
+        declared = StatedSystem(content, values, stated)
         demand(bool(period) == (content["closing"]["kind"] == "period"), "no period is given")
         demand(content["stability"] == declared.stability, "stability of another kind")
         energies = declared.closes()
         independent(declared, constants)
-        orbit, box = Orbit(declared, number_at(constants)), content["box"]
+        orbit, box = CheckedOrbit(declared, number_at(constants)), content["box"]
         named = [side["name"] for side in box] == declared.unknowns
         demand(named, "the box is not that of the unknowns")
         centre, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
@@ -63,10 +77,10 @@ def check(content: dict[str, Any]) -> None:
         without = {"trace"} if stable == "undecided" else set()
         all_told = found.keys() - without <= content["enclosures"].keys() <= found.keys()
         demand(all_told, "the enclosures are not those of the unknowns")
-        for name, stated in content["enclosures"].items():
-            demand(inside(found[name], stated), f"{name} is not in its enclosure")
-        stated = [(ball(m["re"]), ball(m["im"])) for m in content["multipliers"]]
-        demand(has_multipliers(orbit, stated), "a stated multiplier is none")
+        for name, enclosure in content["enclosures"].items():
+            demand(inside(found[name], enclosure), f"{name} is not in its enclosure")
+        multipliers = [(ball(m["re"]), ball(m["im"])) for m in content["multipliers"]]
+        demand(has_multipliers(orbit, multipliers), "a stated multiplier is none")
         if stable != "undecided":
             verdict = stability(orbit)
             demand(verdict == stable, f"stability is {verdict}")

@@ -76,6 +76,7 @@ _DECLARATION = {
         {"configuration": str, "boundaries": [str], "transition": int, "dwell_time": str},
     ],
 }
+_CONSTANTS: Any = ({}, {"constants": [str]})
 _CLOSINGS = (
     {"kind": re.compile("state")},
     {"kind": re.compile("forcing"), "turns": int},
@@ -95,13 +96,19 @@ _FILE = {"format": str, "version": int, "package": str, "sha256": str}
 _ORBIT = {
     "orbit": str,
     "system": str,
+    "tables": Either((type(None), dict)),  # what the declaration is compared with
     "parameters": Named(str),
     "itinerary": [(str, str)],
 }
 _STATEMENT = {
     **_ORBIT,
     "chosen": [str],
-    "declaration": Either(({}, _DECLARATION, {**_DECLARATION, "law": _LAW})),
+    "declaration": Either(
+        (
+            {},
+            *({**_DECLARATION, **law, **own} for law in ({}, {"law": _LAW}) for own in _CONSTANTS),
+        )
+    ),
     "closing": Either(({}, _CLOSING)),
 }
 _JUDGED = {
@@ -190,7 +197,22 @@ CENSUS = {
 
 
 def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
-    """Malformed where an entry has another shape; its message says where."""
+    """Malformed where an entry has another shape; its message says where.
+
+    Parameters
+    ----------
+    entry : object
+        Read from JSON.
+    shape : type, pattern, Either, Named, dict, list or tuple
+        What the entry has to be.
+    where : str, default "the file"
+        Place of the entry, for the message.
+
+    Raises
+    ------
+    Malformed
+        If the entry has another shape.
+    """
     match shape:
         case type():
             _demand(type(entry) is shape, where)
@@ -220,7 +242,23 @@ def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
 
 
 def check_bits(content: dict[str, Any]) -> int:
-    """The bits of enclosures, if they may be so many."""
+    """The bits of enclosures, if they may be so many.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    int
+        Bits of precision.
+
+    Raises
+    ------
+    Malformed
+        If they are too few or too many.
+    """
     bits: int = content["bits"]
     if not _FEWEST <= bits <= _MOST:
         raise Malformed(f"{bits} bits are not from {_FEWEST} to {_MOST}")

@@ -7,16 +7,28 @@ from typing import Any
 from flint import acb, acb_poly, arb, arb_mat, arb_poly
 
 from nonsmooth.runtime.checker.exact import demand
-from nonsmooth.runtime.checker.orbit import Orbit, trace_of
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 
 __all__ = ["characteristic", "has_multipliers", "paired", "products_less_one", "stability"]
 
 
-def has_multipliers(orbit: Orbit, stated: Sequence[tuple[Any, Any]]) -> bool:
+def has_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]]) -> bool:
     """Whether there is one in each disc, no two in one: Newton's map leads into it.
 
     On a section with fewer coordinates than the orbit has all the others are zero.
+
+    Parameters
+    ----------
+    orbit : CheckedOrbit
+        The orbit, located.
+    stated : sequence of (arb, arb)
+        Real and imaginary part of each multiplier.
+
+    Returns
+    -------
+    bool
+        True if that is proved.
     """
     others = [0] * (orbit.section.nrows() < len(orbit.declared.free))
     polynomial = acb_poly([*others, *(acb(c) for c in reversed(characteristic(orbit.section)))])
@@ -28,8 +40,24 @@ def has_multipliers(orbit: Orbit, stated: Sequence[tuple[Any, Any]]) -> bool:
     return all(disc.contains_interior(disc.mid() - step) for disc, step in pairs)
 
 
-def stability(orbit: Orbit) -> str:
-    """The verdict of a claim on the multipliers."""
+def stability(orbit: CheckedOrbit) -> str:
+    """The verdict of a claim on the multipliers.
+
+    Parameters
+    ----------
+    orbit : CheckedOrbit
+        The orbit, located.
+
+    Returns
+    -------
+    {"proved", "refuted", "undecided"}
+        What is found here.
+
+    Raises
+    ------
+    Failure
+        If the maps are one-sided.
+    """
     demand(orbit.declared.alone, "one-sided maps")
     if orbit.declared.stability == "stable":
         return _inside(characteristic(orbit.section))
@@ -76,7 +104,20 @@ def _neutral(square: Any, size: int) -> str:
 
 
 def characteristic(square: Any) -> list[Any]:
-    """Coefficients of the characteristic polynomial, the first is 1: Faddeev and LeVerrier."""
+    """Coefficients of the characteristic polynomial, the first is 1: Faddeev and LeVerrier.
+
+    U. Le Verrier (1840), D. K. Faddeev and I. S. Sominsky (1949).
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+        Of balls or Taylor models.
+
+    Returns
+    -------
+    list of arb or TaylorModel, length n + 1
+        From the highest power on.
+    """
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
     found, power = [arb(1)], unit
@@ -88,7 +129,7 @@ def characteristic(square: Any) -> list[Any]:
 
 
 def _inside(polynomial: list[Any]) -> str:
-    """Whether all roots lie inside the unit circle: Schur and Cohn.
+    """Whether all roots lie inside the unit circle: Schur (1917) and Cohn (1922).
 
     Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside.
     """
@@ -105,7 +146,18 @@ def _inside(polynomial: list[Any]) -> str:
 
 
 def products_less_one(polynomial: Sequence[Any]) -> Any:
-    """The product of all 1 - x y of two roots, a determinant of Jury's."""
+    """The product of all 1 - x y of two roots, a determinant of Jury's.
+
+    Parameters
+    ----------
+    polynomial : sequence of arb or TaylorModel
+        Coefficients from the highest power on, the first is 1.
+
+    Returns
+    -------
+    arb or TaylorModel
+        The product.
+    """
     size = len(polynomial) - 2
 
     def entry(k: int) -> Any:
@@ -116,7 +168,18 @@ def products_less_one(polynomial: Sequence[Any]) -> Any:
 
 
 def paired(polynomial: Sequence[Any]) -> bool:
-    """Whether two roots whose product may be 1 are surely conjugate, and not real."""
+    """Whether two roots whose product may be 1 are surely conjugate, and not real.
+
+    Parameters
+    ----------
+    polynomial : sequence of arb or TaylorModel
+        Coefficients from the highest power on.
+
+    Returns
+    -------
+    bool
+        True if that is proved of all such pairs.
+    """
     try:
         roots = acb_poly([acb(range_of(c)) for c in reversed(polynomial)]).roots()
     except ValueError:

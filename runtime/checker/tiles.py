@@ -9,7 +9,7 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from nonsmooth.runtime.checker.declared import Declared
+from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import (
     Failure,
     agreed_claims,
@@ -19,7 +19,7 @@ from nonsmooth.runtime.checker.exact import (
     inside,
 )
 from nonsmooth.runtime.checker.motion import admissibility
-from nonsmooth.runtime.checker.orbit import Orbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import MAP, check_shape
 from nonsmooth.runtime.checker.stability import stability
@@ -37,12 +37,25 @@ _NEWTON = 3  # steps to the orbit in the middle of a tile
 Interval = tuple[Any, Any]
 
 
-class _Refuted(Failure):
+class _Contradicted(Failure):
     """The contrary of a claim is proved: smaller tiles do not help."""
 
 
 def check_tiles(content: dict[str, Any]) -> None:
-    """Prove every claim of a map; Failure says which one cannot be."""
+    """Prove every claim of a map; Failure says which one cannot be.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Raises
+    ------
+    Failure
+        If a claim is not proved.
+    Malformed
+        If the file has another shape.
+    """
     check_shape(content, MAP)
     check_sum(content)
     tiles = content["tiles"]
@@ -60,8 +73,9 @@ def check_tiles(content: dict[str, Any]) -> None:
         demand(content["stability"] == "stable", "stability of another kind")
         return
     with ctx.workprec(_BITS):
-        values, constants = values_of(content["parameters"], [*content["box"]])
-        declared = Declared(content, values)
+        told = content["declaration"].get("constants", [])
+        values, stated, constants = values_of(content["parameters"], [*content["box"]], told)
+        declared = StatedSystem(content, values, stated)
         demand(declared.bound and declared.rational, "the declaration is not exact")
         demand(content["stability"] == declared.stability, "stability of another kind")
         energies = declared.closes()
@@ -79,7 +93,7 @@ class _Tile:
     """What is claimed for a tile."""
 
     def __init__(
-        self, declared: Declared, energies: Any, constants: Any, tile: dict[str, Any]
+        self, declared: StatedSystem, energies: Any, constants: Any, tile: dict[str, Any]
     ) -> None:
         self.declared, self.energies, self.constants = declared, energies, constants
         self.tile = tile
@@ -98,10 +112,10 @@ class _Tile:
         demand(near, "the orbit is not near the numbers that are stated")
         self._judge(whole, whole, where, [(fmpq(-1), fmpq(1))] * len(where), 0)
 
-    def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> Orbit:
+    def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> CheckedOrbit:
         """The orbit for all parameters of a tile, from numbers near it in the middle."""
         space = space_of(len(where), _ORDERS.get(len(where), 2))
-        orbit = Orbit(self.declared, _numbers(where, self.constants, space))
+        orbit = CheckedOrbit(self.declared, _numbers(where, self.constants, space))
         demand(len(guess) == orbit.count, "the guess is of another size")
         cuts = [*(middle_of,) * _NEWTON, *(_cut(space_of(len(where), k)) for k in (1, 2))]
         centre, inverse = orbit.follow(guess, cuts, _cut(space))
@@ -111,14 +125,19 @@ class _Tile:
         return orbit
 
     def _judge(
-        self, whole: Orbit, orbit: Orbit, where: Sequence[Interval], part: Any, depth: int
+        self,
+        whole: CheckedOrbit,
+        orbit: CheckedOrbit,
+        where: Sequence[Interval],
+        part: Any,
+        depth: int,
     ) -> None:
         """Prove enclosures and claims of an orbit on a part of the tile; the whole is 2 wide."""
         try:
             self._claims(orbit)
             return
         except Failure as failure:
-            if depth == _DEEPEST or isinstance(failure, _Refuted):
+            if depth == _DEEPEST or isinstance(failure, _Contradicted):
                 raise
         axis = depth % len(where)
         for half in (0, 1):
@@ -135,7 +154,7 @@ class _Tile:
             demand(same, "another orbit is found on a part of it")
             self._judge(whole, smaller, there, within, depth + 1)
 
-    def _claims(self, orbit: Orbit) -> None:
+    def _claims(self, orbit: CheckedOrbit) -> None:
         _, admissible, stable = self.claims
         found, told = orbit.enclosures(), self.tile["enclosures"]
         without = {"trace"} if stable == "undecided" else set()
@@ -156,7 +175,7 @@ class _Tile:
 
 def _agree(proved: bool, refuted: bool, otherwise: str) -> None:
     if not proved:
-        raise _Refuted(otherwise) if refuted else Failure(otherwise)
+        raise _Contradicted(otherwise) if refuted else Failure(otherwise)
 
 
 def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callable[[Any], Any]:

@@ -9,13 +9,29 @@ from typing import Any
 from flint import arb_mat
 
 from nonsmooth.runtime.checker.exact import demand, exact, product, reduced
-from nonsmooth.runtime.checker.orbit import Orbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 
 __all__ = ["vanishing"]
 
 
-def vanishing(orbit: Orbit) -> list[Any]:
-    """Those that the file states, proved: rows that are zero where the orbit begins."""
+def vanishing(orbit: CheckedOrbit) -> list[Any]:
+    """Those that the file states, proved: rows that are zero where the orbit begins.
+
+    Parameters
+    ----------
+    orbit : CheckedOrbit
+        The orbit, located.
+
+    Returns
+    -------
+    list of row
+        Exact, each of length N + 1; empty if the file states none.
+
+    Raises
+    ------
+    Failure
+        If they need not vanish.
+    """
     declared = orbit.declared
     if "vanishing" not in declared.closing:
         return []
@@ -51,7 +67,7 @@ def _factors(row: Any, facts: list[Any]) -> list[Any]:
     return [row[next(j for j, x in enumerate(fact) if x)] for fact in facts]
 
 
-def _less_exit(orbit: Orbit, row: Any, leaves: Any, kept: list[Any]) -> Any:
+def _less_exit(orbit: CheckedOrbit, row: Any, leaves: Any, kept: list[Any]) -> Any:
     """A combination of facts and of the row that is zero where a phase ends, without that."""
     rest, zero = reduced(row, kept), reduced(leaves, kept)
     place = next((k for k, x in enumerate(zero) if x), None)
@@ -62,7 +78,7 @@ def _less_exit(orbit: Orbit, row: Any, leaves: Any, kept: list[Any]) -> Any:
     return tuple(x - share * y for x, y in zip(row, leaves, strict=True))
 
 
-def _times(orbit: Orbit, factors: list[list[Any]], u: Any, count: int) -> Any:
+def _times(orbit: CheckedOrbit, factors: list[list[Any]], u: Any, count: int) -> Any:
     """Combinations of the values."""
     if not factors or not factors[0]:
         return arb_mat([[0] * count for _ in factors])

@@ -18,9 +18,11 @@
 `display_certificates`  certificates, maps and events for people
 `display_checks`        checks of certificates for people
 `display_motions`       motions and found orbits for people
+`doctor`                `doctor`
 `generating`            `generate`
 `motions`               `simulate`, `find`, `sweep`
 `report_motions`        motions as JSON
 `tables`                consoles and tables that are as wide as they need to be
+`written`               files and pictures that a command writes, and what it shows of them
 ======================  ===================================================================
 """

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Mapping
 from enum import StrEnum
 from pathlib import Path
@@ -24,9 +23,11 @@ from nonsmooth.runtime.cli.application import (
 from nonsmooth.runtime.cli.certifying_boxes import certify_over, is_box
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
-from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new
-from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess
+from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
+from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, SaveResult, Yes
+from nonsmooth.runtime.cli.written import show_kept
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
 __all__ = ["certify"]
 
@@ -75,16 +76,15 @@ def certify(
     require: Annotated[
         Proven | None, typer.Option("--require", help="Exit with 3 unless every claim is proved.")
     ] = None,
-    save: Annotated[
-        Path | None,
-        typer.Option("--save", metavar="FILE", help="Save the certificate, as JSON."),
-    ] = None,
+    save: SaveResult = None,
     tiles: Annotated[
-        int,
+        int | None,
         typer.Option(
-            "--tiles", metavar="N", help="Of a box of parameters at most so many are looked at."
+            "--tiles",
+            metavar="N",
+            help=f"Of a box of parameters at most so many are looked at; {_TILES} by default.",
         ),
-    ] = _TILES,
+    ] = None,
     resume: Annotated[
         Path | None,
         typer.Option("--resume", metavar="FILE", help="Go on with a saved box, or saved events."),
@@ -99,6 +99,7 @@ def certify(
             "--check",
             metavar="FILE",
             help="Prove a saved certificate again, from the file alone; exit with 1 if it differs."
+            " With FILE.py:ORBIT that declaration has to be the one in the file."
             " Of a census each orbit is proved again, not that there are no others.",
         ),
     ] = None,
@@ -110,6 +111,7 @@ def certify(
             "--events", help="Enclose the bifurcations and collisions over one range, V=0.6:1.3."
         ),
     ] = False,
+    yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
     """Prove that an orbit exists, is a motion of the system, and is stable: by ball arithmetic.
@@ -121,10 +123,11 @@ def certify(
     With --all ranges are of dwell times, and orbits are counted; with --events: what happens.
     """
     if check is not None:
-        options = (orbit, parameters, guess, digits, bits, save, resume, plot)
-        if every or events or any(option is not None and option != [] for option in options):
-            raise InputError("--check takes a file and nothing else to certify")
-        return _check(check, require, as_json=as_json)
+        options = (parameters, guess, digits, bits, save, resume, plot, tiles)
+        chosen = (every, events, overwrite, yes)
+        if any(chosen) or any(option is not None and option != [] for option in options):
+            raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
+        return _check(check, orbit, require, as_json=as_json)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
     if every and events:
@@ -133,11 +136,15 @@ def certify(
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
+        looked_at = _TILES if tiles is None else tiles
+        check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
         found, code = certify_over(
-            orbit, parameters or [], near, tiles, resume, save, plot,
+            orbit, parameters or [], near, looked_at, resume, save, plot,
             overwrite=overwrite, as_json=as_json,
         )  # fmt: skip
         return code if code == INTERRUPTED else _judged(found.claims, require, code)
+    if tiles is not None:
+        raise InputError("--tiles is for a box of parameters, as in V=0.99:1.01")
     if plot is not None or (resume is not None and not events):
         raise InputError("--resume and --plot are for a box of parameters, as in V=0.99:1.01")
     save = resume if save is None else save
@@ -179,24 +186,18 @@ def _certify(
         certificate = prove(found, bits, begin=begin)
     if save is not None:
         certificate.save(save)
-    if as_json:
-        told = certificate.to_json()
-        print_json(told if save is None else {**told, "file": str(save)})
-    else:
-        show_certificate(certificate)
-        if save is not None:
-            print(f"\n{save} written")
+    show_kept(certificate.to_json, lambda: show_certificate(certificate), save, as_json=as_json)
     return _judged(certificate.claims, require, ANSWERED if certificate.decided else UNANSWERED)
 
 
-def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
+def _check(path: Path, declared: str | None, require: Proven | None, *, as_json: bool) -> int:
     from nonsmooth.runtime.cli.display import steps
     from nonsmooth.runtime.cli.display_checks import show_check
     from nonsmooth.runtime.present.checking.check_file import check_certificate
     from nonsmooth.runtime.proof.counting.census import Census
 
     with steps(f"proving {path} again"):
-        found = check_certificate(path)
+        found = check_certificate(path, declared)
     if as_json:
         same = found.difference is None
         told = {"file": str(path), "same": same, "claims": dict(found.claims)}
@@ -208,7 +209,7 @@ def _check(path: Path, require: Proven | None, *, as_json: bool) -> int:
         if found.note:
             print(found.note)
     if found.difference is not None:
-        print(f"nonsmooth: {path}: {found.difference}", file=sys.stderr)
+        say(f"{path}: {found.difference}")
         return UNANSWERED
     return _judged(found.claims, require, ANSWERED)
 
@@ -217,6 +218,6 @@ def _judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int
     """The exit code, or another if claims that are not proved are required to be: told."""
     missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
     if require is not None and missed:
-        print(f"nonsmooth: required: proved; found: {', '.join(missed)}", file=sys.stderr)
+        say(f"required: proved; found: {', '.join(missed)}")
         return NOT_MET
     return code

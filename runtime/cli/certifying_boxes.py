@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.cli.application import (
     ANSWERED,
     UNANSWERED,
     assignments,
     check_drawing,
-    drawn,
-    print_json,
-    without_picture,
 )
 from nonsmooth.runtime.cli.keeping import check_new, kept_of, worked
+from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
 
@@ -30,7 +28,18 @@ _ENOUGH = Fraction(99, 100)  # share of a box that has to be decided for an answ
 
 
 def is_box(parameters: Sequence[str] | None) -> bool:
-    """Whether some parameter is a range."""
+    """Whether some parameter is a range.
+
+    Parameters
+    ----------
+    parameters : sequence of str or None
+        ``NAME=VALUE`` and ``NAME=A:B``.
+
+    Returns
+    -------
+    bool
+        False for none.
+    """
     return any(":" in text for text in parameters or ())
 
 
@@ -46,7 +55,34 @@ def certify_over(
     overwrite: bool,
     as_json: bool,
 ) -> tuple[BoxCertificate, int]:
-    """Prove the map, show it, and keep it; gives it, and the exit code."""
+    """Prove the map, show it, and keep it; gives it, and the exit code.
+
+    Parameters
+    ----------
+    name : str
+        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
+    parameters : sequence of str
+        ``NAME=VALUE`` and ``NAME=A:B``.
+    near : dict of str to float or None
+        A guess of the unknowns, in the system's units.
+    tiles : int
+        The most tiles that are tried.
+    resume : Path or None
+        The file to go on from.
+    save : Path or None
+        The file to keep the answer in.
+    plot : Path or None
+        The picture's file.
+    overwrite : bool
+        Whether a file that is there may be replaced.
+    as_json : bool
+        Whether the answer is JSON.
+
+    Returns
+    -------
+    tuple of (BoxCertificate, int)
+        The map and the exit code.
+    """
     from nonsmooth.runtime.cli.display import shared, steps
     from nonsmooth.runtime.cli.display_certificates import show_box
     from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
@@ -70,38 +106,47 @@ def certify_over(
                 keep=None if save is None else lambda state: state.save(save),
             )
         )
-    written, failed = [], None
-    if save is not None:
-        found.save(save)
-        written.append(save)
+    written = Written()
+    written.save(found.save, save)
     if plot is not None:
-        from nonsmooth.runtime.present.pictures.plot import save_figure
         from nonsmooth.runtime.present.pictures.proven_maps import box_figure
 
-        failed = drawn(lambda: save_figure(box_figure(found), plot))
-        written += [] if failed else [plot]
-    if as_json:
-        undecided = [
-            {name: [str(low), str(high)] for name, (low, high) in where.items()}
-            for where in found.undecided
-        ]
-        files = list(map(str, written))
-        print_json({**found.to_json(), "undecided": undecided, "files": files})
-    else:
-        show_box(found)
-        for path in written:
-            print(f"\n{path} written")
-    code = without_picture(failed)
+        written.draw(lambda: box_figure(found), plot)
+    code = written.show(lambda: _box_json(found), lambda: show_box(found), as_json=as_json)
     if not stopped:
         return found, code or (ANSWERED if found.decided >= _ENOUGH else UNANSWERED)
     done = f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided"
     return found, kept_of(done, save)
 
 
+def _box_json(found: BoxCertificate) -> dict[str, Any]:
+    undecided = [
+        {name: [str(low), str(high)] for name, (low, high) in where.items()}
+        for where in found.undecided
+    ]
+    return {**found.to_json(), "undecided": undecided}
+
+
 def box_and_values(
     parameters: Sequence[str],
 ) -> tuple[dict[str, tuple[Value, Value]], dict[str, Value]]:
-    """Ranges and values by name, each given once."""
+    """Ranges and values by name, each given once.
+
+    Parameters
+    ----------
+    parameters : sequence of str
+        ``NAME=VALUE`` and ``NAME=A:B``.
+
+    Returns
+    -------
+    tuple of (dict, dict)
+        Two Values by name for each range, one for each other parameter.
+
+    Raises
+    ------
+    InputError
+        If a name is given twice, or a text is no range and no assignment.
+    """
     box = dict(map(_range, (text for text in parameters if ":" in text)))
     if len(box) < sum(":" in text for text in parameters):
         raise InputError("a parameter of the box is given twice")
@@ -126,7 +171,29 @@ def solved_in(
     box: Mapping[str, tuple[Value, Value]],
     near: Mapping[str, float] | None,
 ) -> Orbit:
-    """The orbit in the middle of the box, or elsewhere in it if there is none."""
+    """The orbit in the middle of the box, or elsewhere in it if there is none.
+
+    Parameters
+    ----------
+    name : str
+        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
+    fixed : dict of str to Value
+        Parameters that are no ranges.
+    box : dict of str to (Value, Value)
+        Lower and upper end of the ranges.
+    near : dict of str to float or None
+        A guess of the unknowns, in the system's units.
+
+    Returns
+    -------
+    Orbit
+        Converged.
+
+    Raises
+    ------
+    NoConvergence
+        If no orbit is found at any point that is tried.
+    """
     from nonsmooth.runtime.orbits.solve import solve
 
     problem: NoConvergence | None = None

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
-from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED, print_json
+from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED
 from nonsmooth.runtime.cli.certifying_boxes import box_and_values, solved_in
 from nonsmooth.runtime.cli.keeping import kept_of, worked
+from nonsmooth.runtime.cli.written import show_kept
 
 __all__ = ["certify_events"]
 
@@ -25,11 +27,39 @@ def certify_events(
     """Follow the orbit over a range, enclose what happens and keep it.
 
     Gives what is claimed, and the exit code.
+
+    Parameters
+    ----------
+    name : str
+        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
+    parameters : sequence of str
+        ``NAME=VALUE`` and ``NAME=A:B``.
+    near : dict of str to float or None
+        A guess of the unknowns, in the system's units.
+    bits : int
+        Precision of the enclosures.
+    resume : Path or None
+        The file to go on from.
+    save : Path or None
+        The file to keep the answer in.
+    as_json : bool
+        Whether the answer is JSON.
+
+    Returns
+    -------
+    tuple of (dict, int)
+        Verdict on "events", and the exit code.
+
+    Raises
+    ------
+    InputError
+        If there is not exactly one range.
     """
     from nonsmooth.runtime.cli.display import counted, steps
     from nonsmooth.runtime.cli.display_certificates import show_events
     from nonsmooth.runtime.core.errors import InputError
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
+    from nonsmooth.runtime.model.naming import shown_name
     from nonsmooth.runtime.present.files.event_certificates import (
         load_event_certificates,
         save_events,
@@ -50,26 +80,22 @@ def certify_events(
         found, stopped = worked(lambda: certify_branch(branch, bits, known, progress))
     if save is not None:
         save_events(found, save)
-    if as_json:
-        told = {
+
+    def told() -> dict[str, Any]:
+        return {
             "orbit": branch.name,
             "parameter": parameter,
             "interval": [str(lower), str(upper)],
             "ends": list(branch.ends),
             "events": [certificate.to_json() for certificate in found],
         }
-        print_json(told if save is None else {**told, "file": str(save)})
-    else:
-        from nonsmooth.runtime.model.naming import shown_name
 
+    def show() -> None:
         values = branch.parameter_values
-        low, high = values.min(), values.max()
-        show_events(
-            f"{shown_name(branch.name)}, {parameter} = {low:.6g} ... {high:.6g}",
-            found,
-        )
-        if save is not None:
-            print(f"\n{save} written")
+        span = f"{parameter} = {values.min():.6g} ... {values.max():.6g}"
+        show_events(f"{shown_name(branch.name)}, {span}", found)
+
+    show_kept(told, show, save, as_json=as_json)
     claims = events_claim(found)
     if not stopped:
         return claims, UNANSWERED if "undecided" in claims.values() else ANSWERED

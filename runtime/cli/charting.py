@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+import math
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -20,11 +18,13 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.keeping import interrupted, same_command
-from nonsmooth.runtime.cli.options import AsJson
+from nonsmooth.runtime.cli.options import AsJson, Start, Yes
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.workload import check_hours
 
 __all__ = ["chart"]
 
+TRANSITIONS = 2000
 MOST_COUNTED = 20_000_000  # points that the summary reads again
 
 
@@ -41,7 +41,9 @@ def chart(
     name: Annotated[
         str,
         typer.Argument(
-            metavar="ORBIT", help="As for `solve`; with --simulate a SYSTEM, as for `simulate`."
+            metavar="ORBIT",
+            help="As for `solve`; with --simulate a SYSTEM, as for `simulate`. A chart F.zarr"
+            " that is begun goes on, from what it holds.",
         ),
     ],
     parameters: Annotated[
@@ -72,24 +74,39 @@ def chart(
     simulate: Annotated[
         bool, typer.Option("--simulate", help="Where motions settle, by brute force.")
     ] = False,
-    start: Annotated[
-        list[str] | None,
-        typer.Option("--from", metavar="NAME=VALUE,...", help="Start of these motions."),
-    ] = None,
+    start: Start = None,
     transitions: Annotated[
-        int, typer.Option("--transitions", metavar="N", help="After which they are looked at.")
-    ] = 2000,
+        int | None,
+        typer.Option(
+            "--transitions",
+            metavar="N",
+            help=f"After which they are looked at; {TRANSITIONS} by default.",
+        ),
+    ] = None,
+    yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
-    """Chart the parameter plane: where an orbit lives, what ends it; stop and go on at will."""
-    from nonsmooth.runtime.explore.charting.chart import chart_problem, load_chart, work_on
+    """Chart the parameter plane: where an orbit is a motion, which limit fails first."""
+    from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.explore.charting.chart import (
+        begun_problem,
+        chart_problem,
+        is_begun,
+        load_chart,
+        reading,
+        work_on,
+    )
     from nonsmooth.runtime.explore.charting.classes import counts_of
     from nonsmooth.runtime.explore.charting.grid import linear_axis
     from nonsmooth.runtime.explore.charting.store import check_zarr
 
-    if out is None:
-        raise InputError("--out F.zarr is missing")
     check_zarr()
+    begun = is_begun(name)
+    if begun and (parameters or out or simulate or start):
+        raise InputError(f"{name} is a chart that is begun: it holds all that it is of")
+    if not begun and out is None:
+        raise InputError("--out F.zarr is missing")
+    out = out or Path(name)
     given: dict[str, Any] = {}
     for text in parameters or []:
         swept = ":" in text
@@ -100,8 +117,17 @@ def chart(
             if parameter in given:
                 raise InputError(f"parameter {parameter} is given twice")
             given[parameter] = linear_axis(parameter, *value) if isinstance(value, tuple) else value
+    if threads is not None and scheduler is not None:
+        raise InputError("--threads is for this machine: leave it out with --scheduler")
+    if transitions is not None and not simulate:
+        raise InputError("--transitions is for the motions of --simulate, which is missing")
     begin = assignments("state", split(start)) if start else None
-    problem, axes = chart_problem(name, given, simulate, begin, transitions)
+    if begun:
+        problem, axes = begun_problem(out)
+    else:
+        problem, axes = chart_problem(name, given, simulate, begin, transitions or TRANSITIONS)
+    points = math.prod(axis.count for axis in axes)
+    check_hours(f"{points} points", points * problem.seconds, yes=yes)
     done = 0, 0
 
     def count(computed: int, total: int) -> None:
@@ -110,13 +136,15 @@ def chart(
         progress(computed, total)
 
     try:
-        with _counted(f"charting {name}") as progress:
+        with counted(f"charting {name}") as progress:
             work = work_on(out, problem, axes, scheduler, chunk, threads, count)
     except KeyboardInterrupt:
         kept = f"{done[0]} of {done[1] or 'all'} chunks are kept in {out}"
         return interrupted(kept, f"go on with: {same_command()}")
     dataset = load_chart(out)
-    counted = int(dataset.status.size) <= MOST_COUNTED
+    countable = int(dataset.status.size) <= MOST_COUNTED
+    with reading(out):
+        classes = {k: n for k, n in counts_of(dataset).items() if n} if countable else None
     told = {
         "name": name,
         "file": str(out),
@@ -126,7 +154,7 @@ def chart(
         "computed": work.computed,
         "damaged": work.damaged,
         "leftovers": work.leftovers,
-        "points": {k: n for k, n in counts_of(dataset).items() if n} if counted else None,
+        "points": classes,
     }
     if as_json:
         print_json(told)
@@ -159,19 +187,3 @@ _KINDS = {
     "rest": "rest",
     "other": "not periodic",
 }
-
-
-@contextmanager
-def _counted(what: str) -> Iterator[Callable[[int, int], None]]:
-    """Give a function that shows how many chunks are done, and of how many."""
-    if not sys.stderr.isatty():
-        yield lambda done, total: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
-    from rich.progress import TimeRemainingColumn as Remaining
-
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), Remaining())
-    with Progress(*columns, console=Console(stderr=True)) as progress:
-        task = progress.add_task(what, total=None)
-        yield lambda done, total: progress.update(task, completed=done, total=total)

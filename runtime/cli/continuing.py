@@ -13,15 +13,14 @@ from nonsmooth.runtime.cli.application import (
     app,
     assignments,
     check_drawing,
-    drawn,
-    print_json,
     ranges,
     split,
-    without_picture,
 )
 from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
-from nonsmooth.runtime.cli.options import AsJson, OrbitName
+from nonsmooth.runtime.cli.options import AsJson, OrbitName, Plot, Resume, SaveResult, Yes
+from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.workload import SECONDS, check_hours
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
 if TYPE_CHECKING:
@@ -119,9 +118,9 @@ def follow(
         ),
     ] = None,
     frequency: Annotated[
-        Frequency,
-        typer.Option("--frequency", help="Frequencies in radians or cycles in a unit of time."),
-    ] = Frequency.ANGULAR,
+        Frequency | None,
+        typer.Option("--frequency", help="Frequencies in radians (as by default) or cycles."),
+    ] = None,
     over: Annotated[
         str | None,
         typer.Option(
@@ -130,17 +129,11 @@ def follow(
             help="Over which other quantity, such as energy, in place of the parameter.",
         ),
     ] = None,
-    plot: Annotated[
-        Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
-    ] = None,
-    save: Annotated[
-        Path | None, typer.Option("--save", metavar="FILE", help="Save the branch as JSON.")
-    ] = None,
-    resume: Annotated[
-        Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a branch that was interrupted."),
-    ] = None,
+    plot: Plot = None,
+    save: SaveResult = None,
+    resume: Resume = None,
     overwrite: Overwrite = False,
+    yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
@@ -149,6 +142,7 @@ def follow(
     from nonsmooth.runtime.present.files.branches import load_branch
 
     check_drawing(plot)
+    _check_picture(plot, quantity, frequency, over, follow_event)
     if resume is not None and (switch or follow_event is not None):
         raise InputError("--resume goes on with a branch: leave out --switch and --follow")
     save = resume if save is None else save
@@ -167,6 +161,7 @@ def follow(
         raise InputError(f"parameter {name} is given twice")
     if at is not None:
         fixed |= assignments("parameter", [f"{name}={at}"])
+    check_hours(f"{points} points", 2 * points * SECONDS["point"], yes=yes)
     begin = solve(orbit, fixed)
     spans = {name: (low, high), **{other: span[:2] for other, span in others}}
     middles = {
@@ -176,6 +171,8 @@ def follow(
     }
     if middles and at is None:
         begin = solve(orbit, {**fixed, **middles})
+    if not switch:  # beyond an event the unknowns may be others
+        _check_quantities(begin, name, [*split(quantity), *([over] if over else [])])
     options = {"step": step, "points": points, "stop": "admissible" if admissible else None}
     interval = low, high
     branch, stopped = _branch(begin, name, interval, {**options, "resume": known})
@@ -192,31 +189,51 @@ def follow(
         ((second, (lower, upper, _)),) = others
         event = chosen_event(branch, follow_event)
         return _in_the_plane(branch, event, second, (lower, upper), step, plot, save, as_json)
-    written, failed = [], None
-    if save is not None:
-        branch.save(save)
-        written.append(str(save))
+    written = Written()
+    written.save(branch.save, save)
     beyond_events: Others = {}
     if beyond and not stopped:
         beyond_events, stopped = worked(lambda: _beyond(branch, fixed))
     if plot is not None:
         from nonsmooth.runtime.present.pictures.branches import branch_figure
-        from nonsmooth.runtime.present.pictures.plot import save_figure
 
-        target, quantities = plot, split(quantity)
-        failed = drawn(
-            lambda: save_figure(branch_figure(branch, quantities, over, frequency.value), target)
-        )
-        written += [] if failed else [str(plot)]
-    if as_json:
-        print_json({**branch_json(branch, beyond_events), "files": written})
-    else:
-        show_branch(branch, beyond_events)
-        _show_written(written)
-    code = without_picture(failed)
+        quantities, drawn_in = split(quantity), frequency or Frequency.ANGULAR
+        written.draw(lambda: branch_figure(branch, quantities, over, drawn_in.value), plot)
+    code = written.show(
+        lambda: branch_json(branch, beyond_events),
+        lambda: show_branch(branch, beyond_events),
+        as_json=as_json,
+    )
     if not stopped:
         return code
     return kept_of(f"{len(branch)} points are done", save, resumes=not switch)
+
+
+def _check_picture(
+    plot: Path | None,
+    quantity: list[str] | None,
+    frequency: Frequency | None,
+    over: str | None,
+    follow_event: str | None,
+) -> None:
+    """Refuse what says how a branch is drawn where none is."""
+    for option, given in (("--quantity", quantity), ("--over", over), ("--frequency", frequency)):
+        if given and plot is None:
+            raise InputError(f"{option} is for the picture of --plot, which is missing")
+        if given and follow_event is not None:
+            raise InputError(f"{option} is of a branch: leave it out with --follow")
+
+
+def _check_quantities(orbit: Orbit, parameter: str, names: list[str]) -> None:
+    """Refuse quantities that a branch of an orbit does not have, before it is followed."""
+    from nonsmooth.runtime.model.structure import structure_of
+
+    amplitudes = (f"amplitude_{state}" for state in structure_of(orbit.system).states)
+    own = (parameter, *orbit.unknowns, *orbit.dwell_time_names)
+    known = dict.fromkeys(("period", "frequency", "energy", "trace", *own, *amplitudes))
+    for name in names:
+        if name not in known:
+            raise unknown_name("quantity", name, known)
 
 
 def _go_on(stopped: bool) -> None:
@@ -239,13 +256,20 @@ def _branch(
         return worked(lambda: continue_orbit(orbit, name, interval, progress=progress, **options))
 
 
-def _show_written(written: list[str]) -> None:
-    for path in written:
-        print(f"{path} written")
-
-
 def chosen_event(branch: Branch, text: str) -> Event:
     """The event that ``KIND`` or ``KIND:N`` names, N counted from 1.
+
+    Parameters
+    ----------
+    branch : Branch
+        As `continue_orbit` gives it.
+    text : str
+        ``KIND`` or ``KIND:N``.
+
+    Returns
+    -------
+    Event
+        Of the branch.
 
     Raises
     ------
@@ -291,22 +315,13 @@ def _in_the_plane(
                 branch, event, second, interval, step=2 * step, progress=progress
             )
         )
-    written, failed = [], None
-    if save is not None:
-        locus.save(save)
-        written.append(str(save))
+    written = Written()
+    written.save(locus.save, save)
     if plot is not None:
         from nonsmooth.runtime.present.pictures.branches import locus_figure
-        from nonsmooth.runtime.present.pictures.plot import save_figure
 
-        failed = drawn(lambda: save_figure(locus_figure(locus), plot))
-        written += [] if failed else [str(plot)]
-    if as_json:
-        print_json({**locus_json(locus), "files": written})
-    else:
-        show_locus(locus)
-        _show_written(written)
-    code = without_picture(failed)
+        written.draw(lambda: locus_figure(locus), plot)
+    code = written.show(lambda: locus_json(locus), lambda: show_locus(locus), as_json=as_json)
     if stopped:
         return kept_of(f"{len(locus)} points are done", save, resumes=False)
     return code

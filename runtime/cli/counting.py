@@ -13,9 +13,9 @@ from nonsmooth.runtime.cli.application import (
     NOT_MET,
     UNANSWERED,
     assignments,
-    print_json,
 )
 from nonsmooth.runtime.cli.keeping import kept_of, worked
+from nonsmooth.runtime.cli.written import show_kept
 from nonsmooth.runtime.core.errors import InputError
 
 __all__ = ["Every", "count_orbits", "split_bounds"]
@@ -34,6 +34,16 @@ def split_bounds(
     arguments: list[str] | None,
 ) -> tuple[list[str], dict[str, str | tuple[str, str]]]:
     """Arguments NAME=VALUE, and bounds by name from those of the form NAME=A:B or NAME=:B.
+
+    Parameters
+    ----------
+    arguments : list of str or None
+        ``NAME=VALUE``, ``NAME=A:B`` and ``NAME=:B``.
+
+    Returns
+    -------
+    tuple of (list of str, dict)
+        The first ones, and the bounds of each name as texts.
 
     Raises
     ------
@@ -66,7 +76,35 @@ def count_orbits(
     *,
     as_json: bool,
 ) -> int:
-    """Count orbits and show the census; gives the exit code."""
+    """Count orbits and show the census; gives the exit code.
+
+    Parameters
+    ----------
+    orbit : str
+        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
+    arguments : list of str or None
+        Parameters ``NAME=VALUE``, and bounds of dwell times ``NAME=A:B``.
+    guess : list of str or None
+        Has to be empty.
+    bits : int
+        Precision of the enclosures.
+    require : object
+        Not None if the count has to be proved.
+    save : Path or None
+        The file to keep the answer in.
+    as_json : bool
+        Whether the answer is JSON.
+
+    Returns
+    -------
+    int
+        The exit code.
+
+    Raises
+    ------
+    InputError
+        If a guess is given, or as `certify_all` says.
+    """
     from nonsmooth.runtime.cli.display import steps
     from nonsmooth.runtime.cli.display_census import show_census
     from nonsmooth.runtime.proof.counting.certify_all import certify_all
@@ -79,13 +117,7 @@ def count_orbits(
         census, stopped = worked(lambda: certify_all(orbit, values, bounds, bits=bits, begin=begin))
     if save is not None:
         census.save(save)
-    if as_json:
-        told = census.to_json()
-        print_json(told if save is None else {**told, "file": str(save)})
-    else:
-        show_census(census)
-        if save is not None:
-            print(f"\n{save} written")
+    show_kept(census.to_json, lambda: show_census(census), save, as_json=as_json)
     if stopped:
         boxes = f"{census.looked} boxes are looked at, {census.count} orbits found"
         return kept_of(boxes, save, resumes=False)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, missing_extra, unknown_name
-from nonsmooth.runtime.core.files import unwritable
+from nonsmooth.runtime.core.files import unwritable, write_file
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.model.loading.folder import COMMAND
 from nonsmooth.runtime.model.loading.load import located
@@ -32,6 +32,11 @@ def document_maker(name: str) -> Callable[[], Any]:
     ----------
     name : str
         ``SYSTEM`` or ``SYSTEM/ORBIT`` of a built-in system, ``FILE.py`` or ``FILE.py:ORBIT``.
+
+    Returns
+    -------
+    callable
+        Gives the document; it derives when it is called.
 
     Raises
     ------
@@ -110,6 +115,11 @@ def emit_file(path: Path, progress: Callable[[str], None] = lambda step: None) -
     progress : callable
         Told the name of each step when it begins.
 
+    Returns
+    -------
+    Emission
+        Files by name, and why orbits are not derived.
+
     Raises
     ------
     InputError
@@ -134,14 +144,40 @@ def emit_file(path: Path, progress: Callable[[str], None] = lambda step: None) -
 
 
 def file_differences(folder: Path, emission: Emission) -> tuple[str, ...]:
-    """Differences between a folder's files and those of an emission."""
+    """Differences between a folder's files and those of an emission.
+
+    Parameters
+    ----------
+    folder : Path
+        Where the files are.
+    emission : Emission
+        As `emit_file` gives it.
+
+    Returns
+    -------
+    tuple of str
+        Empty if all files are the same.
+    """
     from nonsmooth.derive.codegen.regenerate import differences
 
     return differences(folder, emission.files)
 
 
 def section_formulas(name: str, section: str) -> tuple[tuple[str, str], ...]:
-    """LaTeX and meaning of the formulas in one section of an orbit's document."""
+    """LaTeX and meaning of the formulas in one section of an orbit's document.
+
+    Parameters
+    ----------
+    name : str
+        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
+    section : str
+        Title of the section.
+
+    Returns
+    -------
+    tuple of (str, str)
+        LaTeX and meaning of each formula.
+    """
     document = _document(name)
     from nonsmooth.derive.document.blocks import Formula
 
@@ -156,6 +192,18 @@ def _document(name: str) -> Any:
 
 def written(document: Any, form: str) -> str:
     """Text of a document as "latex", "markdown" or "html"; for "pdf" its LaTeX.
+
+    Parameters
+    ----------
+    document : Document
+        As `document_maker` makes it.
+    form : {"latex", "markdown", "html", "pdf"}
+        The form of the file.
+
+    Returns
+    -------
+    str
+        The text.
 
     Raises
     ------
@@ -179,6 +227,15 @@ def written(document: Any, form: str) -> str:
 def write_document(text: str, form: str, out: Path) -> None:
     """Write what `written` gave; a PDF is compiled.
 
+    Parameters
+    ----------
+    text : str
+        As `written` gives it.
+    form : {"latex", "markdown", "html", "pdf"}
+        The form of the file.
+    out : Path
+        The file.
+
     Raises
     ------
     InputError
@@ -189,13 +246,11 @@ def write_document(text: str, form: str, out: Path) -> None:
     from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf
 
     try:
-        if form == "pdf":
-            compile_pdf(text, out)
-        else:
-            out.write_text(text, encoding="utf-8", newline="\n")
+        content = compile_pdf(text) if form == "pdf" else text.encode()
     except LatexMissing as problem:
         raise InputError(str(problem)) from None
     except RuntimeError as problem:
         raise NoConvergence(str(problem)) from None
-    except OSError as problem:
+    except OSError as problem:  # of the folder where LaTeX works
         raise unwritable(out, problem) from None
+    write_file(out, content)

@@ -13,9 +13,7 @@ from rich.text import Text
 
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import decimal_string
-from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 
 if TYPE_CHECKING:
@@ -81,11 +79,21 @@ def show_report(
     _print_admissibility(console, found)
 
 
-def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
-    """Show systems and orbits with their parameters and unknowns."""
+def show_list(systems: Iterable[Mapping[str, Any]], *, whole: bool) -> None:
+    """Show systems and orbits with their parameters and unknowns.
+
+    Parameters
+    ----------
+    systems : iterable of dict
+        As `systems_json` gives them.
+    whole : bool
+        Show the system too: its states, parameters, configurations and transitions.
+    """
     console = console_as_wide()
     for system in systems:
         console.print(Text.assemble((system["name"], "bold"), f": {system['description']}"))
+        if whole:
+            _show_system(system, console)
         for orbit in system["orbits"]:
             console.print()
             console.print(Text(orbit["name"], style="bold"))
@@ -93,6 +101,8 @@ def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
                 place = f"{phase['configuration']} until {phase['boundary']}"
                 console.print(Text(f"  {phase['dwell_time']:5} {place}"))
             console.print(Text(f"  unknowns: {' '.join(orbit['unknowns'])}"))
+            if not orbit["derived"]:
+                console.print(Text(f"  composed from tables: {orbit['reason']}"))
             table = listing("parameter", "default", "meaning")
             for parameter in orbit["parameters"]:
                 default = parameter["default"] or ""
@@ -100,14 +110,47 @@ def show_list(systems: Iterable[Mapping[str, Any]]) -> None:
             show_table(table, console, keys=2)
 
 
+def _show_system(system: Mapping[str, Any], console: Console) -> None:
+    console.print(Text(f"  states: {' '.join(system['states'])}"))
+    parameters = listing("parameter", "meaning")
+    for parameter in system["parameters"]:
+        parameters.add_row(_domain(parameter), Text(parameter["description"]))
+    following = {(t["source"], *t["boundaries"]): t["targets"] for t in system["transitions"]}
+    transitions = listing("configuration", "boundary", "acts when", "then")
+    for source, boundaries in system["boundaries"].items():
+        for boundary in boundaries or [{"name": "", "acts_when": ""}]:
+            targets = following.pop((source, boundary["name"]), [])
+            then = " or ".join(targets) if targets or not boundary["name"] else "not declared"
+            transitions.add_row(source, boundary["name"], boundary["acts_when"], then)
+    for (source, *together), targets in following.items():
+        transitions.add_row(source, " and ".join(together), "together", " or ".join(targets))
+    for table in (parameters, transitions):
+        console.print()
+        show_table(table, console, keys=2)
+
+
 def show_written(paths: Iterable[str], nothing: str) -> None:
-    """Show the files that were written, one a line, or say that there are none."""
+    """Show the files that were written, one a line, or say that there are none.
+
+    Parameters
+    ----------
+    paths : iterable of str
+        The files.
+    nothing : str
+        Said if there are none.
+    """
     for line in list(paths) or [nothing]:
         print(line)
 
 
 def show_differences(differences: Iterable[str]) -> None:
-    """Show differences of files; added and removed lines are coloured on a terminal."""
+    """Show differences of files; added and removed lines are coloured on a terminal.
+
+    Parameters
+    ----------
+    differences : iterable of str
+        Each of several lines, as `difflib` writes them.
+    """
     console = Console(highlight=False, soft_wrap=True)
     for difference in differences:
         for line in difference.splitlines():
@@ -117,7 +160,18 @@ def show_differences(differences: Iterable[str]) -> None:
 
 @contextmanager
 def steps(first: str = "") -> Iterator[Callable[[str], None]]:
-    """Give a function that shows the step that begins, on stderr if that is a terminal."""
+    """Give a function that shows the step that begins, on stderr if that is a terminal.
+
+    Parameters
+    ----------
+    first : str, optional
+        The step that begins at once; empty for none.
+
+    Yields
+    ------
+    callable
+        Takes the name of the step that begins.
+    """
     if not sys.stderr.isatty():
         yield lambda step: None
         return
@@ -141,10 +195,23 @@ def steps(first: str = "") -> Iterator[Callable[[str], None]]:
 
 
 @contextmanager
-def counted(what: str, total: int) -> Iterator[Callable[[int], None]]:
-    """Give a function that shows how many of so many are done, on stderr if it is a terminal."""
+def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]]:
+    """Give a function that shows how many are done, and of how many, on stderr if a terminal.
+
+    Parameters
+    ----------
+    what : str
+        Said before the bar.
+    total : int, optional
+        How many there are, if that is known.
+
+    Yields
+    ------
+    callable
+        Takes how many are done, and of how many.
+    """
     if not sys.stderr.isatty():
-        yield lambda done: None
+        yield lambda done, total=None: None
         return
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
     from rich.progress import TimeRemainingColumn as Remaining
@@ -152,12 +219,23 @@ def counted(what: str, total: int) -> Iterator[Callable[[int], None]]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), Remaining())
     with Progress(*columns, console=Console(stderr=True)) as progress:
         task = progress.add_task(what, total=total)
-        yield lambda done: progress.update(task, completed=done)
+        yield lambda done, total=None: progress.update(task, completed=done, total=total)
 
 
 @contextmanager
 def shared(what: str) -> Iterator[Callable[[float, int], None]]:
-    """Give a function that shows a share that is done and a count, on stderr if a terminal."""
+    """Give a function that shows a share that is done and a count, on stderr if a terminal.
+
+    Parameters
+    ----------
+    what : str
+        Said before the bar.
+
+    Yields
+    ------
+    callable
+        Takes the share that is done, from 0 to 1, and a count.
+    """
     if not sys.stderr.isatty():
         yield lambda share, count: None
         return
@@ -174,9 +252,8 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
 def _unknowns(orbit: Orbit, found: Mapping[str, Any]) -> dict[str, str]:
     """Unknowns of an orbit; in place of a forcing's cosine and sine its phase at the start."""
     entries = dict(found["unknowns"])
-    forcing = structure_of(orbit.system).forcing if orbit.problem.kernels is None else ()
     start, names = orbit.states[0], list(entries)[-orbit.states.shape[1] :]
-    for number, (cosine, sine) in enumerate(forcing, 1):
+    for number, (cosine, sine) in enumerate(orbit.problem.forcing, 1):
         for place in (cosine, sine):
             entries.pop(names[place], None)
         context = orbit.arithmetic.mp
@@ -197,21 +274,16 @@ def _sources(
     """Give name and text of each given parameter, and where it is from."""
     for name, value in assigned.items():
         yield name, str(value), ""
-    if orbit.problem.kernels is None:
-        for name, value in orbit.given.items():
-            if name not in assigned:
-                yield name, str(value), "given" if name == PERIOD else "default"
-        return
-    defaults = default_parameters(orbit.kernels)
+    following = orbit.problem.followers(assigned)
     for name, value in {**orbit.given, **orbit.opened}.items():
         if name in assigned:
             continue
-        if name in orbit.kernels.unknowns:
-            yield name, str(value), "in place of an unknown"
-        elif str(value) == defaults.get(name):
-            yield name, str(value), "default"
-        else:
+        if name in following:
             yield name, found["parameters"][name], "follows"
+        elif name in orbit.problem.unknown_names:
+            yield name, str(value), "in place of an unknown"
+        else:
+            yield name, str(value), "given" if name == PERIOD else "default"
 
 
 def _table() -> Table:

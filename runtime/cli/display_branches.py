@@ -18,7 +18,20 @@ Others = dict[int, list[dict[str, Any]]]  # itineraries beyond events, by the ev
 
 
 def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
-    """A branch as JSON."""
+    """A branch as JSON.
+
+    Parameters
+    ----------
+    branch : Branch
+        As `continue_orbit` gives it.
+    others : dict of int to list of dict
+        Itineraries beyond events, by the events' numbers.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+    """
     return {
         "orbit": branch.name,
         "parameter": branch.parameter,
@@ -47,7 +60,15 @@ def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
 
 
 def show_branch(branch: Branch, others: Others) -> None:
-    """A table of the events, and why the branch ends."""
+    """A table of the events, and why the branch ends.
+
+    Parameters
+    ----------
+    branch : Branch
+        As `continue_orbit` gives it.
+    others : dict of int to list of dict
+        Itineraries beyond events, by the events' numbers.
+    """
     low, high = float(branch.parameter_values.min()), float(branch.parameter_values.max())
     allowed = int(branch.admissible.sum())
     print(
@@ -90,7 +111,18 @@ def _named(kinds: Sequence[str]) -> str:
 
 
 def locus_json(locus: Locus) -> dict[str, Any]:
-    """A curve of events as JSON."""
+    """A curve of events as JSON.
+
+    Parameters
+    ----------
+    locus : Locus
+        As `continue_event` gives it.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+    """
     return {
         "orbit": locus.name,
         "kind": locus.kind,
@@ -106,7 +138,13 @@ def locus_json(locus: Locus) -> dict[str, Any]:
 
 
 def show_locus(locus: Locus) -> None:
-    """Where a curve of events goes, and why it ends."""
+    """Where a curve of events goes, and why it ends.
+
+    Parameters
+    ----------
+    locus : Locus
+        As `continue_event` gives it.
+    """
     print(f"{locus.title}: {len(locus)} points in the plane of {' and '.join(locus.parameters)}")
     table = listing("", *locus.parameters)
     places = {"begins": 0, "from": locus.start, "ends": len(locus) - 1}

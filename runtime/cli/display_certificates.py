@@ -49,7 +49,13 @@ def _show_claims(certificate: Certificate) -> None:
 
 
 def show_certificate(certificate: Certificate) -> None:
-    """Show claims, parameters, enclosures, the box, and the margins."""
+    """Show claims, parameters, enclosures, the box, and the margins.
+
+    Parameters
+    ----------
+    certificate : Certificate
+        As `certify` gives it.
+    """
     _show_claims(certificate)
     out = console_as_wide()
     values = {**certificate.parameters}
@@ -79,7 +85,13 @@ def show_certificate(certificate: Certificate) -> None:
 
 
 def show_box(found: BoxCertificate) -> None:
-    """Show what is proved for a box of parameters, and of how much of it."""
+    """Show what is proved for a box of parameters, and of how much of it.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        As `certify_box` gives it.
+    """
     out = console_as_wide()
     ends = ", ".join(f"{name} = {low} ... {high}" for name, (low, high) in _decimal(found))
     out.print(Text(f"{shown_name(found.orbit)} for all {ends}", style="bold"))
@@ -104,7 +116,18 @@ def show_box(found: BoxCertificate) -> None:
 
 
 def share_table(found: BoxCertificate) -> Table:
-    """How much of the box has which verdict, on how many tiles."""
+    """How much of the box has which verdict, on how many tiles.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        As `certify_box` gives it.
+
+    Returns
+    -------
+    Table
+        One row for each verdict that occurs.
+    """
     table = listing("of the box", "", "tiles")
     for verdict, share in found.shares.items():
         tiles = sum(tile.verdict == verdict for tile in found.tiles)
@@ -115,7 +138,18 @@ def share_table(found: BoxCertificate) -> Table:
 
 
 def enclosure_table(found: BoxCertificate) -> Table:
-    """Bounds over all of the box."""
+    """Bounds over all of the box.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        As `certify_box` gives it.
+
+    Returns
+    -------
+    Table
+        One row for each number.
+    """
     table = listing("enclosure", "from", "to")
     for name, enclosure in found.enclosures.items():
         table.add_row(name, f"{enclosure.lower:.8g}", f"{enclosure.upper:.8g}")
@@ -123,7 +157,15 @@ def enclosure_table(found: BoxCertificate) -> Table:
 
 
 def show_events(told: str, found: Sequence[EventCertificate]) -> None:
-    """Show where events are proved to be, below what they are events of."""
+    """Show where events are proved to be, below what they are events of.
+
+    Parameters
+    ----------
+    told : str
+        What they are events of.
+    found : sequence of EventCertificate
+        As `certify_branch` gives them.
+    """
     out = console_as_wide()
     out.print(Text(told, style="bold"))
     table = listing("event", "where", "", "parameter")

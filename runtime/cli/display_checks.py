@@ -39,7 +39,13 @@ _OF_A_BOX = {
 
 
 def show_check(found: Check) -> None:
-    """Show what was proved again of a file, and what was not."""
+    """Show what was proved again of a file, and what was not.
+
+    Parameters
+    ----------
+    found : Check
+        As `check_certificate` gives it.
+    """
     out = console_as_wide()
     match found.certificate:
         case Certificate() as certificate:

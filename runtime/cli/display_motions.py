@@ -8,7 +8,7 @@ from rich.text import Text
 
 from nonsmooth.runtime.cli.report_motions import largest_exponent
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
-from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
+from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.settled import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.model.naming import itinerary_text, shown_name
@@ -25,7 +25,13 @@ _FORCES = ("force", "least", "greatest", "mean", "work", "dissipated")
 
 
 def show_motion(motion: Trajectory) -> None:
-    """Show the transitions of a motion; of a long one the first and the last."""
+    """Show the transitions of a motion; of a long one the first and the last.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        As `simulate` gives it.
+    """
     out = console_as_wide()
     out.print(
         Text(f"{shown_name(motion.name)}, {_count(motion.transitions, 'transition')}", style="bold")
@@ -58,7 +64,13 @@ def show_motion(motion: Trajectory) -> None:
 
 
 def show_found(found: Found) -> None:
-    """Show periodic orbits and equilibria, with stability and basin, and how else motions end."""
+    """Show periodic orbits and equilibria, with stability and basin, and how else motions end.
+
+    Parameters
+    ----------
+    found : Found
+        As `find_orbits` gives it.
+    """
     out = console_as_wide()
     kinds = [_count(len(found.orbits), "periodic orbit")]
     if found.equilibria:
@@ -144,7 +156,13 @@ def _pairs(numbers: list[complex]) -> str:
 
 
 def show_observables(found: Observables) -> None:
-    """Show peaks and averages, shares of time, and what passes through the contacts."""
+    """Show peaks and averages, shares of time, and what passes through the contacts.
+
+    Parameters
+    ----------
+    found : Observables
+        Of a motion.
+    """
     out = console_as_wide()
     out.print()
     out.print(Text(f"From {_number(found.since)} on", style="bold"))
@@ -176,7 +194,13 @@ def show_observables(found: Observables) -> None:
 
 
 def show_proof(proof: Proof) -> None:
-    """Say how much of a motion's sequence is proved."""
+    """Say how much of a motion's sequence is proved.
+
+    Parameters
+    ----------
+    proof : Proof
+        As `validate` gives it.
+    """
     out = console_as_wide()
     out.print()
     proved = f"proved: {_count(proof.transitions, 'transition')}, in balls of {proof.bits} bits"
@@ -205,7 +229,13 @@ def _angles(motion: Trajectory, row: int) -> list[float]:
 
 
 def show_sweep(diagram: Sweep) -> None:
-    """Say how many points a bifurcation diagram has, and what the motions settle on."""
+    """Say how many points a bifurcation diagram has, and what the motions settle on.
+
+    Parameters
+    ----------
+    diagram : Sweep
+        The bifurcation diagram.
+    """
     points = int(np.isfinite(diagram.samples).sum())
     low, high = diagram.values[[0, diagram.done - 1]] if diagram.done else (np.nan, np.nan)
     print(

@@ -10,12 +10,12 @@ import typer
 
 from nonsmooth.runtime.cli.application import (
     ANSWERED,
-    UNANSWERED,
     answering,
     app,
     print_json,
 )
 from nonsmooth.runtime.cli.options import AsJson
+from nonsmooth.runtime.cli.written import show_comparison
 from nonsmooth.runtime.core.errors import InputError
 
 __all__ = ["generate"]
@@ -50,13 +50,13 @@ def generate(
 ) -> int:
     """Derive your own system and its orbits and write their kernels: Python, C, LaTeX."""
     from nonsmooth.runtime.cli.deriving import emit_file, file_differences
-    from nonsmooth.runtime.cli.display import show_differences, show_written, steps
-    from nonsmooth.runtime.model.loading.compiling import compile_folder
-    from nonsmooth.runtime.model.loading.folder import check_folder, write_folder
+    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.model.loading.compiling import compile_files
+    from nonsmooth.runtime.model.loading.folder import check_own_folder, write_folder
 
     if check and compiled:
         raise InputError("--check writes nothing: leave out --compile")
-    check_folder(out)
+    check_own_folder(out)
     with steps(f"reading {file}") as begin:
         emission = emit_file(file, begin)
         told: dict[str, Any] = {
@@ -70,20 +70,13 @@ def generate(
         if check:
             found = file_differences(out, emission)
         else:
-            written = [str(path) for path in write_folder(out, emission.files)]
+            library = None
             if compiled:
                 begin("compiling")
-                written.append(str(compile_folder(out)))
+                library = compile_files(emission.files)
+            written = [str(path) for path in write_folder(out, emission.files, library)]
     if check:
-        if as_json:
-            print_json({**told, "same": not found, "differences": list(found)})
-        elif found:
-            show_differences(found)
-        else:
-            show_written([], f"{out}: up to date")
-        if found:
-            print(f"nonsmooth: {out} differs from {file}: generate it again", file=sys.stderr)
-        return UNANSWERED if found else ANSWERED
+        return show_comparison(told, found, f"{file}: generate it again", as_json=as_json)
     if as_json:
         print_json({**told, "files": sorted(emission.files), "written": written})
         return ANSWERED

@@ -7,6 +7,7 @@ picture) replaces what is there; a chart's folder is gone on with.
 
 from __future__ import annotations
 
+import os
 import shlex
 import signal
 import sys
@@ -17,7 +18,7 @@ from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, Interrupted, one_line
 from nonsmooth.runtime.core.files import check_target
 
 __all__ = [
@@ -27,10 +28,12 @@ __all__ = [
     "interrupted",
     "kept_of",
     "same_command",
+    "say",
     "worked",
 ]
 
 INTERRUPTED = 130  # exit code
+_LONGEST_COMMAND = 100_000  # characters
 
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Replace the file of --save if it is there already.")
@@ -55,11 +58,14 @@ def check_new(
     Raises
     ------
     InputError
+        If the file is there, or cannot be written.
     """
     if path is None:
+        if overwrite:
+            raise InputError("--overwrite is for the file of --save, which is missing")
         return
     check_target(path)
-    resumed = resume is not None and path.resolve() == resume.resolve()
+    resumed = resume is not None and os.path.realpath(path) == os.path.realpath(resume)
     if path.exists() and not (overwrite or resumed):
         goes_on = f"--resume {path} goes on with it, " if resumes else ""
         raise InputError(f"{path} is there already: {goes_on}--overwrite replaces it")
@@ -69,6 +75,16 @@ def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
     """What a work finds, and whether it was interrupted: then what it had found until then.
 
     From then on Ctrl-C is left out of account: what was found is kept first.
+
+    Parameters
+    ----------
+    work : callable
+        Takes nothing; raises Interrupted with a partial result at Ctrl-C.
+
+    Returns
+    -------
+    tuple of (object, bool)
+        The result, and whether it is a partial one.
     """
     try:
         return work(), False
@@ -79,9 +95,33 @@ def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
 
 
 def interrupted(kept: str, command: str) -> int:
-    """Say in one line what was kept, and which command goes on; gives the exit code."""
-    print(f"nonsmooth: interrupted: {kept}; {command}", file=sys.stderr)
+    """Say in one line what was kept, and which command goes on; gives the exit code.
+
+    Parameters
+    ----------
+    kept : str
+        What was kept.
+    command : str
+        Which command goes on.
+
+    Returns
+    -------
+    int
+        The exit code.
+    """
+    say(f"interrupted: {kept}; {command}")
     return INTERRUPTED
+
+
+def say(text: str) -> None:
+    """Say something in one line on stderr.
+
+    Parameters
+    ----------
+    text : str
+        What is said.
+    """
+    print(f"nonsmooth: {one_line(text, _LONGEST_COMMAND)}", file=sys.stderr)
 
 
 def kept_of(done: str, save: Path | None, *, resumes: bool = True) -> int:
@@ -95,6 +135,11 @@ def kept_of(done: str, save: Path | None, *, resumes: bool = True) -> int:
         The file that it is kept in.
     resumes : bool
         Whether the command can go on with such a file.
+
+    Returns
+    -------
+    int
+        The exit code.
     """
     if save is None:
         return interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
@@ -110,10 +155,15 @@ def same_command(*more: str, without: Sequence[str] = ()) -> str:
 
     Parameters
     ----------
-    more : str
+    *more : str
         What is added.
     without : sequence of str
         Options that take a value; `--overwrite` is always left out.
+
+    Returns
+    -------
+    str
+        Quoted for a shell.
     """
     kept: list[str] = []
     words = iter(sys.argv[1:])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -16,15 +16,26 @@ from nonsmooth.runtime.cli.application import (
     app,
     assignments,
     check_drawing,
-    drawn,
-    print_json,
     ranges,
     split,
-    without_picture,
 )
 from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
-from nonsmooth.runtime.cli.options import AsJson, Physical, SystemName
+from nonsmooth.runtime.cli.options import (
+    AsJson,
+    Physical,
+    Plot,
+    Resume,
+    SaveResult,
+    Start,
+    SystemName,
+    Yes,
+)
+from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.workload import SECONDS, check_hours
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = ["find", "simulate", "sweep"]
 
@@ -44,12 +55,7 @@ _FORCING = "forcing-phase"
 def simulate(
     system: SystemName,
     parameters: Physical = None,
-    start: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--from", metavar="NAME=VALUE,...", help="The start: positions and velocities."
-        ),
-    ] = None,
+    start: Start = None,
     configuration: Annotated[
         str | None,
         typer.Option("--in", metavar="NAME", help="Where it starts; found when it is not given."),
@@ -63,9 +69,7 @@ def simulate(
     save: Annotated[
         Path | None, typer.Option("--save", metavar="FILE", help="Save the motion: .npz or .csv.")
     ] = None,
-    plot: Annotated[
-        Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
-    ] = None,
+    plot: Plot = None,
     observe: Annotated[
         bool,
         typer.Option("--observe", help="Peaks, averages, contact forces, Lyapunov exponent too."),
@@ -77,6 +81,7 @@ def simulate(
         bool,
         typer.Option("--prove", help="Prove the sequence of configurations by ball arithmetic."),
     ] = False,
+    yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
@@ -96,11 +101,12 @@ def simulate(
         raise InputError("the start is missing: --from NAME=VALUE,...")
     end = math.inf if until is None else float(parse(until))
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
+    if transitions is not None and until is None:
+        each = SECONDS["proved transition" if prove else "transition"]
+        check_hours(f"{transitions} transitions", transitions * each, yes=yes)
     motion = follow(system, values, state, configuration, until=end, transitions=transitions)
-    written, failed = [], None
-    if save is not None:
-        motion.save(save)
-        written.append(str(save))
+    written = Written()
+    written.save(motion.save, save)
     observed = proof = None
     if observe:
         from nonsmooth.runtime.simulation.observables import observe as observe_motion
@@ -116,28 +122,26 @@ def simulate(
         begin = motion.configurations[0]
         proof = validate(system, values, exact, begin, motion.transitions)
     if plot is not None:
-        from nonsmooth.runtime.present.pictures.plot import save_figure
         from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
 
-        picture = plot
-        failed = drawn(lambda: save_figure(trajectory_figure(motion, "all"), picture))
-        written += [] if failed else [str(plot)]
-    if as_json:
-        told = motion_json(motion)
+        written.draw(lambda: trajectory_figure(motion, "all"), plot)
+
+    def told() -> dict[str, Any]:
+        found = motion_json(motion)
         if observed is not None:
-            told["observables"] = observables_json(observed)
+            found["observables"] = observables_json(observed)
         if proof is not None:
-            told["proof"] = proof_json(proof)
-        print_json({**told, "files": written})
-    else:
+            found["proof"] = proof_json(proof)
+        return found
+
+    def show() -> None:
         show_motion(motion)
         if observed is not None:
             show_observables(observed)
         if proof is not None:
             show_proof(proof)
-        for name in written:
-            print(f"{name} written")
-    code = without_picture(failed)
+
+    code = written.show(told, show, as_json=as_json)
     return code or (ANSWERED if proof is None or proof.decided else UNANSWERED)
 
 
@@ -179,9 +183,7 @@ def find(
     plot: Annotated[
         Path | None, typer.Option("--plot", metavar="FILE", help="Draw the map of --basins.")
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option("--save", metavar="FILE", help="Save all of it as JSON.")
-    ] = None,
+    save: SaveResult = None,
     write: Annotated[
         Path | None,
         typer.Option(
@@ -191,16 +193,17 @@ def find(
         ),
     ] = None,
     overwrite: Overwrite = False,
+    yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
     """Find the periodic orbits and equilibria of a system, and where random starts lead."""
     from nonsmooth.runtime.cli.display import counted, steps
     from nonsmooth.runtime.cli.display_motions import show_found
+    from nonsmooth.runtime.explore.finding.basins import plane_of_starts
     from nonsmooth.runtime.explore.finding.find import find_orbits
-    from nonsmooth.runtime.explore.finding.sweep import plane_of_starts
     from nonsmooth.runtime.model.kernels import load_system
     from nonsmooth.runtime.present.files.declaring import check_declaration, write_itineraries
-    from nonsmooth.runtime.present.files.found import found_json, save_found
+    from nonsmooth.runtime.present.files.found import found_json
 
     if (plot is None) != (basins is None):
         raise InputError("--basins says what to map and --plot where to draw it: give both")
@@ -219,6 +222,8 @@ def find(
         plane_of_starts(load_system(system), x, y, others)
     values = assignments("parameter", parameters or [])
     limits = {name: (low, high) for name, (low, high, _) in ranges("state", split(box)).items()}
+    what = f"{starts} starts, followed over {transitions} transitions,"
+    check_hours(what, starts * transitions * SECONDS["transition"], yes=yes)
     with steps() as begin:
         found, stopped = worked(
             lambda: find_orbits(
@@ -231,40 +236,33 @@ def find(
                 progress=begin,
             )
         )
-    written, failed = [], None
-    if save is not None:
-        save_found(found, save)
-        written.append(str(save))
+    written = Written()
+    written.save(found.save, save)
     if plot is not None and not stopped:
-        from nonsmooth.runtime.explore.finding.sweep import basins as map_basins
+        from nonsmooth.runtime.explore.finding.basins import basins as map_basins
         from nonsmooth.runtime.present.pictures.maps import draw_basins
-        from nonsmooth.runtime.present.pictures.plot import save_figure
 
-        picture = plot
-
-        def draw() -> None:
+        def picture() -> Figure:
             nonlocal stopped
             with counted("mapping basins", y[3]) as progress:
                 mapped, stopped = worked(lambda: map_basins(found, x, y, others, progress=progress))
-            save_figure(draw_basins(mapped), picture)
+            return draw_basins(mapped)
 
-        failed = drawn(draw)
-        written += [] if failed else [str(plot)]
+        written.draw(picture, plot)
     names: tuple[str, ...] = ()
     if write is not None and found.orbits and _agreed(f"append the orbits to {write}?"):
         names = write_itineraries(found, write)
-        written.append(str(write))
-    if as_json:
-        print_json({**found_json(found), "files": written, "itineraries": list(names)})
-    else:
-        show_found(found)
-        for name in written:
-            print(f"{name} written")
+        written.files.append(str(write))
+    code = written.show(
+        lambda: {**found_json(found), "itineraries": list(names)},
+        lambda: show_found(found),
+        as_json=as_json,
+    )
+    if not as_json:
         if save is not None and found.orbits:
             print(f"nonsmooth solve, continue, certify, chart and plot take {save}:1 and so on")
         for name in names:
             print(f"{write}:{name}")
-    code = without_picture(failed)
     if stopped:
         count = len(found.orbits) + len(found.equilibria)
         return kept_of(f"{count} orbits and equilibria are found", save, resumes=False)
@@ -307,9 +305,7 @@ def sweep(
             "--phase", metavar="ANGLE", help="With --at forcing-phase: which, such as pi/2."
         ),
     ] = None,
-    start: Annotated[
-        list[str] | None, typer.Option("--from", metavar="NAME=VALUE,...", help="The start.")
-    ] = None,
+    start: Start = None,
     transient: Annotated[
         int,
         typer.Option(
@@ -328,21 +324,20 @@ def sweep(
     out: Annotated[
         Path | None, typer.Option("--out", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option("--save", metavar="FILE", help="Save it as JSON.")
-    ] = None,
-    resume: Annotated[
-        Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a sweep that was interrupted."),
-    ] = None,
+    save: SaveResult = None,
+    resume: Resume = None,
     overwrite: Overwrite = False,
+    yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
     from numpy import linspace
 
     from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.cli.display_motions import show_sweep
+    from nonsmooth.runtime.cli.report_motions import sweep_json
     from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.explore.finding.sweep import check_sweep
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.sweeps import load_sweep
 
@@ -362,6 +357,10 @@ def sweep(
     fixed = [text for text in parameters or [] if text not in swept]
     ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
     values, begin = assignments("parameter", fixed), assignments("state", split(start))
+    check_sweep(count, samples)
+    length = transient + samples
+    what = f"{count} values, followed over {length} transitions or periods each,"
+    check_hours(what, count * length * SECONDS["transition"], yes=yes)
     with counted(f"sweeping {name}", count) as progress:
         diagram, stopped = worked(
             lambda: follow(
@@ -380,28 +379,13 @@ def sweep(
                 progress=progress,
             )
         )
-    written, failed = [], None
-    if save is not None:
-        diagram.save(save)
-        written.append(str(save))
+    written = Written()
+    written.save(diagram.save, save)
     if out is not None:
         from nonsmooth.runtime.present.pictures.maps import draw_sweep
-        from nonsmooth.runtime.present.pictures.plot import save_figure
 
-        picture = out
-        failed = drawn(lambda: save_figure(draw_sweep(diagram), picture))
-        written += [] if failed else [str(out)]
-    if as_json:
-        from nonsmooth.runtime.cli.report_motions import sweep_json
-
-        print_json({**sweep_json(diagram), "files": written})
-    else:
-        from nonsmooth.runtime.cli.display_motions import show_sweep
-
-        show_sweep(diagram)
-        for path in written:
-            print(f"{path} written")
-    code = without_picture(failed)
+        written.draw(lambda: draw_sweep(diagram), out)
+    code = written.show(lambda: sweep_json(diagram), lambda: show_sweep(diagram), as_json=as_json)
     if stopped:
         return kept_of(f"{diagram.done} of {count} values are done", save)
     return code

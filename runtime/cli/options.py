@@ -8,6 +8,9 @@ from typing import Annotated
 
 import typer
 
+from nonsmooth.runtime.core.workload import HOURS
+from nonsmooth.runtime.present.pictures.kinds import KINDS
+
 __all__ = [
     "PICTURES",
     "AsJson",
@@ -19,11 +22,18 @@ __all__ = [
     "Kind",
     "OrbitName",
     "Physical",
+    "Plot",
     "Require",
-    "Requirement",
+    "RequiredVerdict",
+    "Resume",
     "Save",
+    "SaveResult",
+    "Start",
     "SystemName",
     "Unknown",
+    "Yes",
+    "known_orbits",
+    "known_systems",
 ]
 
 
@@ -39,27 +49,56 @@ class Format(StrEnum):
     PDF = "pdf"
 
 
-class Kind(StrEnum):
-    """What `plot` draws."""
-
-    TIME = "time"
-    VELOCITY = "velocity"
-    PHASE = "phase"
-    STRIP = "strip"
-    MULTIPLIERS = "multipliers"
-    ALL = "all"
+# What `plot` draws. Typer wants an enumeration; mypy wants its names written out, which are
+# those of `present.pictures.kinds`, where a new kind is added.
+Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[misc]
 
 
-class Requirement(StrEnum):
+class RequiredVerdict(StrEnum):
     """Verdicts that can be required."""
 
     STABLE = "stable"
     ADMISSIBLE = "admissible"
 
 
+def known_orbits(incomplete: str) -> list[str]:
+    """Names of built-in orbits that begin so, for a shell; it completes files itself.
+
+    Parameters
+    ----------
+    incomplete : str
+        What was typed.
+
+    Returns
+    -------
+    list of str
+    """
+    from nonsmooth.runtime.model.kernels import orbit_names
+
+    return [name for name in orbit_names() if name.startswith(incomplete)]
+
+
+def known_systems(incomplete: str) -> list[str]:
+    """Names of built-in systems that begin so, for a shell.
+
+    Parameters
+    ----------
+    incomplete : str
+        What was typed.
+
+    Returns
+    -------
+    list of str
+    """
+    from nonsmooth.runtime.model.kernels import system_names
+
+    return [name for name in system_names() if name.startswith(incomplete)]
+
+
 OrbitName = Annotated[
     str,
     typer.Argument(
+        autocompletion=known_orbits,
         metavar="SYSTEM/ORBIT",
         help="An orbit that `nonsmooth list` shows, or your own: FILE.py:ORBIT, or DIR:ORBIT"
         " of a folder that `nonsmooth generate` wrote; or one of a file: FILE.json:N, the N-th"
@@ -69,6 +108,7 @@ OrbitName = Annotated[
 SystemName = Annotated[
     str,
     typer.Argument(
+        autocompletion=known_systems,
         metavar="SYSTEM",
         help="A system that `nonsmooth list` shows, or your own: a FILE.py that defines `system`,"
         " or a folder that `nonsmooth generate` wrote.",
@@ -106,7 +146,7 @@ Guess = Annotated[
     typer.Option("--guess", metavar="NAME=VALUE,...", help="Start of some or all unknowns."),
 ]
 Require = Annotated[
-    list[Requirement] | None,
+    list[RequiredVerdict] | None,
     typer.Option("--require", help="Exit with 3 unless the orbit is so; may be repeated."),
 ]
 Digits = Annotated[
@@ -118,6 +158,29 @@ Digits = Annotated[
 Save = Annotated[
     Path | None,
     typer.Option("--save", metavar="FILE", help="Save the orbit with all its digits, as JSON."),
+]
+SaveResult = Annotated[
+    Path | None, typer.Option("--save", metavar="FILE", help="Save all of it as JSON.")
+]
+Resume = Annotated[
+    Path | None,
+    typer.Option(
+        "--resume", metavar="FILE", help="Go on with what --save kept of an interrupted command."
+    ),
+]
+Plot = Annotated[
+    Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+]
+Start = Annotated[
+    list[str] | None,
+    typer.Option("--from", metavar="NAME=VALUE,...", help="The start: positions and velocities."),
+]
+Yes = Annotated[
+    bool,
+    typer.Option(
+        "--yes",
+        help=f"Begin even what is estimated to take this machine over {HOURS:g} hours.",
+    ),
 ]
 AsJson = Annotated[
     bool, typer.Option("--json", help="One JSON document on stdout, numbers as decimal strings.")

@@ -6,7 +6,9 @@ simulate.
 
 from __future__ import annotations
 
+import os
 import sys
+import warnings
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Annotated, Any
@@ -17,6 +19,7 @@ from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the appl
     certifying,
     charting,
     continuing,
+    doctor,
     generating,
     motions,
 )
@@ -30,7 +33,7 @@ from nonsmooth.runtime.cli.application import (
     print_json,
     split,
 )
-from nonsmooth.runtime.cli.keeping import interrupted, same_command, worked
+from nonsmooth.runtime.cli.keeping import say
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Assignments,
@@ -41,20 +44,32 @@ from nonsmooth.runtime.cli.options import (
     Kind,
     OrbitName,
     Require,
-    Requirement,
+    RequiredVerdict,
     Save,
     Unknown,
+    known_orbits,
+    known_systems,
 )
+from nonsmooth.runtime.cli.written import show_comparison, show_kept
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 
 __all__ = ["app", "main"]
 
 REMEDY = "python scripts/regenerate.py"
+_ALL = Kind("all")
 _WORKING_DIGITS = 20  # at least: a verdict does not depend on how many digits are shown
 
 
 def main(command: str | None = None) -> None:
-    """Run the command line, or one command of it as a script of its own."""
+    """Run the command line, or one command of it as a script of its own.
+
+    Parameters
+    ----------
+    command : str, optional
+        Name of the one command that is run; by default the arguments tell it.
+    """
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")  # overflows and the like: answers say what they are
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
@@ -75,8 +90,9 @@ def list_orbits(
     systems: Annotated[
         list[str] | None,
         typer.Argument(
+            autocompletion=known_systems,
             metavar="[SYSTEM]...",
-            help="Only these: built-in ones, FILE.py, or a folder of `generate`.",
+            help="Only these: built-in ones, FILE.py, FILE.json, or a folder of `generate`.",
             show_default=False,
         ),
     ] = None,
@@ -91,7 +107,7 @@ def list_orbits(
     else:
         from nonsmooth.runtime.cli.display import show_list
 
-        show_list(found["systems"])
+        show_list(found["systems"], whole=bool(systems))
     return ANSWERED
 
 
@@ -106,6 +122,7 @@ def equations(
     name: Annotated[
         str,
         typer.Argument(
+            autocompletion=known_orbits,
             metavar="SYSTEM[/ORBIT]",
             help="A system or an orbit, or your own: FILE.py or FILE.py:ORBIT.",
         ),
@@ -119,7 +136,7 @@ def equations(
 ) -> int:
     """Derive a system or an orbit and write it down, from the declaration to the trace."""
     from nonsmooth.runtime.cli import deriving
-    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.cli.display import steps
     from nonsmooth.runtime.core.files import check_target
 
     if out is None and form is Format.PDF:
@@ -139,7 +156,7 @@ def equations(
     elif out is None:
         sys.stdout.write(text)
     else:
-        show_written([f"{out} written"], "")
+        print(f"{out} written")
     return ANSWERED
 
 
@@ -210,7 +227,7 @@ def plot(
             " `continue --save`, a proven map of `certify --save`, or a chart of `chart --out`.",
         ),
     ],
-    kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = Kind.ALL,
+    kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = _ALL,
     periods: Annotated[
         int,
         typer.Option("--periods", metavar="N", help="How many of an orbit to draw against time."),
@@ -222,14 +239,15 @@ def plot(
     as_json: AsJson = False,
 ) -> int:
     """Draw saved orbits, motions or charts: histories, phase portraits, maps, multipliers."""
-    from nonsmooth.runtime.cli.display import show_written
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.present.pictures.plot import save_figure
     from nonsmooth.runtime.present.pictures.saved_files import figure_of
 
+    if not file.name:
+        raise InputError(f"{file} is no saved file")
     own = file.with_name(f"{Path(file.name.replace('.json:', '-')).stem}.png")
     target = own if out is None else out
-    if target.resolve() == file.resolve():
+    if os.path.realpath(target) == os.path.realpath(file):
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
     drawn, figure = figure_of(file, kind.value, periods)
@@ -237,7 +255,7 @@ def plot(
     if as_json:
         print_json({**drawn, "kind": kind.value, "file": str(target)})
     else:
-        show_written([f"{target} written"], "")
+        print(f"{target} written")
     return ANSWERED
 
 
@@ -257,21 +275,18 @@ def reproduce(
 ) -> int:
     """Write every number and figure of the source paper beside ours: a report in HTML."""
     from nonsmooth.runtime.cli.deriving import section_formulas
-    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.cli.display import steps
     from nonsmooth.runtime.present.paper.writing import reproduce as write
 
     with steps() as begin:
-        paths, stopped = worked(lambda: write(out, section_formulas, begin, certified=certified))
+        paths = write(out, section_formulas, begin, certified=certified)
     files = [str(path) for path in paths]
-    if stopped:
-        kept = f"{len(files)} pictures are kept in {out}, the report is not written"
-        return interrupted(kept, f"begin again with: {same_command()}")
     if as_json:
         print_json({"folder": str(out), "files": files})
     else:
-        show_written(
-            [f"{path} written" for path in files if not path.endswith((".svg", ".png"))], ""
-        )
+        for path in files:
+            if not path.endswith((".svg", ".png")):
+                print(f"{path} written")
     return ANSWERED
 
 
@@ -297,8 +312,8 @@ def regenerate(
     """Make the kernels again from the derivation, or check that they are up to date."""
     from nonsmooth.derive.codegen import regenerate as generation
     from nonsmooth.derive.systems import SYSTEMS
-    from nonsmooth.runtime.cli.display import show_differences, show_written, steps
-    from nonsmooth.runtime.core.files import unwritable
+    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.core.files import check_folder, write_files
 
     if system is not None and system not in SYSTEMS:
         raise unknown_name("system", system, SYSTEMS)
@@ -307,20 +322,13 @@ def regenerate(
     if check:
         with steps() as begin:
             differences = generation.check(out, system, begin).differences
-        if as_json:
-            print_json({**told, "same": not differences, "differences": list(differences)})
-        elif differences:
-            show_differences(differences)
-        else:
-            show_written([], f"{folder}: up to date")
-        if differences:
-            print(f"nonsmooth: {folder} differs from the derivation: {REMEDY}", file=sys.stderr)
-        return UNANSWERED if differences else ANSWERED
-    try:
-        with steps() as begin:
-            changed = [str(path) for path in generation.regenerate(out, system, begin)]
-    except OSError as problem:
-        raise unwritable(folder, problem) from None
+        return show_comparison(told, differences, f"the derivation: {REMEDY}", as_json=as_json)
+    check_folder(folder)
+    with steps() as begin:
+        texts = generation.outdated(out, system, begin)
+    if texts:
+        write_files(folder, {name: text.encode() for name, text in texts.items()})
+    changed = [str(folder / name) for name in texts]
     if as_json:
         print_json({**told, "changed": changed})
     else:
@@ -336,7 +344,7 @@ def _report(
     guess: list[str] | None,
     digits: int,
     *,
-    require: list[Requirement] | None,
+    require: list[RequiredVerdict] | None,
     save: Path | None,
     as_json: bool,
     trace_first: bool,
@@ -366,19 +374,17 @@ def _report(
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
     if save is not None:
         orbit.save(save)
-        told["file"] = str(save)
-    if as_json:
-        print_json(told)
-    else:
+
+    def show() -> None:
         from nonsmooth.runtime.cli.display import show_report
 
         show_report(orbit, told, assigned, trace_first=trace_first)
-        if save is not None:
-            print(f"\n{save} written")
+
+    show_kept(lambda: told, show, save, as_json=as_json)
     return _judged(told, require or [])
 
 
-def _judged(told: Mapping[str, Any], require: Iterable[Requirement]) -> int:
+def _judged(told: Mapping[str, Any], require: Iterable[RequiredVerdict]) -> int:
     """Exit code of an orbit; says on stderr which requirement is not met."""
     verdicts = {"stable": told["stability"], "admissible": told["admissible"]}
     met = {"stable": "stable", "admissible": True}
@@ -386,7 +392,7 @@ def _judged(told: Mapping[str, Any], require: Iterable[Requirement]) -> int:
     missed = [n for n in names if verdicts[n] not in (met[n], "undecided")]
     for name in missed:
         answer = "no" if verdicts[name] is False else verdicts[name]
-        print(f"nonsmooth: required: {name}; found: {answer}", file=sys.stderr)
+        say(f"required: {name}; found: {answer}")
     if missed:
         return NOT_MET
     return UNANSWERED if "undecided" in verdicts.values() else ANSWERED

@@ -21,6 +21,16 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
     """A motion: one entry for the start and one behind each transition.
 
     States are physical: positions, then velocities, in the order of `names`.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        As `simulate` gives it.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
     """
     shapes = motion.structure.boundaries
     return {
@@ -50,7 +60,18 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
 
 
 def sweep_json(diagram: Sweep) -> dict[str, Any]:
-    """A bifurcation diagram: for each value of the parameter the points that were taken."""
+    """A bifurcation diagram: for each value of the parameter the points that were taken.
+
+    Parameters
+    ----------
+    diagram : Sweep
+        The bifurcation diagram.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+    """
     rows = zip(diagram.values.tolist(), diagram.samples.tolist(), strict=True)
     texts = settled_texts()
     return {
@@ -69,7 +90,18 @@ def sweep_json(diagram: Sweep) -> dict[str, Any]:
 
 
 def observables_json(found: Observables) -> dict[str, Any]:
-    """Peaks, averages, shares of time, contacts and the largest Lyapunov exponent."""
+    """Peaks, averages, shares of time, contacts and the largest Lyapunov exponent.
+
+    Parameters
+    ----------
+    found : Observables
+        Of a motion.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+    """
 
     def numbers(values: Mapping[str, float]) -> dict[str, str]:
         return {name: repr(float(value)) for name, value in values.items()}
@@ -98,7 +130,18 @@ def observables_json(found: Observables) -> dict[str, Any]:
 
 
 def largest_exponent(found: Observables) -> Exponent | str:
-    """The largest Lyapunov exponent, or why the motion tells none."""
+    """The largest Lyapunov exponent, or why the motion tells none.
+
+    Parameters
+    ----------
+    found : Observables
+        Of a motion.
+
+    Returns
+    -------
+    Exponent or str
+        Per unit of time, or the reason.
+    """
     try:
         return lyapunov(found.trajectory, found.since)
     except InputError as problem:
@@ -112,16 +155,27 @@ def _exponent_json(found: Exponent | str) -> dict[str, str | None]:
 
 
 def proof_json(proof: Proof) -> dict[str, Any]:
-    """What is proved of a motion: its sequence, with enclosures of the times."""
+    """What is proved of a motion: its sequence, with enclosures of the times.
+
+    Parameters
+    ----------
+    proof : Proof
+        As `validate` gives it.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+    """
     instant = proof.instant
     return {
         "decided": proof.decided,
         "transitions": proof.transitions,
         "configurations": list(proof.configurations),
         "boundaries": [list(names) for names in proof.sets],
-        "times": [{"mid": time.mid, "rad": time.rad} for time in proof.times],
+        "times": [time.to_json() for time in proof.times],
         "reason": proof.reason,
-        "instant": None if instant is None else {"mid": instant.mid, "rad": instant.rad},
+        "instant": instant and instant.to_json(),
         "bits": proof.bits,
     }
 

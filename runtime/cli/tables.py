@@ -16,7 +16,13 @@ _PIPE = 1_000_000  # columns: as many as it takes
 
 
 def console_as_wide() -> Console:
-    """Give a console as wide as the terminal; in a pipe lines are as long as they need to be."""
+    """Give a console as wide as the terminal; in a pipe lines are as long as they need to be.
+
+    Returns
+    -------
+    Console
+        Of rich, on stdout.
+    """
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = _PIPE
@@ -24,7 +30,20 @@ def console_as_wide() -> Console:
 
 
 def listing(*titles: str, right: Sequence[str] = ()) -> Table:
-    """Give an empty table with a line below its titles."""
+    """Give an empty table with a line below its titles.
+
+    Parameters
+    ----------
+    *titles : str
+        One for each column.
+    right : sequence of str, optional
+        Titles of the columns that are set flush right.
+
+    Returns
+    -------
+    Table
+        Of rich.
+    """
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
     for title in titles:
         table.add_column(title, justify="right" if title in right else "left", no_wrap=True)

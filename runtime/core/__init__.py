@@ -1,17 +1,24 @@
 """What every room needs and no room owns: exact values, arithmetics, errors, files, names.
 
-====================  ==================================================================
-`values`              exact values of parameters, and decimal printing
-`arithmetic`          one set of functions for floats, mpmath and balls
-`errors`              the exceptions of the package, under one root
-`files`               files that are written whole or not at all
-`json_codec`          records to JSON and back
-`matrices`            exponentials and eigenvalues of many small matrices at once
-`rational_functions`  exact arithmetic of rational functions of parameters
-`registry`            how records find the functions that show and keep them, by name
-`result_files`        the codec of result files: format, version, checksum
-`resuming`            whether interrupted work asked the same
-`taylor_models`       functions of a few variables as polynomials with ball coefficients
-`vectorised`          any-arithmetic kernels as NumPy generalized ufuncs
-====================  ==================================================================
+=========================  ==================================================================
+`values`                   exact values of parameters, and decimal printing
+`arithmetic`               one set of functions for floats, mpmath and balls
+`errors`                   the exceptions of the package, under one root
+`exponential_balls`        divided differences of the exponential in balls and Taylor models
+`exponential_differences`  the same in doubles
+`expressions`              functions as data, in one small grammar, over any arithmetic
+`files`                    files that are written whole or not at all
+`irrational_numbers`       irrational numbers by few of them, and their exact relations
+`json_codec`               records to JSON and back
+`matrices`                 exponentials and eigenvalues of many small matrices at once
+`rational_functions`       exact arithmetic of rational functions of parameters
+`registry`                 how records find the functions that show and keep them, by name
+`result_files`             the codec of result files: format, version, checksum
+`resuming`                 whether interrupted work asked the same
+`showing`                  how results show themselves, in a few lines and as a table
+`taylor_models`            functions of a few variables as polynomials with ball coefficients
+`vectorised`               any-arithmetic kernels as NumPy generalized ufuncs
+`workload`                 how large a work is, before it begins
+`threads`                  threads whose compiled loops end when their caller is interrupted
+=========================  ==================================================================
 """

@@ -7,6 +7,9 @@ callers may catch either the usual exception or `NonsmoothError`. Every message 
 from collections.abc import Iterable
 from difflib import get_close_matches
 
+LONGEST_LINE = 1000  # characters of a message
+_LONGEST_NAME = 80
+
 
 class NonsmoothError(Exception):
     """Root of every exception that this package raises on purpose."""
@@ -58,12 +61,39 @@ def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
     InputError("unknown parameter 'etta'; did you mean 'eta'? known: chi, eta, V")
     """
     names = list(known)
+    if len(name) > _LONGEST_NAME:
+        name = f"{name[:_LONGEST_NAME]}..."
     lowered = {other.lower(): other for other in reversed(names)}
     nearest = get_close_matches(name.lower(), lowered, n=1, cutoff=0.4)
     hint = f" did you mean {lowered[nearest[0]]!r}?" if nearest else ""
     listing = f" known: {', '.join(names)}" if names else ""
     separator = ";" if hint or listing else ""
     return InputError(f"unknown {kind} {name!r}{separator}{hint}{listing}")
+
+
+def one_line(text: str, most: int = LONGEST_LINE) -> str:
+    r"""Write text in one line of printable characters, and cut what is very long.
+
+    Parameters
+    ----------
+    text : str
+    most : int
+        Characters; the middle of a longer text is left out.
+
+    Returns
+    -------
+    str
+        Line breaks between words become spaces, other control characters their escapes.
+
+    Examples
+    --------
+    >>> one_line("no file a\x07b\n")
+    'no file a\\x07b'
+    """
+    joined = " ".join(part for part in text.splitlines() if part.strip()).strip()
+    if len(joined) > most:
+        joined = f"{joined[: most // 2]} ... {joined[-(most // 2) :]}"
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in joined)
 
 
 def missing_extra(extra: str, package: str) -> MissingExtra:

@@ -1,50 +1,132 @@
-"""Files that are written whole or not at all, and errors that name them."""
+"""Files that are written whole or not at all, and errors that name them.
+
+No other module writes a file that stays. Folders above a file are made when it is written;
+devices, pipes and folders are never replaced by one.
+"""
 
 from __future__ import annotations
 
 import os
 import secrets
+import shutil
+import stat
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["check_ending", "check_folder", "check_target", "read_file", "unwritable", "write_file"]
+__all__ = [
+    "PARTIAL",
+    "check_ending",
+    "check_folder",
+    "check_target",
+    "fill_file",
+    "folder_made",
+    "read_file",
+    "unwritable",
+    "write_file",
+    "write_files",
+]
+
+PARTIAL = ".partial"  # ending of what a killed process left
 
 
 def check_target(out: Path) -> None:
-    """Refuse a file that cannot be written, before the work is done."""
-    folder = out.parent
-    if not folder.is_dir():
-        raise InputError(f"cannot write {out}: there is no folder {folder}")
-    if out.is_dir():
+    """Refuse a file that cannot be written, before the work is done.
+
+    Parameters
+    ----------
+    out : Path
+
+    Raises
+    ------
+    InputError
+        If it is there and no file, if standard output goes there, or without permission.
+    """
+    found = _found(out)
+    if found is None:
+        _check_above(out)
+    elif stat.S_ISDIR(found.st_mode):
         raise InputError(f"cannot write {out}: it is a folder")
-    if not os.access(out if out.exists() else folder, os.W_OK):
+    elif not stat.S_ISREG(found.st_mode):
+        raise InputError(f"cannot write {out}: it is a device or a pipe, not a file")
+    elif _is_output(found):
+        raise InputError(f"cannot write {out}: the output of this command goes there already")
+    elif not os.access(out, os.W_OK):
         raise InputError(f"cannot write {out}: permission denied")
+    else:
+        _check_above(out)
 
 
 def check_folder(out: Path) -> None:
-    """Refuse a folder that cannot be written, before the work is done."""
-    if not out.parent.is_dir():
-        raise InputError(f"cannot write {out}: there is no folder {out.parent}")
-    if out.exists() and not out.is_dir():
+    """Refuse a folder that cannot be written, before the work is done.
+
+    Parameters
+    ----------
+    out : Path
+
+    Raises
+    ------
+    InputError
+        If it is there and no folder, without permission, or without a name: files are not
+        scattered into the folder that one happens to be in.
+    """
+    if not out.name:
+        raise InputError(f"cannot write {out}: give the folder a name")
+    found = _found(out)
+    if found is None:
+        _check_above(out)
+    elif not stat.S_ISDIR(found.st_mode):
         raise InputError(f"cannot write {out}: it is a file")
-    if not all(os.access(path, os.W_OK) for path in (out.parent, out) if path.exists()):
+    elif not os.access(out, os.W_OK):
         raise InputError(f"cannot write {out}: permission denied")
 
 
 def check_ending(out: Path, endings: tuple[str, ...]) -> None:
-    """Refuse a file of another kind, before the work is done."""
+    """Refuse a file of another kind, before the work is done.
+
+    Parameters
+    ----------
+    out : Path
+    endings : tuple of str
+        In lower case, with the dot: ``(".csv", ".json")``.
+
+    Raises
+    ------
+    InputError
+        If the file's name ends otherwise.
+    """
     if out.suffix.lower() not in endings:
         raise InputError(f"{out} does not end in {', '.join(endings)}")
 
 
-def unwritable(path: Path, problem: OSError) -> InputError:
-    """Say why a file or folder cannot be written."""
-    return InputError(f"cannot write {path}: {(problem.strerror or str(problem)).lower()}")
+def unwritable(path: Path, problem: OSError | ValueError) -> InputError:
+    """Say why a file or folder cannot be written.
+
+    Parameters
+    ----------
+    path : Path
+    problem : OSError or ValueError
+        What the system said.
+
+    Returns
+    -------
+    InputError
+        To be raised by the caller.
+    """
+    return InputError(f"cannot write {path}: {_reason(problem)}")
 
 
 def write_file(path: Path, content: bytes) -> None:
     """Write a file; what was there stays until the new content is complete.
+
+    Folders above it are made.
+
+    Parameters
+    ----------
+    path : Path
+    content : bytes
 
     Raises
     ------
@@ -53,27 +135,174 @@ def write_file(path: Path, content: bytes) -> None:
     """
     check_target(path)
     target = Path(os.path.realpath(path))
-    temporary = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
+    temporary = target.with_name(_temporary())
     try:
-        with temporary.open("xb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, target)
+        with folder_made(target.parent):
+            try:
+                fill_file(temporary, content, target)
+                os.replace(temporary, target)
+            finally:
+                temporary.unlink(missing_ok=True)
     except OSError as problem:
         raise unwritable(path, problem) from None
-    finally:
-        temporary.unlink(missing_ok=True)
+
+
+def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Write several files into a folder: all are on the disk before the first is in its place.
+
+    A folder that was not there is there at once with all its files. In one that was, files
+    take their places in the order that is given: one that vouches for others comes last.
+
+    Parameters
+    ----------
+    folder : Path
+        Made if need be, with those above it.
+    files : mapping of file name to content
+
+    Raises
+    ------
+    InputError
+        If it cannot be written; then no file has changed.
+    """
+    check_folder(folder)
+    for name in files:
+        check_target(folder / name)
+    target = Path(os.path.realpath(folder))
+    new = not target.is_dir()
+    staging = (target.parent if new else target) / _temporary()
+    try:
+        with folder_made(staging.parent):
+            try:
+                staging.mkdir()
+                for name, content in files.items():
+                    fill_file(staging / name, content, target / name)
+                if new:
+                    with suppress(OSError):  # another process may have made it meanwhile
+                        os.replace(staging, target)
+                if staging.is_dir():
+                    for name in files:
+                        os.replace(staging / name, target / name)
+            finally:
+                shutil.rmtree(staging, ignore_errors=True)
+    except OSError as problem:
+        raise unwritable(folder, problem) from None
+
+
+def fill_file(file: Path, content: bytes, instead: Path | None = None) -> None:
+    """Write a new file, down to the disk, in a folder that is not in its place yet.
+
+    Parameters
+    ----------
+    file : Path
+    content : bytes
+    instead : Path, optional
+        A file that it will replace, if that is there: it gets the permissions of that.
+    """
+    with file.open("xb") as opened:
+        opened.write(content)
+        opened.flush()
+        os.fsync(opened.fileno())
+    if instead is not None and instead.exists():
+        shutil.copymode(instead, file)
+
+
+@contextmanager
+def folder_made(folder: Path) -> Iterator[None]:
+    """Make a folder and those above it; what was made goes again if what follows fails.
+
+    Parameters
+    ----------
+    folder : Path
+
+    Yields
+    ------
+    None
+
+    Raises
+    ------
+    InputError
+        If it cannot be made.
+    """
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as problem:
+            raise unwritable(folder, problem) from None
+        yield
+    except BaseException:
+        for path in made:
+            with suppress(OSError):  # it was not made, or is not empty
+                path.rmdir()
+        raise
 
 
 def read_file(path: Path, largest: int, kind: str) -> bytes:
-    """Content of a file of at most so many bytes; InputError otherwise, without its name."""
+    """Give the content of a file of at most so many bytes.
+
+    Parameters
+    ----------
+    path : Path
+    largest : int
+        Bytes.
+    kind : str
+        What the file holds, in words, for the message.
+
+    Returns
+    -------
+    bytes
+
+    Raises
+    ------
+    InputError
+        If it cannot be read or is larger; the message does not name the file.
+    """
     try:
+        known = path.stat()
+        if not stat.S_ISREG(known.st_mode) and not stat.S_ISDIR(known.st_mode):
+            raise InputError("cannot be read: it is a device or a pipe, not a file")
         with path.open("rb") as file:
-            found = file.read(largest + 1)
+            found = file.read(min(known.st_size, largest) + 1)  # room for all of it is taken
+    except InputError:
+        raise
     except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
-        raise InputError(f"cannot be read: {reason.lower()}") from None
+        raise InputError(f"cannot be read: {_reason(problem)}") from None
     if len(found) > largest:
         raise InputError(f"too large for a {kind}")
     return found
+
+
+def _found(out: Path) -> os.stat_result | None:
+    """What is there, links followed; None if nothing is."""
+    try:
+        return out.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except (OSError, ValueError) as problem:
+        raise unwritable(out, problem) from None
+
+
+def _check_above(out: Path) -> None:
+    """Refuse what stands below a file, or below a folder where nothing may be made."""
+    above = next(path for path in Path(os.path.realpath(out)).parents if path.exists())
+    if not above.is_dir():
+        raise InputError(f"cannot write {out}: {above} is not a folder")
+    if not os.access(above, os.W_OK | os.X_OK):
+        raise InputError(f"cannot write {out}: permission denied")
+
+
+def _is_output(found: os.stat_result) -> bool:
+    """Whether it is the file that standard output or standard error goes to."""
+    for descriptor in (1, 2):
+        with suppress(OSError):
+            if os.path.samestat(found, os.fstat(descriptor)):
+                return True
+    return False
+
+
+def _temporary() -> str:
+    return f".{secrets.token_hex(8)}{PARTIAL}"
+
+
+def _reason(problem: OSError | ValueError) -> str:
+    return (getattr(problem, "strerror", None) or str(problem)).lower()

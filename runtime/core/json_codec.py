@@ -99,7 +99,17 @@ class _Refused(InputError):
 
 
 def encode(record: Any) -> dict[str, Any]:
-    """Give the JSON object of a record."""
+    """Give the JSON object of a record.
+
+    Parameters
+    ----------
+    record : dataclass
+        Its annotations say how each field is written.
+
+    Returns
+    -------
+    dict of str to object
+    """
     kind: Any = type(record)
     entries: dict[str, Any] = _codec(kind).write(record)
     return entries
@@ -107,6 +117,17 @@ def encode(record: Any) -> dict[str, Any]:
 
 def decode(kind: type[Record], entries: Any) -> Record:
     """Give the record of a JSON object.
+
+    Parameters
+    ----------
+    kind : type
+        Of the record.
+    entries : object
+        What a JSON parser gave.
+
+    Returns
+    -------
+    Record
 
     Raises
     ------
@@ -120,6 +141,16 @@ def decode(kind: type[Record], entries: Any) -> Record:
 
 def given_value(name: str, text: str) -> Value:
     """Give a value as it was written.
+
+    Parameters
+    ----------
+    name : str
+        What the value is of, for the message.
+    text : str
+
+    Returns
+    -------
+    Value
 
     Raises
     ------
@@ -323,7 +354,17 @@ def _record(kind: Any) -> Codec:
 
 
 def one_of(known: tuple[str, ...]) -> Codec:
-    """A text that is one of those that are known."""
+    """A text that is one of those that are known.
+
+    Parameters
+    ----------
+    known : tuple of str
+
+    Returns
+    -------
+    Codec
+        Reading another text with it raises InputError.
+    """
 
     def read(entry: Any) -> Any:
         if type(entry) is not str or entry not in known:

@@ -12,8 +12,23 @@ _NORM, _DEGREE = 0.5, 15  # the series' rest is below 0.5^16 / 16! = 7e-19
 def exponentials(matrices: np.ndarray) -> np.ndarray:
     """Exponentials (k, n, n) by scaling, Taylor's series and squaring.
 
-    Plain products alone: a tiny imaginary part comes out as a derivative, to full precision.
+    Plain products alone: a tiny imaginary part comes out as a derivative, to full precision
+    (Al-Mohy and Higham, 2010).
     NaN where an entry is not finite.
+
+    Parameters
+    ----------
+    matrices : array (k, n, n)
+        Real or complex, nondimensional.
+
+    Returns
+    -------
+    array (k, n, n)
+
+    Examples
+    --------
+    >>> exponentials(np.array([[[0.0, 1.0], [0.0, 0.0]]])).tolist()
+    [[[1.0, 1.0], [0.0, 1.0]]]
     """
     size = matrices.shape[-1]
     norms = np.abs(matrices).sum(axis=-2).max(axis=-1, initial=0.0)
@@ -22,17 +37,28 @@ def exponentials(matrices: np.ndarray) -> np.ndarray:
         return np.full_like(matrices, np.nan)
     halvings = max(0, int(np.ceil(np.log2(max(largest, _NORM) / _NORM))))
     scaled = matrices / 2.0**halvings
-    unit = np.eye(size)
+    unit = np.eye(size, dtype=scaled.dtype)
     found = unit + scaled / _DEGREE
     for order in range(_DEGREE - 1, 0, -1):
-        found = unit + (scaled @ found) / order
+        found = scaled @ found
+        found /= order
+        found += unit
     for _ in range(halvings):
         found = found @ found
     return np.asarray(found)
 
 
 def eigenvalues(matrices: np.ndarray) -> np.ndarray:
-    """Eigenvalues (k, n) by decreasing absolute value, complex; NaN where there are none."""
+    """Eigenvalues (k, n) by decreasing absolute value, complex; NaN where there are none.
+
+    Parameters
+    ----------
+    matrices : array (k, n, n)
+
+    Returns
+    -------
+    array (k, n)
+    """
     found = np.full(matrices.shape[:-1], np.nan, dtype=complex)
     sound = np.isfinite(matrices).all(axis=(-2, -1))
     found[sound] = np.linalg.eigvals(matrices[sound])
@@ -40,6 +66,21 @@ def eigenvalues(matrices: np.ndarray) -> np.ndarray:
 
 
 def sorted_by_size(values: np.ndarray) -> np.ndarray:
-    """Rows of numbers by decreasing absolute value."""
+    """Rows of numbers by decreasing absolute value.
+
+    Parameters
+    ----------
+    values : array (..., n)
+        Real or complex.
+
+    Returns
+    -------
+    array (..., n)
+
+    Examples
+    --------
+    >>> sorted_by_size(np.array([0.5, -2.0, 1.0]))
+    array([-2. ,  1. ,  0.5])
+    """
     order = np.argsort(-np.abs(values), axis=-1, kind="stable")
     return np.take_along_axis(values, order, axis=-1)

@@ -1,51 +1,114 @@
 """Exact arithmetic of rational functions of parameters: what is zero for all their values.
 
 They take the place of rational numbers where parameters are not points: a velocity that a
-reset sets to the belt's is then the belt's whatever the belt's velocity is.
+reset sets to the belt's is then the belt's whatever the belt's velocity is. Irrational numbers are
+variables too, the last ones, and what is known of these is an `Extension`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-__all__ = ["RationalFunction", "symbols"]
+__all__ = ["Extension", "RationalFunction", "symbols"]
 
 
-def symbols(names: Sequence[str], constants: Sequence[arb] = ()) -> list[RationalFunction]:
+@dataclass(frozen=True)
+class Extension:
+    """Irrational numbers, the last variables of rational functions; they do not vary.
+
+    Nothing is divided by what may be zero at them for all values of the parameters.
+
+    Attributes
+    ----------
+    values : tuple of arb
+        In their order.
+    relations : tuple of fmpq_mpoly
+        Polynomials of them that are zero, each monic in the first of its variables; in the
+        order of these.
+    """
+
+    values: tuple[arb, ...] = ()
+    relations: tuple[fmpq_mpoly, ...] = ()
+
+    def reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """The same number with no higher powers than the relations leave.
+
+        Parameters
+        ----------
+        polynomial : fmpq_mpoly
+
+        Returns
+        -------
+        fmpq_mpoly
+        """
+        for relation in self.relations:
+            polynomial = polynomial % relation
+        return polynomial
+
+    def check(self) -> None:
+        """Compare the relations with the values.
+
+        Raises
+        ------
+        ArithmeticError
+            If a relation does not hold.
+        """
+        for relation in self.relations:
+            groups = {e[len(e) - len(self.values) :]: c for e, c in _terms(relation).items()}
+            if not _horner(groups, self.values).contains(0):
+                raise ArithmeticError(f"{relation} is not zero")
+
+
+_NONE = Extension()
+
+
+def symbols(names: Sequence[str], extension: Extension = _NONE) -> list[RationalFunction]:
     """The parameters as rational functions of themselves.
 
     Parameters
     ----------
     names : sequence of str
-    constants : sequence of arb
-        Values of the last parameters, where these are irrational numbers that do not vary.
-        Nothing is divided by what may be zero at them for all values of the others.
+        Of the parameters, then of the numbers of the extension.
+    extension : Extension, optional
+
+    Returns
+    -------
+    list of RationalFunction
+        In the order of the names.
     """
     from flint import Ordering, fmpq_mpoly_ctx
 
     context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
     one = context.constant(1)
-    return [RationalFunction(variable, one, tuple(constants)) for variable in context.gens()]
+    return [RationalFunction(variable, one, extension) for variable in context.gens()]
 
 
 class RationalFunction:
     """A quotient of polynomials without common factor; the denominator's first coefficient is 1."""
 
-    __slots__ = ("above", "below", "constants")
+    __slots__ = ("above", "below", "extension")
 
-    def __init__(
-        self, above: fmpq_mpoly, below: fmpq_mpoly, constants: tuple[arb, ...] = ()
-    ) -> None:
-        self.above, self.below, self.constants = above, below, constants
+    def __init__(self, above: fmpq_mpoly, below: fmpq_mpoly, extension: Extension = _NONE) -> None:
+        self.above, self.below, self.extension = above, below, extension
 
     @property
     def context(self) -> fmpq_mpoly_ctx:
         """The parameters."""
         return self.above.context()
+
+    @property
+    def rational(self) -> fmpq | None:
+        """The fraction that it is for all parameters; None where it is not known to be one."""
+        if not (self.above.is_constant() and self.below.is_one()):
+            return None
+        from flint import fmpq
+
+        return fmpq(0) if self.above.is_zero() else self.above.leading_coefficient()
 
     def __bool__(self) -> bool:
         return not self.above.is_zero()
@@ -55,10 +118,11 @@ class RationalFunction:
 
     def __eq__(self, other: object) -> bool:
         other = self._like(other)
-        return bool(self.above * other.below == other.above * self.below)
+        apart = self.above * other.below - other.above * self.below
+        return bool(self.extension.reduced(apart).is_zero())
 
     def __neg__(self) -> RationalFunction:
-        return RationalFunction(-self.above, self.below, self.constants)
+        return RationalFunction(-self.above, self.below, self.extension)
 
     def __add__(self, other: Any) -> RationalFunction:
         other = self._like(other)
@@ -83,7 +147,7 @@ class RationalFunction:
 
     def __truediv__(self, other: Any) -> RationalFunction:
         other = self._like(other)
-        if self.constants and not _somewhere(other.above, self.constants):
+        if self.extension.values and not _somewhere(other.above, self.extension.values):
             raise ZeroDivisionError("a divisor may be zero at the irrational parameters")
         return self._of(self.above * other.below, self.below * other.above)
 
@@ -93,7 +157,7 @@ class RationalFunction:
     def __pow__(self, exponent: int) -> RationalFunction:
         if exponent < 0:
             return self._like(1) / self**-exponent
-        return RationalFunction(self.above**exponent, self.below**exponent, self.constants)
+        return self._of(self.above**exponent, self.below**exponent)
 
     def __str__(self) -> str:
         return str(self.above) if self.below.is_one() else f"({self.above})/({self.below})"
@@ -109,16 +173,17 @@ class RationalFunction:
         from flint import fmpq
 
         context = self.context
-        return RationalFunction(context.constant(fmpq(other)), context.constant(1), self.constants)
+        return RationalFunction(context.constant(fmpq(other)), context.constant(1), self.extension)
 
     def _of(self, above: fmpq_mpoly, below: fmpq_mpoly) -> RationalFunction:
+        above, below = self.extension.reduced(above), self.extension.reduced(below)
         if below.is_zero():
             raise ZeroDivisionError("a denominator is zero for all values of the parameters")
         common = above.gcd(below)
         if not common.is_one():
             above, below = above / common, below / common
         leading = below.leading_coefficient()
-        return RationalFunction(above / leading, below / leading, self.constants)
+        return RationalFunction(above / leading, below / leading, self.extension)
 
 
 def _somewhere(polynomial: fmpq_mpoly, constants: Sequence[arb]) -> bool:

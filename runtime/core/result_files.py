@@ -66,6 +66,11 @@ class FileFormat(Generic[Entries]):
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
 
+        Parameters
+        ----------
+        path : str or path
+        entries : Entries
+
         Raises
         ------
         InputError
@@ -75,13 +80,32 @@ class FileFormat(Generic[Entries]):
         write_file(Path(path), text.encode())
 
     def content(self, entries: Entries, *numbers: bytes) -> dict[str, Any]:
-        """Entries with the format, version, package and checksum; that covers numbers too."""
+        """Entries with the format, version, package and checksum; that covers numbers too.
+
+        Parameters
+        ----------
+        entries : Entries
+        *numbers : bytes
+            Numbers that are kept beside the entries.
+
+        Returns
+        -------
+        dict of str to object
+        """
         head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
         content = {**head, **encode(entries)}
         return {**content, "sha256": checksum_of(content, *numbers)}
 
     def read(self, path: Path) -> Entries:
         """Read the entries of a file.
+
+        Parameters
+        ----------
+        path : Path
+
+        Returns
+        -------
+        Entries
 
         Raises
         ------
@@ -93,9 +117,19 @@ class FileFormat(Generic[Entries]):
     def check(self, content: Any) -> Entries:
         """Give the entries of content; refuse another format, version, entries or checksum.
 
+        Parameters
+        ----------
+        content : object
+            What a JSON parser gave.
+
+        Returns
+        -------
+        Entries
+
         Raises
         ------
         InputError
+            For another format, version or checksum, or entries that are not in order.
         """
         entries = self.check_entries(content)
         self.check_sum(content)
@@ -104,9 +138,19 @@ class FileFormat(Generic[Entries]):
     def check_entries(self, content: Any) -> Entries:
         """Give the entries of content; refuse another format, version or entries.
 
+        Parameters
+        ----------
+        content : object
+            What a JSON parser gave.
+
+        Returns
+        -------
+        Entries
+
         Raises
         ------
         InputError
+            For another format or version, or entries that are not in order.
         """
         if not isinstance(content, dict) or content.get("format") != self.name:
             raise InputError(f"not a {self.what}, such as --save or save() writes")
@@ -125,9 +169,16 @@ class FileFormat(Generic[Entries]):
     def check_sum(self, content: Mapping[str, Any], *numbers: bytes) -> None:
         """Refuse content, or numbers beside it, with another checksum.
 
+        Parameters
+        ----------
+        content : mapping of str to object
+        *numbers : bytes
+            Numbers that are kept beside it.
+
         Raises
         ------
         InputError
+            If the checksum differs.
         """
         if content["sha256"] != checksum_of(content, *numbers):
             raise InputError("edited or damaged: the checksum differs")
@@ -146,6 +197,7 @@ def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
     Raises
     ------
     InputError
+        If one of them differs.
     """
     for name, entry in given.items():
         if getattr(entries, name) != entry:
@@ -153,7 +205,18 @@ def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
 
 
 def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
-    """Hash of a file's other entries, and of numbers that are kept beside them."""
+    """Hash of a file's other entries, and of numbers that are kept beside them.
+
+    Parameters
+    ----------
+    content : mapping of str to object
+    *numbers : bytes
+
+    Returns
+    -------
+    str
+        SHA-256, hexadecimal.
+    """
     covered = {name: entry for name, entry in content.items() if name != "sha256"}
     found = hashlib.sha256(json.dumps(covered, sort_keys=True).encode())
     for part in numbers:
@@ -162,7 +225,22 @@ def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
 
 
 def parsed(found: bytes) -> Any:
-    """What JSON text holds; InputError if it is none, or names an entry twice."""
+    """Give what JSON text holds.
+
+    Parameters
+    ----------
+    found : bytes
+        In UTF-8.
+
+    Returns
+    -------
+    object
+
+    Raises
+    ------
+    InputError
+        If it is no JSON, or names an entry twice.
+    """
     try:
         return json.loads(found.decode("utf-8"), object_pairs_hook=_once)
     except (ValueError, RecursionError) as problem:
@@ -181,8 +259,19 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def format_in(path: Path) -> str | None:
-    """The format that a file's beginning names; None for what has none or cannot be read."""
+    """The format that a file's beginning names; None for what has none or cannot be read.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    str or None
+    """
     try:
+        if not path.is_file():  # a pipe would be waited for
+            return None
         with path.open(encoding="utf-8") as file:
             beginning = file.read(_BEGINNING)
     except (OSError, ValueError):
@@ -193,7 +282,21 @@ def format_in(path: Path) -> str | None:
 
 @contextmanager
 def naming(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Name the file in what is said of it; entries of the wrong shape are an InputError too."""
+    """Name the file in what is said of it; entries of the wrong shape are an InputError too.
+
+    Parameters
+    ----------
+    path : str or path
+
+    Yields
+    ------
+    Path
+
+    Raises
+    ------
+    InputError
+        Where the block raises it, or finds entries of the wrong shape.
+    """
     try:
         yield Path(path)
     except InputError as problem:

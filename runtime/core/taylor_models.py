@@ -47,11 +47,31 @@ class Space:
     even: tuple[bool, ...]
 
     def constant(self, value: Any) -> TaylorModel:
-        """A number or matrix that does not depend on the variables."""
+        """A number or matrix that does not depend on the variables.
+
+        Parameters
+        ----------
+        value : arb or arb_mat
+
+        Returns
+        -------
+        TaylorModel
+        """
         return TaylorModel(self, (value, *(None,) * (len(self.exponents) - 1)))
 
     def variable(self, number: int, middle: arb, half: arb) -> TaylorModel:
-        """The number middle + half * variable."""
+        """The number middle + half * variable.
+
+        Parameters
+        ----------
+        number : int
+            Of the variable, from 0.
+        middle, half : arb
+
+        Returns
+        -------
+        TaylorModel
+        """
         parts: list[Any] = [middle, *(None,) * (len(self.exponents) - 1)]
         wanted = tuple(int(k == number) for k in range(self.variables))
         parts[self.exponents.index(wanted)] = half
@@ -60,7 +80,17 @@ class Space:
 
 @cache
 def space_of(variables: int, order: int) -> Space:
-    """The polynomials of so many variables, up to a positive order."""
+    """The polynomials of so many variables, up to a positive order.
+
+    Parameters
+    ----------
+    variables, order : int
+
+    Returns
+    -------
+    Space
+        One record for the same numbers.
+    """
     exponents = sorted(
         (e for e in product(range(order + 1), repeat=variables) if sum(e) <= order),
         key=lambda e: (sum(e), [-k for k in e]),
@@ -152,38 +182,88 @@ class TaylorModel:
         return bool(range_of(self - other) > 0)
 
     def nrows(self) -> int:
-        """Rows of a matrix."""
+        """Rows of a matrix.
+
+        Returns
+        -------
+        int
+        """
         return int(self.parts[0].nrows())
 
     def ncols(self) -> int:
-        """Columns of a matrix."""
+        """Columns of a matrix.
+
+        Returns
+        -------
+        int
+        """
         return int(self.parts[0].ncols())
 
     def entries(self) -> list[TaylorModel]:
-        """Entries of a matrix, row by row."""
+        """Entries of a matrix, row by row.
+
+        Returns
+        -------
+        list of TaylorModel
+        """
         return [self[i, j] for i in range(self.nrows()) for j in range(self.ncols())]
 
     def transpose(self) -> TaylorModel:
-        """Of a matrix."""
+        """The transpose of a matrix.
+
+        Returns
+        -------
+        TaylorModel
+        """
         return TaylorModel(
             self.space, tuple(None if p is None else p.transpose() for p in self.parts)
         )
 
     def rad(self) -> Any:
-        """Radius of a number's constant term: what is not known of the polynomial, as a rule."""
+        """Radius of a number's constant term: what is not known of the polynomial, as a rule.
+
+        Returns
+        -------
+        arb
+        """
         return self.parts[0].rad()
 
     def mid(self) -> TaylorModel:
-        """The same polynomial with its middles as exact coefficients."""
+        """The same polynomial with its middles as exact coefficients.
+
+        Returns
+        -------
+        TaylorModel
+        """
         return TaylorModel(self.space, tuple(None if p is None else p.mid() for p in self.parts))
 
     def cast(self, space: Space) -> TaylorModel:
-        """The polynomial in a space of another order: what is cut off is forgotten."""
+        """The polynomial in a space of another order: what is cut off is forgotten.
+
+        Parameters
+        ----------
+        space : Space
+            Of the same variables.
+
+        Returns
+        -------
+        TaylorModel
+        """
         count = len(space.exponents)
         return TaylorModel(space, (*self.parts[:count], *(None,) * (count - len(self.parts))))
 
     def at(self, point: Sequence[Any]) -> Any:
-        """The value where the variables have these values in [-1, 1]."""
+        """The value where the variables have these values in [-1, 1].
+
+        Parameters
+        ----------
+        point : sequence of number
+            One for each variable.
+
+        Returns
+        -------
+        arb or arb_mat
+        """
         total = self.parts[0]
         for part, exponents in zip(self.parts[1:], self.space.exponents[1:], strict=True):
             if part is not None:
@@ -194,7 +274,12 @@ class TaylorModel:
         return total
 
     def range(self) -> Any:
-        """Ball, or matrix of balls, that contains all values."""
+        """Ball, or matrix of balls, that contains all values.
+
+        Returns
+        -------
+        arb or arb_mat
+        """
         from flint import arb
 
         total = self.parts[0]
@@ -205,7 +290,12 @@ class TaylorModel:
         return total
 
     def reciprocal(self) -> TaylorModel:
-        """One over a number; balls without bounds where that may be zero."""
+        """One over a number; balls without bounds where that may be zero.
+
+        Returns
+        -------
+        TaylorModel
+        """
         guess = self.space.constant(1 / self.parts[0].mid())
         for _ in range(self.space.order.bit_length()):
             guess = (guess * (2 - self * guess)).mid()
@@ -215,6 +305,10 @@ class TaylorModel:
 
     def inv(self) -> TaylorModel:
         """About the inverse of a matrix; nothing is proved of it.
+
+        Returns
+        -------
+        TaylorModel
 
         Raises
         ------
@@ -228,12 +322,23 @@ class TaylorModel:
         return found
 
     def sin_cos(self) -> tuple[TaylorModel, TaylorModel]:
-        """Sine and cosine of a number."""
+        """Sine and cosine of a number.
+
+        Returns
+        -------
+        sine, cosine : TaylorModel
+        """
         turned = matrix([[0, -self], [self, 0]]).exp()
         return turned[1, 0], turned[0, 0]
 
     def exp(self) -> Any:
-        """Exponential of a matrix: Taylor's polynomial of it halved often, then squared."""
+        """Exponential of a matrix: Taylor's polynomial of it halved often, then squared.
+
+        Returns
+        -------
+        TaylorModel
+            NaN everywhere for a norm of 2^40 or more.
+        """
         from flint import arb, ctx
 
         size = self.nrows()
@@ -267,17 +372,44 @@ class TaylorModel:
 
 
 def range_of(number: Any) -> Any:
-    """All values of a model, or of what is a ball already."""
+    """All values of a model, or of what is a ball already.
+
+    Parameters
+    ----------
+    number : TaylorModel, arb or arb_mat
+
+    Returns
+    -------
+    arb or arb_mat
+    """
     return number.range() if isinstance(number, TaylorModel) else number
 
 
 def middle_of(number: Any) -> Any:
-    """The middle of a number or matrix, of a model at the origin of its variables."""
+    """The middle of a number or matrix, of a model at the origin of its variables.
+
+    Parameters
+    ----------
+    number : TaylorModel, arb or arb_mat
+
+    Returns
+    -------
+    arb or arb_mat
+    """
     return (number.parts[0] if isinstance(number, TaylorModel) else number).mid()
 
 
 def matrix(rows: Sequence[Sequence[Any]]) -> Any:
-    """A matrix of balls and models: a model if any entry is one."""
+    """A matrix of balls and models: a model if any entry is one.
+
+    Parameters
+    ----------
+    rows : sequence of sequence of number, arb or TaylorModel
+
+    Returns
+    -------
+    arb_mat or TaylorModel
+    """
     from flint import arb_mat
 
     space = next((x.space for row in rows for x in row if isinstance(x, TaylorModel)), None)

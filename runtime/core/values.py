@@ -29,7 +29,9 @@ LARGEST_EXPONENT = 10_000
 _DEEPEST_NESTING = 100
 _LARGEST_RATIONAL = 200_000  # bits
 _HIGHEST_PRECISION = 8192  # bits at which an undecided rounding is given up
-_NAMES = ("pi", "sqrt", "sin", "cos", "exp", "log")
+_CALLED = ("sqrt", "sin", "cos", "exp", "log", "asin", "acos", "atan")  # as arb calls them
+_NAMES = ("pi", *_CALLED, "root")
+_HIGHEST_DEGREE = 100  # of a polynomial whose root is taken
 _OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -38,7 +40,7 @@ _OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Pow: operator.pow,
 }
 _TOKEN = re.compile(
-    r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE](?P<exponent>[+-]?\d+))?|[^\W\d]\w*|\*\*|[-+*/()])\s*",
+    r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE](?P<exponent>[+-]?\d+))?|[^\W\d]\w*|\*\*|[-+*/(),])\s*",
     re.ASCII,
 )
 
@@ -51,6 +53,14 @@ def flint_precision(bits: int) -> Iterator[None]:
     """Compute with python-flint at that many bits inside the block.
 
     Its precision is one for the whole process: other threads wait.
+
+    Parameters
+    ----------
+    bits : int
+
+    Yields
+    ------
+    None
     """
     from flint import ctx
 
@@ -83,13 +93,31 @@ class Value:
         return self.text
 
     def ball(self, precision_bits: int) -> "arb":
-        """Enclose the number in a ball, computed with a working precision of so many bits."""
+        """Enclose the number in a ball, computed with a working precision of so many bits.
+
+        Parameters
+        ----------
+        precision_bits : int
+
+        Returns
+        -------
+        arb
+        """
         return _ball(self.text if self.exact is None else self.exact, precision_bits)
 
     def mpf(self, digits: int) -> Any:
         """Give the number as an `mpmath.mpf` with relative error below ``10**-digits``.
 
         A number that 8000 bits cannot tell from zero has that absolute error instead.
+
+        Parameters
+        ----------
+        digits : int
+            Decimals.
+
+        Returns
+        -------
+        mpf
         """
         import mpmath
 
@@ -103,9 +131,19 @@ class Value:
 
 @lru_cache(maxsize=1024)
 def parse(text: str) -> Value:
-    """Read a decimal or an expression of ``+ - * / **``, pi, sqrt, sin, cos, exp, log.
+    """Read a decimal or an expression of ``+ - * / **``, pi, sqrt, sin, cos, exp, log, ...
 
-    Nothing is ever executed, and literals are exact: ``0.1`` is 1/10.
+    Nothing is ever executed, and literals are exact: ``0.1`` is 1/10. Known are asin, acos and
+    atan too, and ``root(k, a, b, ..., c)``, the real root of number k, from 0 and counted from
+    the lowest, of the polynomial with the integer coefficients a, b, ..., c, the highest first.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    Value
 
     Raises
     ------
@@ -134,10 +172,24 @@ def as_value(number: object) -> Value:
     A Python or NumPy float means its shortest decimal (0.1 is 1/10); integers, fractions,
     `decimal.Decimal` and `mpmath.mpf` are taken exactly as they are.
 
+    Parameters
+    ----------
+    number : object
+        A number, its text, or a Value.
+
+    Returns
+    -------
+    Value
+
     Raises
     ------
     InputError
         The argument is not finite, a bool, complex, an array, or no number at all.
+
+    Examples
+    --------
+    >>> as_value(0.1).exact
+    Fraction(1, 10)
     """
     match number:
         case Value():
@@ -148,7 +200,7 @@ def as_value(number: object) -> Value:
             return parse(number)
         case float() if math.isfinite(number):
             text = float.__repr__(number)  # numpy.float64, a subclass, prints its type too
-            return _value(text, Fraction(text))
+            return Value(text, Fraction(Decimal(text)), float(number) + 0.0)  # no -0.0
         case Rational():
             exact = Fraction(int(number.numerator), int(number.denominator))
         case Real() if hasattr(number, "_mpf_") and (parts := _parts_of_mpf(number)):
@@ -165,6 +217,21 @@ def as_value(number: object) -> Value:
 
 def parse_assignment(text: str) -> tuple[str, Value]:
     """Read ``name=value``.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    name : str
+        As it is written, without blanks.
+    value : Value
+
+    Raises
+    ------
+    InputError
+        If the text is not of this form, or the value is no number.
 
     Examples
     --------
@@ -219,7 +286,8 @@ def _tree(text: str) -> tuple[ast.expr, str]:
     # Only these tokens ever reach Python's parser, so it has nothing to warn of.
     text, tokens, place = text.strip(), [], 0
     while place < len(text):
-        if (token := _TOKEN.match(text, place)) is None:
+        token = _TOKEN.match(text, place)
+        if token is None or (token[1] == "," and "root" not in tokens):
             hint = "; powers are written **" if text[place] == "^" else ""
             raise InputError(f"unexpected {text[place]!r}{hint}")
         if abs(int(token["exponent"] or 0)) > LARGEST_EXPONENT:
@@ -249,7 +317,9 @@ def _evaluate(node: ast.AST, source: str, depth: int) -> "Fraction | arb":
             raise InputError("not finite")
         case ast.Name(id=name) | ast.Call(func=ast.Name(id=name)) if name not in _NAMES:
             raise unknown_name("name", name, _NAMES)
-        case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name != "pi":
+        case ast.Call(func=ast.Name(id="root"), args=[_, _, _, *_] as numbers, keywords=[]):
+            return _root([_evaluate(number, source, depth + 1) for number in numbers])
+        case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in _CALLED:
             result: arb = getattr(_lift(_evaluate(inner, source, depth + 1)), name)()
             return result
         case ast.UnaryOp(op=ast.UAdd() | ast.USub() as sign, operand=inner):
@@ -259,6 +329,24 @@ def _evaluate(node: ast.AST, source: str, depth: int) -> "Fraction | arb":
             operands = (_evaluate(side, source, depth + 1) for side in (left, right))
             return _combine(_OPERATORS[type(symbol)], *operands)
     raise InputError(f"{ast.get_source_segment(source, node)!r} is not allowed")
+
+
+def _root(numbers: "list[Fraction | arb]") -> "arb":
+    """Enclose a real root of a polynomial: its number, then the coefficients."""
+    from flint import fmpz_poly
+
+    found = [int(n) for n in numbers if isinstance(n, Fraction) and n.denominator == 1]
+    place, *coefficients = found or [-1]
+    if len(found) != len(numbers) or place < 0 or not coefficients[0]:
+        raise InputError("root takes a place and integers, the first coefficient not zero")
+    if len(coefficients) - 1 > _HIGHEST_DEGREE or max(map(_bits, found)) > _HIGHEST_PRECISION:
+        raise InputError("a polynomial too large")
+    roots: Any = fmpz_poly(coefficients[::-1]).complex_roots()
+    real = sorted((root.real for root, _ in roots if root.imag == 0), key=lambda x: x.mid())
+    if place >= len(real):
+        raise InputError(f"a polynomial of {len(real)} real roots has none of number {place}")
+    root: arb = real[place]
+    return root
 
 
 def _combine(

@@ -9,13 +9,27 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
 
-__all__ = ["vectorised"]
+__all__ = ["vectorised", "with_entries"]
 
 
 def vectorised(
     function: Callable[..., Any], inputs: list[tuple[int, ...]], outputs: list[tuple[int, ...]]
 ) -> Callable[..., Any]:
-    """The generalized ufunc of an any-arithmetic kernel, on NumPy."""
+    """The generalized ufunc of an any-arithmetic kernel, on NumPy.
+
+    Parameters
+    ----------
+    function : callable
+        Takes its arrays as sequences, and ``lib``; one result, or a tuple of them.
+    inputs, outputs : list of tuple of int
+        Shapes of the arguments and of the results, without the leading axes.
+
+    Returns
+    -------
+    callable
+        Takes arrays (..., shape) of floats that broadcast over the leading axes. It raises
+        ValueError for an argument of another shape.
+    """
 
     def call(*arrays: Any) -> Any:
         unpacked = []
@@ -38,5 +52,29 @@ def vectorised(
                 filled[..., place] = entry
             results.append(filled.reshape((*lead, *shape)))
         return tuple(results) if len(results) > 1 else results[0][()]
+
+    return call
+
+
+def with_entries(compiled: Callable[..., Any], inputs: list[tuple[int, ...]]) -> Callable[..., Any]:
+    """A compiled kernel that takes all arguments, those without entries too.
+
+    Parameters
+    ----------
+    compiled : callable
+        The generalized ufunc: of the arguments that have entries.
+    inputs : list of tuple of int
+        Shapes of all arguments, without the leading axes.
+
+    Returns
+    -------
+    callable
+        Takes arrays (..., shape) of floats, as `vectorised`.
+    """
+    if all(all(shape) for shape in inputs):
+        return compiled
+
+    def call(*arrays: Any) -> Any:
+        return compiled(*(a for a, shape in zip(arrays, inputs, strict=True) if all(shape)))
 
     return call

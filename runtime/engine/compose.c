@@ -8,7 +8,7 @@
 #include "least_squares.h"
 #include "support.h"
 
-/* The numbers of nonsmooth.runtime.shooting.cycle_newton. */
+/* The numbers of nonsmooth.runtime.shooting.table_newton. */
 static const double TOLERANCE = 1e-9; /* of the last step, which Newton's method squares */
 static const double MOST_RESIDUAL = 1e-9;
 static const double SHORTEST = 1e-6; /* in units of the period: on the way to no time at all */
@@ -280,7 +280,7 @@ INLINED double step_of(int n, const cycle *c, const double *start, double missin
 
 INLINED composed solve(int n, const layout *l, const cycle *c, const double *numbers,
                        double period, int guided, double *dwell, double *starts, double *map,
-                       compose_room *room)
+                       compose_room *room, patience *patience)
 {
     const point at = point_of(l, numbers);
     const int columns = n + 1, w = n + 2, count = c->phases;
@@ -292,6 +292,8 @@ INLINED composed solve(int n, const layout *l, const cycle *c, const double *num
         for (int i = 0; i < count; ++i) {
             flow_at(n, l, &at, c->configuration[i], dwell[i], room->flow + i * n * columns);
             total += dwell[i];
+            if (lost(patience))
+                return result;
         }
         if (result.iterations == 0 && !guided)
             least = start_of(n, c, &at, room, starts);
@@ -344,14 +346,15 @@ INLINED composed solve(int n, const layout *l, const cycle *c, const double *num
 }
 
 composed compose_solve(const layout *l, const cycle *c, const double *numbers, double period,
-                       int guided, double *dwell, double *starts, double *map, compose_room *room)
+                       int guided, double *dwell, double *starts, double *map, compose_room *room,
+                       patience *patience)
 {
     switch (l->states) {
     case 2:
-        return solve(2, l, c, numbers, period, guided, dwell, starts, map, room);
+        return solve(2, l, c, numbers, period, guided, dwell, starts, map, room, patience);
     case 4:
-        return solve(4, l, c, numbers, period, guided, dwell, starts, map, room);
+        return solve(4, l, c, numbers, period, guided, dwell, starts, map, room, patience);
     default:
-        return solve(l->states, l, c, numbers, period, guided, dwell, starts, map, room);
+        return solve(l->states, l, c, numbers, period, guided, dwell, starts, map, room, patience);
     }
 }

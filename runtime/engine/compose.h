@@ -6,6 +6,7 @@
 #ifndef NONSMOOTH_COMPOSE_H
 #define NONSMOOTH_COMPOSE_H
 
+#include "patience.h"
 #include "tables.h"
 
 /* Phase by phase, with the last transition leading back to the first phase. */
@@ -43,9 +44,10 @@ typedef struct {
  * period: the sum of the dwell times, or NaN if that is free.
  * guided: whether `starts` begins with a guess of the first; else the dwell times give one.
  * dwell (phases): guess, then result. starts (phases * states): the state at each phase's start.
- * map (states * states): derivative of the start behind one period by the start. */
+ * map (states * states): derivative of the start behind one period by the start.
+ * Whether to go on is asked phase by phase. */
 composed compose_solve(const layout *l, const cycle *cycle, const double *numbers,
                        double period, int guided, double *dwell, double *starts, double *map,
-                       compose_room *room);
+                       compose_room *room, patience *patience);
 
 #endif

@@ -1,6 +1,8 @@
 /* The Python function `compose` of the engine. */
-#include "compose.h"
 #include "module.h"
+
+#include "compose.h"
+#include "interrupt.h"
 
 PyObject *py_compose(PyObject *self, PyObject *arguments);
 
@@ -83,17 +85,19 @@ PyObject *py_compose(PyObject *self, PyObject *arguments)
     const size_t points = (size_t)view[PERIODS].len / sizeof(double);
     const size_t size = layout_numbers(&layout), n = (size_t)layout.states;
     const size_t phases = (size_t)cycle.phases;
+    nonsmooth_work work = {0};
+    patience patience = {.ends = module_ends, .context = &work};
     Py_BEGIN_ALLOW_THREADS
-    for (size_t i = 0; i < points; ++i) {
+    for (size_t i = 0; i < points && !patience.ended; ++i) {
         const composed found = compose_solve(
             &layout, &cycle, numbers + i * size, periods[i], guided, dwell + i * phases,
-            starts + i * phases * n, maps + i * n * n, &room);
+            starts + i * phases * n, maps + i * n * n, &room, &patience);
         residuals[i] = found.residual;
         iterations[i] = found.iterations;
         statuses[i] = found.status;
     }
     Py_END_ALLOW_THREADS
-    result = Py_NewRef(Py_None);
+    result = patience.ended ? NULL : Py_NewRef(Py_None);
 release:
     compose_free(&room);
     while (held > 0)

@@ -31,7 +31,7 @@ static long_time later(long_time t, double duration)
 }
 
 /* Coefficients and sizes of the boundary functions of a phase. */
-static inline __attribute__((always_inline)) void
+INLINED void
 fill_phase(phase *p, const configuration *c, const int n, const double *state,
            const double *magnitude)
 {
@@ -56,7 +56,7 @@ fill_phase(phase *p, const configuration *c, const int n, const double *state,
 }
 
 /* Sum of absolute values of an affine function's products. */
-static inline __attribute__((always_inline)) double
+INLINED double
 size_of(const int n, const double *row, const double *state)
 {
     double sum = fabs(row[n]);
@@ -66,7 +66,7 @@ size_of(const int n, const double *row, const double *state)
 }
 
 /* The state at a time of a configuration, and bounds on the sizes of what was summed. */
-static inline __attribute__((always_inline)) void
+INLINED void
 flow(const configuration *c, const int n, const double *functions, double *state,
      double *magnitude)
 {
@@ -103,7 +103,7 @@ flow(const configuration *c, const int n, const double *functions, double *state
         state[i] = result[i];
 }
 
-static inline __attribute__((always_inline)) void
+INLINED void
 reset(const double *matrix, const int n, double *state, double *magnitude)
 {
     double result[MOST_STATES], size[MOST_STATES];
@@ -129,7 +129,7 @@ typedef struct {
 
 /* Whether the first nonzero derivative of a pair's function is positive. The function itself is
  * zero where its boundary was just located. */
-static inline __attribute__((always_inline)) int
+INLINED int
 rises_first(const tables *t, const int n, int pair, int located, const located_state *at)
 {
     const double *state = at->state, *magnitude = at->magnitude;
@@ -164,7 +164,7 @@ rises_first(const tables *t, const int n, int pair, int located, const located_s
 
 /* First declared transition that applies; -1 if none does. `located` are the boundaries of the set
  * that are known to be zero. */
-static inline __attribute__((always_inline)) int
+INLINED int
 choose(const tables *t, const int n, int source, uint32_t set, uint32_t located,
        const double *state, const double *magnitude, double time_error)
 {
@@ -186,7 +186,7 @@ choose(const tables *t, const int n, int source, uint32_t set, uint32_t located,
             const int pair = l->condition_pair[k];
             int is_zero = 0;
             for (uint32_t rest = located; rest; rest &= rest - 1)
-                is_zero |= boundary_row[__builtin_ctz(rest)] == l->pair_row[pair];
+                is_zero |= boundary_row[lowest(rest)] == l->pair_row[pair];
             applies = rises_first(t, n, pair, is_zero, &at) == l->condition_holds[k];
         }
         if (applies)
@@ -202,7 +202,7 @@ static inline uint32_t same_functions(const layout *l, int source, uint32_t set,
     const int count = l->boundary_start[target + 1] - l->boundary_start[target];
     uint32_t found = 0;
     for (; set; set &= set - 1) {
-        const int32_t located = l->boundary_row[l->boundary_start[source] + __builtin_ctz(set)];
+        const int32_t located = l->boundary_row[l->boundary_start[source] + lowest(set)];
         for (int b = 0; b < count; ++b)
             found |= (uint32_t)(row[b] == located) << b;
     }
@@ -251,9 +251,9 @@ static int is_finite(int n, const double *state)
     return 1;
 }
 
-static inline __attribute__((always_inline)) outcome
+INLINED outcome
 run(const tables *t, const int n, double *state, int32_t *configuration_index, double until,
-    int64_t limit, const record *r, const decider *d)
+    int64_t limit, const record *r, const decider *d, patience *patience)
 {
     const layout *l = t->layout;
     phase p;
@@ -273,9 +273,21 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
     }
     p.start = 0.0;
     p.known = 0;
+    p.patience = patience;
+    p.steps = 0;
+    /* Between two transitions there are at most FARTHEST / GROWTH windows; transitions without time
+     * between them are MOST_IMMEDIATE at most, and the others as many as the caller allows. */
     while (result.transitions < limit) {
+        if (lost(patience)) {
+            result.status = STATUS_UNFINISHED;
+            break;
+        }
         const configuration *c = &t->configuration[here];
         const double left = (until - now.high) - now.low;
+        if (!(c->fastest < HUGE_VAL)) {
+            result.status = STATUS_OVERFLOW;
+            break;
+        }
         fill_phase(&p, c, n, state, magnitude);
         p.reached = l->boundary_reached + l->boundary_start[here];
         event.set = phase_begin(&p);
@@ -300,7 +312,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             else
                 event.found = 0;
             if (event.found < 0) {
-                result.status = STATUS_OVERFLOW;
+                result.status = patience->ended ? STATUS_UNFINISHED : STATUS_OVERFLOW;
                 break;
             }
             keep_touches(r, &p, &event, now.high, here, &result);
@@ -368,6 +380,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             reset(t->resets + (size_t)taken * n * (n + 1), n, state, magnitude);
         p.known = same_functions(l, here, p.known, target);
         here = target;
+        p.steps = 0;
         p.start = event.time_error;
         waited = 0.0;
         keep(r, ++result.transitions, n, now.high, here, before, state, event.set);
@@ -378,15 +391,19 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
 }
 
 outcome engine_run(const tables *t, double *state, int32_t *configuration, double until,
-                   int64_t limit, const record *record, const decider *decider)
+                   int64_t limit, const record *record, const decider *decider,
+                   patience *patience)
 {
     /* the sizes of the built-in systems are constants to the compiler */
     switch (t->layout->states) {
     case 2:
-        return run(t, 2, state, configuration, until, limit, record, decider);
+        return run(t, 2, state, configuration, until, limit, record, decider,
+                   patience);
     case 4:
-        return run(t, 4, state, configuration, until, limit, record, decider);
+        return run(t, 4, state, configuration, until, limit, record, decider,
+                   patience);
     default:
-        return run(t, t->layout->states, state, configuration, until, limit, record, decider);
+        return run(t, t->layout->states, state, configuration, until, limit, record, decider,
+                   patience);
     }
 }

@@ -2,6 +2,7 @@
 #ifndef NONSMOOTH_ENGINE_H
 #define NONSMOOTH_ENGINE_H
 
+#include "patience.h"
 #include "tables.h"
 
 /* The members of nonsmooth.runtime.model.engine_run.Status. */
@@ -13,6 +14,7 @@ enum {
     STATUS_IMMEDIATE,
     STATUS_OVERFLOW,
     STATUS_AMBIGUOUS,
+    STATUS_UNFINISHED = -1, /* no member: the caller wanted it to end */
 };
 
 /* What follows an event for which no transition is listed: the target and the index of the reset,
@@ -42,8 +44,9 @@ typedef struct {
 
 /* Follow a motion. `state` and `configuration` are those of the end afterwards. At most `limit`
  * transitions, and no further than `until`, which may be infinite. Without a decider (NULL) a motion
- * ends where no transition is listed. */
+ * ends where no transition is listed. Whether to go on is asked every few microseconds. */
 outcome engine_run(const tables *tables, double *state, int32_t *configuration, double until,
-                   int64_t limit, const record *record, const decider *decider);
+                   int64_t limit, const record *record, const decider *decider,
+                   patience *patience);
 
 #endif

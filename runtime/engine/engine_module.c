@@ -1,6 +1,8 @@
 /* The Python function `simulate` of the engine: motions from arrays into arrays. */
-#include "engine.h"
 #include "module.h"
+
+#include "engine.h"
+#include "interrupt.h"
 
 #include <math.h>
 
@@ -102,11 +104,13 @@ PyObject *py_simulate(PyObject *self, PyObject *arguments)
     }
     asking asked = {function, &shape, 0, 0};
     const decider decider = {ask, &asked};
+    nonsmooth_work work = {0};
+    patience patience = {.ends = module_ends, .context = &work};
     Py_BEGIN_ALLOW_THREADS
     double *states = views[3].buf, *until = views[5].buf;
     int64_t *counts = views[12].buf;
     int32_t filled = -1;
-    for (Py_ssize_t i = 0; i < count && !asked.failed; ++i) {
+    for (Py_ssize_t i = 0; i < count && !asked.failed && !patience.ended; ++i) {
         asked.point = points[i];
         if (points[i] != filled) {
             filled = points[i];
@@ -124,14 +128,14 @@ PyObject *py_simulate(PyObject *self, PyObject *arguments)
         };
         const outcome end =
             engine_run(&tables, states + i * n, &configurations[i], until[i], limit, &record,
-                       function == Py_None ? NULL : &decider);
+                       function == Py_None ? NULL : &decider, &patience);
         until[i] = end.end;
         counts[3 * i] = end.status;
         counts[3 * i + 1] = end.transitions;
         counts[3 * i + 2] = end.grazings;
     }
     Py_END_ALLOW_THREADS
-    answer = asked.failed ? NULL : Py_NewRef(Py_None);
+    answer = asked.failed || patience.ended ? NULL : Py_NewRef(Py_None);
 done:
     tables_free(&tables);
     while (held > 0)

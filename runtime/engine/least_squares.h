@@ -7,13 +7,6 @@
 
 #include "tables.h"
 
-/* The number of states is known to the compiler in the bodies made for it. */
-#if defined(__GNUC__)
-#define INLINED static inline __attribute__((always_inline))
-#else
-#define INLINED static inline
-#endif
-
 /* Relative pivot below which equations are dependent. */
 static const double LEAST = 1e-10;
 

@@ -1,6 +1,8 @@
 /* The Python module of the engine; arrays are checked here before C reads them. */
 #include "module.h"
 
+#include "interrupt.h"
+
 void *module_buffer(PyObject *object, Py_buffer *view, const char *name, char format,
                     Py_ssize_t count, int writable)
 {
@@ -25,6 +27,11 @@ int module_layout(const Py_buffer *view, layout *result)
         return 0;
     PyErr_SetString(PyExc_ValueError, "layout: cut, foreign or too large");
     return -1;
+}
+
+int module_ends(void *context)
+{
+    return nonsmooth_ends(context);
 }
 
 PyObject *py_compose(PyObject *self, PyObject *arguments);

@@ -5,6 +5,7 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
+#include "patience.h"
 #include "tables.h"
 
 /* A contiguous buffer of `count` items of one format ("d" double, "i" int32, "q" int64), or any
@@ -14,5 +15,9 @@ void *module_buffer(PyObject *object, Py_buffer *view, const char *name, char fo
 
 /* Layout of a packed buffer; 0, or -1 with a Python error. */
 int module_layout(const Py_buffer *view, layout *result);
+
+/* Whether Python wants C to end, with an exception set then: what a patience asks, whose context is
+ * a nonsmooth_work. */
+int module_ends(void *context);
 
 #endif

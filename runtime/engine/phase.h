@@ -3,6 +3,7 @@
 #ifndef NONSMOOTH_PHASE_H
 #define NONSMOOTH_PHASE_H
 
+#include "patience.h"
 #include "tables.h"
 
 /* Orders of the series by which a boundary is left: the leading one and what it needs in a cell. */
@@ -34,12 +35,15 @@ typedef struct {
     uint32_t known;   /* those that were located at the instant of the start */
     uint32_t leaving; /* those that hold at the start and are left at once */
     uint32_t slow;    /* those left more slowly than in proportion to the time */
+    patience *patience;
+    int steps; /* inside the cells of this stay, until a transition ends it */
     int touches;
     touch touch[MOST_TOUCHES];
 } phase;
 
 typedef struct {
-    int found; /* 1, or 0: none; -1: untold, with numbers beyond those that are computed with */
+    int found; /* 1, or 0: none; -1: untold: numbers beyond those that are computed with, or
+                it was to end */
     double time;
     uint32_t set;      /* boundaries reached together */
     double time_error; /* of `time` */

@@ -3,6 +3,7 @@
 
 #include "chain.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -173,7 +174,7 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
         function += one->length << one->oscillates;
         lengths += one->length;
         const double speed = hypot(one->rate, one->frequency);
-        c->fastest = speed > c->fastest ? speed : c->fastest;
+        c->fastest = speed <= c->fastest ? c->fastest : speed <= DBL_MAX ? speed : HUGE_VAL;
         c->growth = one->rate > c->growth ? one->rate : c->growth;
         if (speed > 0.0 && (c->slowest == 0.0 || speed < c->slowest))
             c->slowest = speed;

@@ -18,6 +18,26 @@ enum {
     MOST_MODES = 32,      /* of one configuration */
 };
 
+/* The number of states is known to the compiler in the bodies made for it. */
+#if defined(__GNUC__)
+#define INLINED static inline __attribute__((always_inline))
+#else
+#define INLINED static inline
+#endif
+
+/* The lowest boundary of a set that is not empty. */
+static inline int lowest(uint32_t set)
+{
+#if defined(__GNUC__)
+    return __builtin_ctz(set);
+#else
+    int found = 0;
+    while (!(set >> found & 1))
+        ++found;
+    return found;
+#endif
+}
+
 /* Integers; every `start` has one entry more than there are owners. */
 typedef struct {
     int states, configurations, rows, resets, modes, functions, boundaries, transitions, pairs;

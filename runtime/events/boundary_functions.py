@@ -62,7 +62,16 @@ class Ends:
 
 
 def ends_of(waves: PhaseWaves) -> Ends:
-    """Values at both ends of a phase."""
+    """Values at both ends of a phase.
+
+    Parameters
+    ----------
+    waves : PhaseWaves
+
+    Returns
+    -------
+    Ends
+    """
     points, coefficients = np.arange(len(waves.durations)), waves.coefficients[:2]
     functions = [waves.basis(points, part * waves.durations) for part in (0.0, 0.3, 0.6, 1.0)]
     # what is zero at an end would be small there: its size is what it is elsewhere
@@ -79,7 +88,20 @@ def ends_of(waves: PhaseWaves) -> Ends:
 
 
 def interior_maxima(waves: PhaseWaves) -> tuple[np.ndarray, np.ndarray]:
-    """Largest local maximum inside the phase, and its time; arrays (k, b), NaN for none."""
+    """Largest local maximum inside the phase, and its time; arrays (k, b), NaN for none.
+
+    Newton's method, kept within a bracket by bisection, finds the zeros of the rates.
+
+    Parameters
+    ----------
+    waves : PhaseWaves
+
+    Returns
+    -------
+    largest : array (k, b)
+    time : array (k, b)
+        In the system's unit of time.
+    """
     count, boundaries = waves.coefficients.shape[1:3]
     angle = waves.fastest * float(np.max(waves.durations, initial=0.0))
     cells = int(min(_LEAST_CELLS + _CELLS_PER_RADIAN * angle, _MOST_CELLS))

@@ -15,16 +15,16 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import Located, dot
-from nonsmooth.runtime.model.contacts.law import HOLDING, Event, Law, Regimes
+from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law, Regimes
 from nonsmooth.runtime.model.contacts.stages import Path, Stage, requirements
 from nonsmooth.runtime.model.quasi_polynomials import UNIT
 
-__all__ = ["Chooser", "Outcome"]
+__all__ = ["Chooser", "ContactOutcome"]
 
 _SWEEPS = 200  # of the iteration that guesses what holds
 
 
-class Outcome(NamedTuple):
+class ContactOutcome(NamedTuple):
     """What follows an event: one path, or several where the law leaves it open.
 
     Attributes
@@ -62,10 +62,21 @@ class Chooser:
     law: Law
     fields: np.ndarray
     rows: np.ndarray
-    _known: dict[tuple[Event, Stage], _Signs | None] = field(default_factory=dict)
+    _known: dict[tuple[ContactEvent, Stage], _Signs | None] = field(default_factory=dict)
 
-    def outcome(self, event: Event, at: Located) -> Outcome:
-        """What follows an event."""
+    def outcome(self, event: ContactEvent, at: Located) -> ContactOutcome:
+        """What follows an event.
+
+        Parameters
+        ----------
+        event : ContactEvent
+        at : Located
+            The state, extended by 1.
+
+        Returns
+        -------
+        ContactOutcome
+        """
         ways = dict.fromkeys(self._ways(event, event.reached, (), at))
         targets = {path: self.law.configuration(path[-1].regimes, event.others) for path in ways}
         existing = {path: target for path, target in targets.items() if target is not None}
@@ -80,10 +91,10 @@ class Chooser:
         if not found:
             found = existing
         by_target = {target: path for path, target in reversed(found.items())}
-        return Outcome(tuple(by_target), tuple(by_target.values()))
+        return ContactOutcome(tuple(by_target), tuple(by_target.values()))
 
     def _ways(
-        self, event: Event, reached: frozenset[int], behind: Path, at: Located
+        self, event: ContactEvent, reached: frozenset[int], behind: Path, at: Located
     ) -> Iterator[Path]:
         """Paths that no sign contradicts: what slips gets its kinetic limit, till none is added."""
         for regimes in self._solutions(event, reached, at):
@@ -98,7 +109,9 @@ class Chooser:
             else:
                 yield from self._ways(event, reached | slipping, path, at)
 
-    def _solutions(self, event: Event, reached: frozenset[int], at: Located) -> list[Regimes]:
+    def _solutions(
+        self, event: ContactEvent, reached: frozenset[int], at: Located
+    ) -> list[Regimes]:
         """Regimes of all contacts that solve one step; several where some are tied."""
         guess = self._guess(event, reached, at)
         tied = self._tied(event, Stage(reached, guess), at)
@@ -116,7 +129,7 @@ class Chooser:
             if self._tied(event, Stage(reached, regimes), at) is not None
         ]
 
-    def _tied(self, event: Event, stage: Stage, at: Located) -> frozenset[int] | None:
+    def _tied(self, event: ContactEvent, stage: Stage, at: Located) -> frozenset[int] | None:
         """Contacts of a step whose functions are zero within rounding; None if it is wrong."""
         signs = self._signs(event, stage)
         if signs is None:
@@ -128,14 +141,14 @@ class Chooser:
             return None
         return frozenset(signs.contacts[zero].tolist())
 
-    def _signs(self, event: Event, stage: Stage) -> _Signs | None:
+    def _signs(self, event: ContactEvent, stage: Stage) -> _Signs | None:
         """The requirements of a step in numbers; None for regimes that do not go together."""
         key = event, stage
         if key not in self._known:
             self._known[key] = self._derived(event, stage)
         return self._known[key]
 
-    def _derived(self, event: Event, stage: Stage) -> _Signs | None:
+    def _derived(self, event: ContactEvent, stage: Stage) -> _Signs | None:
         if self.law.configuration(stage.regimes, event.others) is None:
             return None
         needed = requirements(self.law, event, stage, self._entry)
@@ -153,7 +166,7 @@ class Chooser:
     def _entry(self, row: int) -> float:
         return float(self.rows[row, -1])
 
-    def _consistent(self, event: Event, path: Path, target: int, at: Located) -> bool:
+    def _consistent(self, event: ContactEvent, path: Path, target: int, at: Located) -> bool:
         """Whether each step's functions have their signs along the flow of the target."""
         for stage in path:
             signs = self._signs(event, stage)
@@ -164,7 +177,7 @@ class Chooser:
                 return False
         return True
 
-    def _guess(self, event: Event, reached: frozenset[int], at: Located) -> Regimes:
+    def _guess(self, event: ContactEvent, reached: frozenset[int], at: Located) -> Regimes:
         """Regimes by the forces that minimise the quadratic form in their box, one by one."""
         law, resting, regimes = self.law, event.resting, list(event.regimes)
         values = (self.rows @ at.state).tolist()

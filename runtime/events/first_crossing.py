@@ -54,14 +54,34 @@ class Series:
         ]
 
     def bend(self, t: float) -> float:
-        """Bound on |g''| over [0, t]: small near a root of high order."""
+        """Bound on |g''| over [0, t]: small near a root of high order.
+
+        Parameters
+        ----------
+        t : float
+            At least 0. In the system's unit of time.
+
+        Returns
+        -------
+        float
+        """
         total = 0.0
         for c in self._curvature:
             total = total * t + abs(c)
         return total * float(t ** max(self.order - 2, 0)) * (1 + 2.0**-20)
 
     def jet(self, t: float) -> Jet:
-        """Values of g, g' and g'' at t, and the error of g."""
+        """Values of g, g' and g'' at t, and the error of g.
+
+        Parameters
+        ----------
+        t : float
+            At least 0. In the system's unit of time.
+
+        Returns
+        -------
+        value, slope, curvature, error : float
+        """
         value = slope = curvature = error = 0.0
         for c in self._value:
             value = value * t + c
@@ -88,7 +108,17 @@ class Start(NamedTuple):
 
     @classmethod
     def of(cls, function: QuasiPolynomial) -> Start:
-        """Judge by the first derivative that is nonzero beyond its error."""
+        """Judge by the first derivative that is nonzero beyond its error.
+
+        Parameters
+        ----------
+        function : QuasiPolynomial
+            g.
+
+        Returns
+        -------
+        Start
+        """
         enough = sum(2 * len(p) for p in function.polynomials)
         enough += sum(len(chain.coefficients) for chain in function.chains)
         values, errors = function.taylor(max(ORDERS, enough))
@@ -146,11 +176,16 @@ def first_crossing(
     ----------
     function : QuasiPolynomial
     window : float
-        At most LONGEST_WAIT / max |lambda|, which is inf for polynomials.
+        At most LONGEST_WAIT / max |lambda|, which is inf for polynomials. In the system's unit of
+        time.
     reached : bool
         A maximum within rounding of zero counts.
     start : Start, optional
         A judgement made elsewhere.
+
+    Returns
+    -------
+    Crossing
 
     Raises
     ------
@@ -158,6 +193,12 @@ def first_crossing(
         For a negative or longer window.
     OverflowError
         Where g is not finite, or no step gets on.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
+    >>> first_crossing(QuasiPolynomial((0j,), ((-1 + 0j, 1 + 0j),)), 3.0).time
+    1.0
     """
     fastest = function.fastest
     if not (window >= 0 and (not fastest or window <= LONGEST_WAIT / fastest * (1 + 1e-12))):

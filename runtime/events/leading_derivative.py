@@ -85,6 +85,10 @@ def leading(
     first : int
         Derivatives of lower order are known to be zero.
 
+    Returns
+    -------
+    Leading or None
+
     Examples
     --------
     >>> leading([0.0, -2.0, 5.0], lambda order, value: (value > 0) - (value < 0))
@@ -111,18 +115,40 @@ def derivatives(
         How many. Where N + 1 of them are zero, so are all others.
     product : callable
         A row times the field.
+
+    Yields
+    ------
+    row
     """
     return islice(accumulate(repeat(field), product, initial=row), count)
 
 
 def square(field: np.ndarray) -> np.ndarray:
-    """Append the rate of 1, which is 0, to a field (..., N, N + 1)."""
+    """Append the rate of 1, which is 0, to a field (..., N, N + 1).
+
+    Parameters
+    ----------
+    field : array (..., N, N + 1)
+
+    Returns
+    -------
+    array (..., N + 1, N + 1)
+    """
     below = np.zeros_like(field[..., :1, :])
     return np.concatenate([field, below], axis=-2)
 
 
 def dot(row: Iterable[Any], vector: Iterable[Any]) -> Any:
-    """Sum of products."""
+    """Sum of products.
+
+    Parameters
+    ----------
+    row, vector : iterable of number
+
+    Returns
+    -------
+    number
+    """
     return sum(map(mul, row, vector))
 
 
@@ -160,6 +186,10 @@ class Located(NamedTuple):
         bounds : sequence of rows
             Sums of absolute values behind their entries.
         first : int
+
+        Returns
+        -------
+        Leading or None
         """
 
         def sign(order: int, row: Sequence[Any]) -> int:
@@ -177,6 +207,17 @@ class Located(NamedTuple):
         """Signs (k,) of the leading derivatives of functions (k, N + 1) along a field, 0 for none.
 
         As `leading`, for functions that no table holds: one product for all of them.
+
+        Parameters
+        ----------
+        rows : array (k, N + 1)
+        bounds : array (k, N + 1)
+            Sums of absolute values behind the entries of the rows.
+        field : array (N, N + 1)
+
+        Returns
+        -------
+        array (k,) of int
         """
         matrix = square(field)
 
@@ -202,6 +243,11 @@ def leading_signs(judged: Iterable[tuple[np.ndarray, np.ndarray]]) -> np.ndarray
     ----------
     judged : iterable of (array, array)
         Values and their errors, from order 0 on.
+
+    Returns
+    -------
+    array of int
+        -1, 0 or 1, of the shape of the values.
     """
     signs: np.ndarray | None = None
     for values, errors in judged:

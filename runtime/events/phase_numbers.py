@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import ORDERS
 from nonsmooth.runtime.events.leading_derivative import derivatives, dot, square
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.quasi_polynomials import Chain, QuasiPolynomial, wave
-from nonsmooth.runtime.model.time_functions import chains, function_bounds, functions_at
+from nonsmooth.runtime.model.quasi_polynomials import Chain, QuasiPolynomial
+from nonsmooth.runtime.model.time_functions import chains, factors_at
 
 __all__ = ["BoundaryTable", "Clock", "ConfigurationTable", "Row", "orders", "rows_of"]
 
@@ -20,12 +18,34 @@ Row = tuple[float, ...]
 
 
 def rows_of(array: np.ndarray) -> list[Row]:
-    """Rows of an array as Python numbers."""
+    """Rows of an array as Python numbers.
+
+    Parameters
+    ----------
+    array : array (n, m)
+
+    Returns
+    -------
+    list of tuple of float
+    """
     return [tuple(row) for row in array.tolist()]
 
 
 def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], list[Row]]:
-    """An affine function's derivatives along a field, order by order, and their sizes."""
+    """An affine function's derivatives along a field, order by order, and their sizes.
+
+    Parameters
+    ----------
+    row : array (N + 1,)
+    field : array (N, N + 1)
+    count : int
+        Derivatives, the function itself among them.
+
+    Returns
+    -------
+    values, sizes : list of tuple of float
+        Rows of N + 1 numbers.
+    """
     matrix = square(field)
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite judges no start
         values = list(derivatives(row, matrix, count))
@@ -75,7 +95,20 @@ class ConfigurationTable:
     def function(
         self, boundary: BoundaryTable, state: list[float], size: list[float]
     ) -> QuasiPolynomial:
-        """A boundary function in time, from an extended state and its absolute values."""
+        """A boundary function in time, from an extended state and its absolute values.
+
+        Parameters
+        ----------
+        boundary : BoundaryTable
+        state : list of float
+            N + 1 numbers. In the system's units.
+        size : list of float
+            N + 1 numbers, at least 0.
+
+        Returns
+        -------
+        QuasiPolynomial
+        """
         values = [dot(row, state) for row in boundary.values]
         sizes = [dot(row, size) for row in boundary.sizes]
         exponents, polynomials, weights, joined = [], [], [], []
@@ -105,64 +138,52 @@ class ConfigurationTable:
         return QuasiPolynomial(tuple(exponents), tuple(polynomials), tuple(weights), tuple(joined))
 
     def after(self, state: list[float], t: float) -> list[float]:
-        """The extended state a time t later."""
+        """The extended state a time t later.
+
+        Parameters
+        ----------
+        state : list of float
+            N + 1 numbers. In the system's units.
+        t : float
+            In the system's unit of time.
+
+        Returns
+        -------
+        list of float
+            N + 1 numbers.
+        """
         if t == 0:
             return state
         # over a short time by what changes, which keeps its relative accuracy
         short = t * self.fastest <= _SHORT
         result = state[:-1] if short else [0.0] * (len(state) - 1)
-        for factor, _, place in self._factors(t, short):
+        for factor, _, place in factors_at(self.modes, self.chains, t, changes=short):
             for i, row in enumerate(self.flow[place]):
                 result[i] += factor * dot(row, state)
         return [*result, 1.0]
 
     def magnitudes(self, size: list[float], t: float) -> list[float]:
-        """Sums of absolute values that make up the extended state a time t later."""
+        """Sums of absolute values that make up the extended state a time t later.
+
+        Parameters
+        ----------
+        size : list of float
+            Absolute values of the N + 1 numbers now.
+        t : float
+            In the system's unit of time.
+
+        Returns
+        -------
+        list of float
+            N + 1 numbers.
+        """
         if self.bounded:
             return [*(dot(row, size) for row in self.total), 1.0]
         result = [0.0] * (len(size) - 1)
-        for _, weight, place in self._factors(t):
+        for _, weight, place in factors_at(self.modes, self.chains, t):
             for i, row in enumerate(self.sizes[place]):
                 result[i] += weight * dot(row, size)
         return [*result, 1.0]
-
-    def _factors(self, t: float, changes: bool = False) -> list[tuple[float, float, int]]:
-        """Values of the functions of time, or their changes since 0, with weights and places.
-
-        As `functions_at`, for one time: the rounding of the angle is taken in.
-        """
-        found = []
-        for first, end, chain in self.chains:
-            exponent, mode = self.modes[first]
-            growth, power = math.exp(exponent.real * t), 1.0
-            turn = wave(exponent, t)
-            change = turn
-            if changes:
-                half = math.sin(exponent.imag * t / 2)
-                decay = math.expm1(exponent.real * t)
-                change = complex(decay * turn.real / growth - 2 * half * half, turn.imag)
-            if chain:
-                shapes = [shape for _, shape in self.modes[first:end]]
-                values, bounds = (
-                    list(map(float, part))
-                    for part in (
-                        functions_at(shapes, self.exponents[first:end], t),
-                        function_bounds(shapes, self.exponents[first:end], t, t),
-                    )
-                )
-                values[0] = change.real
-                if mode.oscillates and not mode.paired:
-                    values[1] = change.imag
-                begin = mode.places[0]
-                found += list(zip(values, bounds, range(begin, begin + len(values)), strict=True))
-                continue
-            step = 2 if mode.oscillates else 1
-            for place in mode.places[::step]:
-                found.append((power * change.real, power * growth, place))
-                if mode.oscillates:
-                    found.append((power * change.imag, power * growth, place + 1))
-                power, change = power * t, turn
-        return found
 
 
 class Clock:
@@ -172,7 +193,15 @@ class Clock:
         self.time, self.rest = 0.0, 0.0
 
     def advance(self, step: float) -> None:
-        """Let a time pass."""
+        """Let a time pass.
+
+        What a sum loses to rounding is kept (Knuth, 1969).
+
+        Parameters
+        ----------
+        step : float
+            In the system's unit of time.
+        """
         total = self.time + step
         part = total - self.time
         lost = (self.time - (total - part)) + (step - part)
@@ -181,5 +210,15 @@ class Clock:
         self.rest = rest - (self.time - total)
 
     def before(self, until: float) -> float:
-        """What is left until a time."""
+        """What is left until a time.
+
+        Parameters
+        ----------
+        until : float
+            In the system's unit of time.
+
+        Returns
+        -------
+        float
+        """
         return (until - self.time) - self.rest

@@ -14,10 +14,10 @@ from typing import Any, Literal, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
-from nonsmooth.runtime.events.contact_choice import Chooser, Outcome
+from nonsmooth.runtime.events.contact_choice import Chooser, ContactOutcome
 from nonsmooth.runtime.events.leading_derivative import Located, Undecided
 from nonsmooth.runtime.events.phase_numbers import Row, orders
-from nonsmooth.runtime.model.contacts.law import Event
+from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.quasi_polynomials import UNIT
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
@@ -63,13 +63,42 @@ class Judge(Protocol):
     """
 
     def sign(self, row: int, along: int) -> int:
-        """Sign of the leading derivative of a row along a configuration's field, 0 for none."""
+        """Sign of the leading derivative of a row along a configuration's field, 0 for none.
+
+        Parameters
+        ----------
+        row : int
+        along : int
+            A configuration.
+
+        Returns
+        -------
+        int
+        """
 
     def agree(self, resets: Sequence[int]) -> bool:
-        """Whether resets lead to one state."""
+        """Whether resets lead to one state.
 
-    def targets(self, event: Event) -> tuple[int, ...]:
-        """Configurations that may follow by the contact law."""
+        Parameters
+        ----------
+        resets : sequence of int
+
+        Returns
+        -------
+        bool
+        """
+
+    def targets(self, event: ContactEvent) -> tuple[int, ...]:
+        """Configurations that may follow by the contact law.
+
+        Parameters
+        ----------
+        event : ContactEvent
+
+        Returns
+        -------
+        tuple of int
+        """
 
 
 class _Conditional(Protocol):
@@ -123,6 +152,10 @@ def choose(structure: Structure, source: int, boundaries: frozenset[int], judge:
         The configuration in which they are reached.
     boundaries : frozenset of int
     judge : Judge
+
+    Returns
+    -------
+    Choice
     """
     # routes of the law are listed for one orbit: the law itself tells them
     shapes = [t for t in structure.listed(source, boundaries) if t.path is None]
@@ -191,7 +224,9 @@ class Decider:
         assert law is not None
         return Chooser(law, self.fields, self.rows)
 
-    def beginnings(self, configuration: int, state: np.ndarray, resting: np.ndarray) -> Outcome:
+    def beginnings(
+        self, configuration: int, state: np.ndarray, resting: np.ndarray
+    ) -> ContactOutcome:
         """Configurations that a start with contacts at rest may belong to.
 
         Parameters
@@ -199,15 +234,30 @@ class Decider:
         configuration : int
             One whose boundaries the state has not passed.
         state : array (N + 1,)
+            In the system's units.
         resting : array of bool
             Contacts of the law at rest.
+
+        Returns
+        -------
+        ContactOutcome
         """
         event = self._chooser.law.beginning(configuration, np.flatnonzero(resting).tolist())
         known = Located(state, abs(state), np.zeros(len(state)), 0.0)
         return self._chooser.outcome(event, known)
 
-    def outcome(self, event: Event, at: Located) -> Outcome:
-        """What the law says of an event of coupled contacts."""
+    def outcome(self, event: ContactEvent, at: Located) -> ContactOutcome:
+        """What the law says of an event of coupled contacts.
+
+        Parameters
+        ----------
+        event : ContactEvent
+        at : Located
+
+        Returns
+        -------
+        ContactOutcome
+        """
         return self._chooser.outcome(event, at)
 
     def located(
@@ -216,6 +266,21 @@ class Decider:
         """A state (N + 1,) that a configuration led to, and how well it is known.
 
         By default what is behind its coordinates is no larger than they are.
+
+        Parameters
+        ----------
+        source : int
+            The configuration.
+        state : array (N + 1,)
+            In the system's units.
+        error : number
+            Of the time.
+        sizes : array (N + 1,), optional
+            Sums of absolute values behind the coordinates.
+
+        Returns
+        -------
+        Located
         """
         moved = np.append(error * (self.fields[source] @ state), 0.0)
         return Located(state, abs(state) if sizes is None else sizes, moved, error, self.unit)
@@ -236,11 +301,27 @@ class Decider:
         at : Located
         zero : frozenset of int
             Rows that are zero there, whatever rounding makes of them.
+
+        Returns
+        -------
+        Choice
         """
         return choose(self.structure, source, boundaries, _AtEvent(self, at, zero))
 
     def pair(self, row: int, along: int) -> tuple[list[Row], list[Row]]:
-        """A row with its derivatives along a configuration's field, and their sizes."""
+        """A row with its derivatives along a configuration's field, and their sizes.
+
+        Parameters
+        ----------
+        row : int
+        along : int
+            A configuration.
+
+        Returns
+        -------
+        values, sizes : list of tuple
+            N + 2 rows of N + 1 numbers.
+        """
         if (row, along) not in self._pairs:
             own = self.rows[row]
             self._pairs[row, along] = orders(own, self.fields[along], len(own) + 1)
@@ -265,7 +346,7 @@ class _AtEvent(NamedTuple):
         apart = images.max(axis=0) - images.min(axis=0)
         return bool((apart <= _ROUNDINGS * self.at.unit * sizes).all())
 
-    def targets(self, event: Event) -> tuple[int, ...]:
+    def targets(self, event: ContactEvent) -> tuple[int, ...]:
         return self.decider.outcome(event, self.at).targets
 
 
@@ -281,6 +362,12 @@ def batch_decider(
         Fields, rows and resets come first.
     options : list
         Gets the options of events that are ambiguous, and a mask of their boundaries.
+
+    Returns
+    -------
+    callable or None
+        From a point, configuration, mask of boundaries, state, sizes and error to a status,
+        target and reset.
     """
     if structure.law is None and not any(t.order for found in structure.transitions for t in found):
         return None

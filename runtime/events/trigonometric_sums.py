@@ -4,35 +4,22 @@ Inside a configuration a boundary function along the orbit is
 
     g(t) = a0 + a1 t + sum_j [ c_j cos(w_j t) + s_j sin(w_j t) ].
 
-Closed bounds on its derivatives see to it that nothing hides between two samples.
+Closed bounds on its derivatives see to it that nothing hides between two samples. They hold at
+all times, so a maximum can be guaranteed too: derived kernels ask for that, and for nothing that
+`quasi_polynomials` has beside it; functions along motions with decay are `linear_motions`.
 """
 
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from operator import itemgetter
-from typing import Any, NamedTuple, overload
+from typing import Any, Self, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.events.guaranteed_maxima import LONGEST_PHASE, CurveSamples, Maximum, largest
 from nonsmooth.runtime.events.leading_derivative import leading
-
-LONGEST_PHASE = 1e5  # radians of the fastest oscillation; the compiled search's number
-
-
-class Maximum(NamedTuple):
-    """The maximum of a boundary function and the time at which it is attained."""
-
-    value: float
-    time: float
-
-
-class _Samples(NamedTuple):
-    value: Any
-    time: Any
-    slope: Any
 
 
 @dataclass(frozen=True)
@@ -48,7 +35,7 @@ class TrigonometricSum:
 
     Raises
     ------
-    ValueError
+    InputError
         If the tuples differ in length, a number is not finite or a frequency is negative.
     """
 
@@ -78,110 +65,131 @@ class TrigonometricSum:
         return value
 
     def derivative(self) -> "TrigonometricSum":
-        """Return g' as a sum of the same kind."""
+        """Return g' as a sum of the same kind.
+
+        Returns
+        -------
+        TrigonometricSum
+        """
         cosine = tuple(s * w for _, s, w in self.terms())
         sine = tuple(-c * w for c, _, w in self.terms())
         return TrigonometricSum(self.slope, 0.0, cosine, sine, self.frequency)
 
     def curvature_bound(self) -> float:
-        """Return M = sum_j sqrt(c_j^2 + s_j^2) w_j^2: |g''(t)| <= M for every t."""
+        """Return M = sum_j sqrt(c_j^2 + s_j^2) w_j^2: |g''(t)| <= M for every t.
+
+        Returns
+        -------
+        float
+        """
         return sum((math.hypot(c, s) * w * w for c, s, w in self.terms()), 0.0)
 
+    def raised(self, by: float) -> Self:
+        """Return g and a constant.
+
+        Parameters
+        ----------
+        by : float
+
+        Returns
+        -------
+        TrigonometricSum
+        """
+        return replace(self, constant=self.constant + by)
+
     def rounding(self, duration: float) -> float:
-        """Return 32 eps (|a0| + |a1| T + sum (|c| + |s|)(1 + w T)): g's rounding over [0, T]."""
+        """Return 32 eps (|a0| + |a1| T + sum (|c| + |s|)(1 + w T)): g's rounding over [0, T].
+
+        Parameters
+        ----------
+        duration : float
+            T, nondimensional.
+
+        Returns
+        -------
+        float
+        """
         waves = sum((abs(c) + abs(s)) * (1 + w * duration) for c, s, w in self.terms())
         return 2.0**-47 * (abs(self.constant) + abs(self.slope) * duration + waves)
 
     def rises(self, noise: float) -> bool:
-        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise."""
+        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise.
+
+        Parameters
+        ----------
+        noise : float
+
+        Returns
+        -------
+        bool
+        """
         slope = self.slope + sum(s * w for _, s, w in self.terms())
         size = abs(self.slope) + sum((abs(c) + abs(s)) * w for c, s, w in self.terms())
         return slope > 2.0**-47 * size + max(self.frequency, default=0.0) * noise
 
+    @property
+    def fastest(self) -> float:
+        """Largest frequency."""
+        return max(self.frequency, default=0.0)
+
+    def maximum(self, duration: float, floor: float = -math.inf) -> Maximum:
+        """Return the guaranteed maximum over [0, duration].
+
+        Parameters
+        ----------
+        duration : float
+            Length T of the window, nondimensional.
+        floor : float
+            Value above which a maximum matters; -inf asks for the global maximum.
+
+        Returns
+        -------
+        Maximum
+            max(floor, max g) and the time where it is attained; where g stays at or below the
+            floor, the floor and NaN. No value of g exceeds it by more than ``rounding(duration)``.
+
+        Raises
+        ------
+        InputError
+            If a number is NaN, the duration negative or longer than 1e5 / max w, or g overflows.
+
+        Examples
+        --------
+        >>> TrigonometricSum(0.0, 0.0, (1.0,), (0.0,), (2.0,)).maximum(4.0)
+        Maximum(value=1.0, time=0.0)
+        """
+        cells = 1 + int(_phase(self, duration) / 0.6)
+        if math.isnan(floor):
+            raise InputError("the floor must be a number, not NaN")
+        width = duration / cells
+        excess = sum((abs(c) + abs(s)) * (w * width) ** 4 for c, s, w in self.terms()) / 144
+        slope = self.derivative()
+        curvature = slope.derivative()
+        time = np.linspace(0.0, duration, cells + 1)
+        return largest(
+            CurveSamples(self(time), time, slope(time)),
+            np.full(cells, excess),
+            lambda _: lambda t: (self(t), slope(t), curvature(t)),
+            self.rounding(duration) / 4,
+            floor,
+        )
+
     def terms(self) -> Iterator[tuple[float, float, float]]:
-        """Iterate over (c_j, s_j, w_j)."""
+        """Iterate over (c_j, s_j, w_j).
+
+        Yields
+        ------
+        c, s, w : float
+        """
         return zip(self.cosine, self.sine, self.frequency, strict=True)
-
-
-def maximum(function: TrigonometricSum, duration: float, floor: float = -math.inf) -> Maximum:
-    """Return the guaranteed maximum of a boundary function over [0, duration].
-
-    Parameters
-    ----------
-    function : TrigonometricSum
-        The boundary function g, nondimensional.
-    duration : float
-        Length T of the window, nondimensional.
-    floor : float
-        Value above which a maximum matters; -inf asks for the global maximum.
-
-    Returns
-    -------
-    Maximum
-        max(floor, max g) and the time where it is attained; where g stays at or below the floor,
-        the floor and NaN. No value of g exceeds it by more than ``function.rounding(duration)``.
-
-    Raises
-    ------
-    ValueError
-        If a number is NaN, the duration negative or longer than 1e5 / max w, or g overflows.
-    """
-    cells = 1 + int(_phase(function, duration) / 0.6)
-    if math.isnan(floor):
-        raise InputError("the floor must be a number, not NaN")
-    width = duration / cells
-    slack = function.rounding(duration) / 4
-    excess = sum((abs(c) + abs(s)) * (w * width) ** 4 for c, s, w in function.terms()) / 144
-    slope = function.derivative()
-    curvature = slope.derivative()
-    time = np.linspace(0.0, duration, cells + 1)
-    grid = np.array([function(time), time, slope(time)])
-    top = Maximum(*grid[:2, np.argmax(grid[0])].tolist())
-    best = max(Maximum(floor, math.nan), top, key=itemgetter(0))
-    upper = _upper(_Samples(*grid[:, :-1]), _Samples(*grid[:, 1:]), excess)
-    kept = np.flatnonzero(upper > best.value + slack)
-    ends = zip(grid[:, kept].T.tolist(), grid[:, kept + 1].T.tolist(), strict=True)
-    waiting = [(_Samples(*left), _Samples(*right), False) for left, right in ends]
-    splits = 0
-    while waiting:
-        left, right, polished = waiting.pop()
-        upper = _upper(left, right, excess * ((right.time - left.time) / width) ** 4)
-        if upper <= best.value + slack:
-            continue
-        middle = 0.5 * (left.time + right.time)
-        if splits == 8192 * cells:  # far more than any sum needs
-            best = Maximum(float(upper), middle)  # not attained, but safe
-            continue
-        # Split at a maximum both halves go at once; every second split bisects, lest Newton fail.
-        polished = not polished and left.slope > 0 > right.slope
-        for _ in range(8 if polished else 0):
-            newton = middle - slope(middle) / (curvature(middle) or math.inf)
-            middle = min(max(newton, left.time), right.time)
-        split = _Samples(function(middle), middle, slope(middle))
-        best = max(best, Maximum(split.value, middle), key=itemgetter(0))
-        waiting += [(split, right, polished), (left, split, polished)]
-        splits += 1
-    return best
 
 
 def _phase(function: TrigonometricSum, duration: float) -> float:
     """Return w T for the largest frequency, or raise where no guarantee can be given."""
-    phase = duration * max(function.frequency, default=0.0)
+    phase = duration * function.fastest
     if not (duration >= 0 and phase <= LONGEST_PHASE and function.rounding(duration) < 1e290):
         raise InputError(f"the duration {duration} is not within 0 and 1e5 / max w, or g overflows")
     return phase
-
-
-def _upper(left: _Samples, right: _Samples, excess: Any) -> Any:
-    """Bound g on cells by its cubic Hermite interpolant, as a quartic in Bernstein form.
-
-    It errs by at most M4 h^4/24 u^2 (1-u)^2 where |g^(4)| <= M4: that is M4 h^4/144, the excess,
-    times the middle Bernstein polynomial.
-    """
-    width = right.time - left.time
-    middle = 0.5 * (left.value + right.value) + width * (left.slope - right.slope) / 6 + excess
-    first, last = left.value + 0.25 * width * left.slope, right.value - 0.25 * width * right.slope
-    return np.maximum.reduce([left.value, first, middle, last, right.value])
 
 
 def first_crossing(function: TrigonometricSum, duration: float) -> float | None:
@@ -205,7 +213,7 @@ def first_crossing(function: TrigonometricSum, duration: float) -> float | None:
 
     Raises
     ------
-    ValueError
+    InputError
         If the duration is NaN, negative or longer than 1e5 / max w, or g overflows.
     """
     _phase(function, duration)

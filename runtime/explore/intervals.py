@@ -65,10 +65,21 @@ def admissible_intervals(
     points : int
         Of the grid.
 
+    Returns
+    -------
+    tuple of Interval
+        In increasing order, each end with the reason why it is one.
+
     Raises
     ------
     InputError
         For a wrong name, an empty range, or too few points.
+
+    Examples
+    --------
+    >>> (found,) = admissible_intervals("dry-friction/global-stick", "V", 0.8, 1.3, points=50)
+    >>> round(found.upper, 6), found.above
+    (1.200186, 'first-reaches-belt is crossed in slip-slip at t = 5.55662')
     """
     kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
 
@@ -108,6 +119,26 @@ def singular_values(
 
     They are the sign changes of the determinants of the linear equations that give it;
     arguments as for `admissible_intervals`.
+
+    Parameters
+    ----------
+    orbit : str
+        ``system/orbit``.
+    parameter : str
+        The one that varies, from `lower` to `upper`.
+    lower : float
+        In the unit of the parameter.
+    upper : float
+        In the unit of the parameter.
+    parameters : mapping of str to number, optional
+        The others; absent ones take the reference point's values.
+    points : int
+        Of the grid.
+
+    Returns
+    -------
+    tuple of float
+        In increasing order.
 
     Raises
     ------

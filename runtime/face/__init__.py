@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.continuation.locus import Locus
-    from nonsmooth.runtime.explore.finding.find import Found, find_orbits
+    from nonsmooth.runtime.explore.finding.find import find_orbits
+    from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep, sweep
     from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
@@ -126,7 +127,7 @@ _HOMES = {
     "Branch": "explore.continuation.branch",
     "Event": "explore.continuation.event",
     "EventCertificate": "proof.events.event_certificate",
-    "Found": "explore.finding.find",
+    "Found": "explore.finding.found",
     "InputError": "core.errors",
     "Interrupted": "core.errors",
     "Locus": "explore.continuation.locus",
@@ -199,6 +200,8 @@ register(
         "save_orbit": "present.files.orbits",
         "save_sweep": "present.files.sweeps",
         "save_trajectory": "present.files.motions",
+        "summary_html": "present.summaries",
+        "summary_text": "present.summaries",
         "saved_kernels": "present.files.named_entries",
     },
 )

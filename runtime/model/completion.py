@@ -92,7 +92,23 @@ class SystemPoint:
 
 
 def default_parameters(kernels: OrbitKernels) -> dict[str, str]:
-    """Parameters of the orbit's reference point, as decimal text."""
+    """Parameters of the orbit's reference point, as decimal text.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+
+    Returns
+    -------
+    dict of str to str
+        Empty for an orbit without a reference point.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_orbit
+    >>> default_parameters(load_orbit("dry-friction/symmetric"))
+    {'chi': '0.4', 'eta': '4', 'V': '0.6773', 'e2': '0.5'}
+    """
     reference = kernels.table["reference"]
     return dict(reference["parameters"]) if reference else {}
 
@@ -111,6 +127,11 @@ def complete(
     without : iterable of str
         Parameters that are to be solved for and take no value.
 
+    Returns
+    -------
+    Point
+        Exact values, in the units of the declaration.
+
     Raises
     ------
     InputError
@@ -118,6 +139,13 @@ def complete(
         contradict each other.
     NoConvergence
         If a parameter has a value with which there is no such orbit.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_orbit
+    >>> point = complete(load_orbit("dry-friction/symmetric"), {"eta": "1.02"})
+    >>> {name: value.text for name, value in point.values.items()}
+    {'chi': '0.4', 'eta': '1.02', 'V': '0.6773', 'e2': '0.5'}
     """
     if given:
         return _completed(kernels, given, set(without))
@@ -173,14 +201,16 @@ def _completed(kernels: OrbitKernels, given: Mapping[str, object], without: set[
     opened: dict[str, Value] = {}
     for table in (*kernels.open_parameters, *kernels.other_parameters):
         name = table.name
-        fixed = {*kernels.required, *kernels.solved_for}
-        if name in fixed or name in followers(kernels, {**point, **opened}):
+        if name not in known and name not in defaults:
             continue
-        if name not in known and name in defaults:  # of an orbit that was saved with it
+        if name in kernels.required or name in kernels.solved_for:
+            continue
+        if name in followers(kernels, {**point, **opened}):
+            continue
+        if name not in known:  # an orbit that was saved with it
             known[name] = parse(defaults[name])
             known |= _follow_exactly(kernels, known)
-        if name in known:
-            opened[name] = known[name]
+        opened[name] = known[name]
     for name, value in known.items():
         check_domain(tables[name], value)
     check_constraints(kernels.system, known)
@@ -199,6 +229,10 @@ def complete_system(
         Parameters and unknowns of the orbit, as `Point` has them; others may be among them.
     bounds : mapping of str to float, optional
         What open parameters have to exceed.
+
+    Returns
+    -------
+    SystemPoint
 
     Raises
     ------
@@ -221,6 +255,15 @@ def complete_system(
 def chosen_value(bound: float) -> Value:
     """The value of an open parameter that has to exceed a bound.
 
+    Parameters
+    ----------
+    bound : float
+
+    Returns
+    -------
+    Value
+        1 for a bound below 0.9, else 11/10 of the bound, rounded up to tenths.
+
     Examples
     --------
     >>> [chosen_value(bound).text for bound in (0.0, 0.7228, 0.95, 3.0)]
@@ -230,13 +273,39 @@ def chosen_value(bound: float) -> Value:
 
 
 def left_open(kernels: OrbitKernels) -> tuple[str, ...]:
-    """Parameters of the system that its orbit's equations do not fix, in the system's order."""
+    """Parameters of the system that its orbit's equations do not fix, in the system's order.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+
+    Returns
+    -------
+    tuple of str
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_orbit
+    >>> left_open(load_orbit("dry-friction/symmetric"))
+    ('us1', 'ur1', 'us2', 'ur2')
+    """
     fixed = {*kernels.parameter_names, *kernels.required}
     return tuple(t.name for t in kernels.system.parameters if t.name not in fixed)
 
 
 def followers(kernels: OrbitKernels, known: Iterable[str]) -> dict[str, Terms]:
-    """What follows from known names: the multiples of them that sum up to each, in order."""
+    """What follows from known names: the multiples of them that sum up to each, in order.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    known : iterable of str
+
+    Returns
+    -------
+    dict of str to dict
+        For each name that follows, the factor of each known name in its sum.
+    """
     return _followers(kernels, frozenset(known)) if kernels.combined else {}
 
 
@@ -252,6 +321,11 @@ def follow(
     number : callable
         Makes the factor of a number from a fraction.
 
+    Returns
+    -------
+    dict of str to number
+        Of the names that follow alone.
+
     Examples
     --------
     >>> from nonsmooth.runtime.model.kernels import load_orbit
@@ -266,13 +340,18 @@ def follow(
 def check_relations(kernels: OrbitKernels, values: Mapping[str, Value]) -> None:
     """Check the relations of which all parameters, or all but the sum, have values.
 
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    values : mapping of str to Value
+
     Raises
     ------
     InputError
         Names the values that contradict each other, or lead out of a domain.
     """
     for name, terms in kernels.combined.items():
-        if not all(term in values for term in terms):
+        if not terms.keys() <= values.keys():
             continue
         total = _exact_sum([(Fraction(factor), values[term]) for term, factor in terms.items()])
         text = f"{_sum_text(terms)} = {float(total)!r}"
@@ -290,6 +369,16 @@ def check_relations(kernels: OrbitKernels, values: Mapping[str, Value]) -> None:
 def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
     """All parameters of a system, checked, in its order.
 
+    Parameters
+    ----------
+    kernels : SystemKernels
+    given : mapping of str to object
+        Numbers, texts or Values, of all parameters.
+
+    Returns
+    -------
+    dict of str to Value
+
     Raises
     ------
     InputError
@@ -304,7 +393,19 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
 
 
 def check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
-    """Refuse names that are no parameters of a system."""
+    """Refuse names that are no parameters of a system.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    given : iterable of str
+        A mapping or a sequence: it is gone through more than once.
+
+    Raises
+    ------
+    InputError
+        For an unknown or a missing name.
+    """
     names = [p.name for p in kernels.parameters]
     for name in given:
         if name not in names:
@@ -318,10 +419,10 @@ def _check_free(
     kernels: OrbitKernels, values: Mapping[str, Value], without: Collection[str]
 ) -> None:
     """Refuse values that would fix, or only seem to fix, a sum that is to be solved for."""
-    opened = {p.name for p in kernels.open_parameters}
     for name, terms in kernels.combined.items():
         if name not in without:
             continue
+        opened = {p.name for p in kernels.open_parameters}
         if all(term in values for term in terms):
             raise InputError(f"parameter {name} is to be solved for, but {', '.join(terms)} fix it")
         for term in terms:

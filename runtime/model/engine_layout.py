@@ -24,6 +24,16 @@ MOST_STATES, MOST_BOUNDARIES, MOST_FUNCTIONS, MOST_MODES = 16, 31, 64, 32
 def layout_of(structure: Structure) -> np.ndarray:
     """All that does not depend on parameters, as int32.
 
+    Parameters
+    ----------
+    structure : Structure
+        With modes.
+
+    Returns
+    -------
+    array (size,) of int32
+        It is read-only.
+
     Raises
     ------
     InputError
@@ -87,7 +97,16 @@ def layout_of(structure: Structure) -> np.ndarray:
 
 
 def numbers_of(system: PiecewiseLinear) -> np.ndarray:
-    """Fields, rows, resets, exponents and flows of one point, flat, in double precision."""
+    """Fields, rows, resets, exponents and flows of one point, flat, in double precision.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+
+    Returns
+    -------
+    array (size,)
+    """
     parts = (system.fields, system.rows, system.resets, *system.exponents, *system.flows)
     return np.concatenate([np.asarray(part, dtype=float).ravel() for part in parts])
 

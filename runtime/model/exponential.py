@@ -23,6 +23,7 @@ def exponential(field: np.ndarray, time: Any, mp: Any) -> np.ndarray:
     field : array (N, N + 1) of mpmath numbers or integers
         A, then b.
     time : mpmath number
+        In the system's unit of time.
     mp : context of mpmath
         The result is good to its precision.
 

@@ -11,7 +11,19 @@ __all__ = ["flow_states", "functions_of"]
 
 
 def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
-    """Functions of time of a configuration: an array (n,) of times gives (n, functions)."""
+    """Functions of time of a configuration: an array (n,) of times gives (n, functions).
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    configuration : int
+    times : array (n,)
+        In the system's unit of time.
+
+    Returns
+    -------
+    array (n, functions)
+    """
     shapes = system.structure.shapes[configuration]
     return np.stack(functions_at(shapes, system.exponents[configuration], times), axis=-1)
 
@@ -23,8 +35,12 @@ def flow_states(
 
     Parameters
     ----------
+    system : PiecewiseLinear
+    configuration : int
     times : array (n,)
+        In the system's unit of time.
     starts : array (n, N) or (N,)
+        In the system's units.
 
     Returns
     -------

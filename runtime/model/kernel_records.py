@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from types import ModuleType
 from typing import Any
 
 import numpy as np
-from scipy.linalg import expm
 
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.core.vectorised import vectorised
+from nonsmooth.runtime.core.vectorised import vectorised, with_entries
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
 
@@ -82,6 +81,14 @@ class SystemKernels:
     module: ModuleType
     compiled: ModuleType | None
 
+    def __hash__(self) -> int:
+        """Hash that is computed once: caches are keyed by systems on every path."""
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.name, self.module, self.compiled))
+
     @property
     def built_in(self) -> bool:
         """Whether this is one of the systems that the package brings along."""
@@ -109,13 +116,33 @@ class SystemKernels:
         return int(self.module.KERNELS["rows"][1][0][0])
 
     def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel over any arithmetic: takes its arrays as sequences, and ``lib``."""
+        """A kernel over any arithmetic: takes its arrays as sequences, and ``lib``.
+
+        Parameters
+        ----------
+        kernel : str
+
+        Returns
+        -------
+        callable
+        """
         function: Callable[..., Any] = getattr(self.module, kernel)
         return function
 
     def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel in double precision, broadcast over leading axes."""
-        return self._callable(kernel)(*arrays)
+        """A kernel in double precision, broadcast over leading axes.
+
+        Parameters
+        ----------
+        kernel : str
+        *arrays : array
+            The kernel's arguments, in double precision.
+
+        Returns
+        -------
+        array or tuple of array
+        """
+        return self.function(kernel)(*arrays)
 
     def flow(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
         """State after a time in one configuration; physical coordinates, nondimensional.
@@ -127,6 +154,10 @@ class SystemKernels:
             In the order of `parameters`.
         time : array (...)
         state : array (..., N)
+
+        Returns
+        -------
+        array (..., N)
 
         Raises
         ------
@@ -146,6 +177,8 @@ class SystemKernels:
 
     def _exponential(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
         """Flow without a closed form: exp(t [[A, b], [0, 0]]) takes (y, 1) along."""
+        from scipy.linalg import expm
+
         size, place = len(self.table["states"]), self.configurations.index(configuration)
         fields = self.evaluate("fields", parameters)
         field = fields[..., place * size : (place + 1) * size, :]
@@ -155,14 +188,22 @@ class SystemKernels:
         propagator = expm(matrix * np.asarray(time, dtype=float)[..., None, None])
         return (propagator @ extended[..., None])[..., :size, 0]
 
-    @cache  # noqa: B019 - systems live as long as the process
-    def _callable(self, kernel: str) -> Callable[..., Any]:
-        # some kernels have no C
+    @cache  # noqa: B019 - as long as `loading.load.remember` keeps the system
+    def function(self, kernel: str) -> Callable[..., Any]:
+        """What evaluates a kernel in double precision, compiled where there is C of it.
+
+        Parameters
+        ----------
+        kernel : str
+
+        Returns
+        -------
+        callable
+        """
         compiled = getattr(self.compiled, f"{self.table['name'].replace('-', '_')}_{kernel}", None)
-        if compiled is not None:
-            function: Callable[..., Any] = compiled
-            return function
         inputs, outputs = self.module.KERNELS[kernel]
+        if compiled is not None:
+            return with_entries(compiled, inputs)
         return vectorised(self.source(kernel), inputs, outputs)
 
 
@@ -201,6 +242,14 @@ class OrbitKernels:
     system: SystemKernels
     orbit: str
     saved: SavedTable | None = None
+
+    def __hash__(self) -> int:
+        """Hash that is computed once, as that of the system."""
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.system, self.orbit, self.saved))
 
     @property
     def name(self) -> str:
@@ -287,11 +336,32 @@ class OrbitKernels:
         """Dwell time of each phase, from parameters and unknowns.
 
         One that is no unknown is the period, what the others leave of it, or zero.
+
+        Parameters
+        ----------
+        values : mapping of str to number or array
+
+        Returns
+        -------
+        dict of str to number or array
         """
         return {
-            name: sum(factor * values[term] for term, factor in terms.items())
+            name: _total(
+                values[term] if factor == 1 else factor * values[term]
+                for term, factor in terms.items()
+            )
             for name, terms in zip(self.dwell_times, self.table["durations"], strict=True)
         }
+
+    @cached_property
+    def period_name(self) -> str | None:
+        """The parameter that the dwell times sum up to, of a conservative orbit."""
+        total: dict[str, int] = {}
+        for terms in self.table["durations"]:
+            for name, factor in terms.items():
+                total[name] = total.get(name, 0) + factor
+        left = [name for name, factor in total.items() if factor]
+        return left[0] if len(left) == 1 and total[left[0]] == 1 else None
 
     @cached_property
     def reduced(self) -> tuple[str, ...]:
@@ -303,29 +373,71 @@ class OrbitKernels:
         """Rows of the boundary functions."""
         return tuple(Boundary(*row) for row in self.table["boundaries"])
 
+    @property
+    def trigonometric(self) -> bool:
+        """Whether boundary functions are trigonometric sums, in all phases."""
+        return self.table["terms"] is not None
+
     @cached_property
     def combined(self) -> dict[str, dict[str, int]]:
         """Parameters that are sums of multiples of physical ones, e = ur - us."""
         return dict(self.table["combined"])
 
     @cached_property
-    def spectrum_places(self) -> list[int]:
+    def spectrum_places(self) -> np.ndarray:
         """Where among the parameters those of the spectrum stand."""
-        return [self.parameter_names.index(n) for n in self.system.table["spectrum_parameters"]]
+        names = self.system.table["spectrum_parameters"]
+        return np.array([self.parameter_names.index(name) for name in names], dtype=np.intp)
+
+    @cached_property
+    def frequency_places(self) -> list[int]:
+        """Where in the spectrum the frequencies stand."""
+        names = self.system.table["spectrum"]
+        return [place for place, name in enumerate(names) if name.startswith("omega")]
 
     def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel of this orbit over any arithmetic."""
+        """A kernel of this orbit over any arithmetic.
+
+        Parameters
+        ----------
+        kernel : str
+
+        Returns
+        -------
+        callable
+        """
         return self.system.source(f"{self.orbit.replace('-', '_')}_{kernel}")
 
     def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel of this orbit in double precision, broadcast over leading axes."""
-        return self.system.evaluate(f"{self.orbit.replace('-', '_')}_{kernel}", *arrays)
+        """A kernel of this orbit in double precision, broadcast over leading axes.
+
+        Parameters
+        ----------
+        kernel : str
+        *arrays : array
+            The kernel's arguments, in double precision.
+
+        Returns
+        -------
+        array or tuple of array
+        """
+        return self._function(kernel)(*arrays)
 
     def spectrum(self, parameters: Any, lib: Any = None) -> tuple[Any, Any]:
         """Spectrum and its derivatives at the equations' parameters.
 
         Without ``lib`` for arrays (..., p) of floats; with it for one point in that
         arithmetic.
+
+        Parameters
+        ----------
+        parameters : array (..., p) or sequence of number
+            In the order of the equations' parameters.
+        lib : arithmetic, optional
+
+        Returns
+        -------
+        spectrum, derivatives : array or list
         """
         if lib is not None:
             found: tuple[Any, Any] = self.system.source("spectrum")(
@@ -334,7 +446,7 @@ class OrbitKernels:
             return found
         values = np.asarray(parameters, dtype=float)
         result: tuple[Any, Any] = self.system.evaluate(
-            "spectrum", values[..., self.spectrum_places]
+            "spectrum", values.take(self.spectrum_places, axis=-1)
         )
         return result
 
@@ -343,6 +455,18 @@ class OrbitKernels:
 
         Floats, arrays (..., n) and (..., d); d is the number of linear systems that were
         solved on the way.
+
+        Parameters
+        ----------
+        parameters : array (..., p)
+        spectrum : array (..., k)
+        reduced : array (..., r)
+            Reduced unknowns; not used where there are none.
+
+        Returns
+        -------
+        unknowns : array (..., n)
+        determinants : array (..., d)
         """
         arrays = (parameters, spectrum, *([reduced] if self.reduced else []))
         found = self.evaluate("expand", *arrays)
@@ -350,18 +474,27 @@ class OrbitKernels:
             return found
         return found, np.ones((*np.shape(found)[:-1], 0))
 
-    @property
+    @cached_property
     def solver(self) -> Callable[..., Any] | None:
         """The compiled solver of this orbit, if there is one."""
         return self._compiled("solve")
 
-    @property
+    @cached_property
     def admissible(self) -> Callable[..., Any] | None:
         """The compiled admissibility test of this orbit, if there is one."""
         return self._compiled("admissible")
+
+    @cache  # noqa: B019 - as long as that of its system
+    def _function(self, kernel: str) -> Callable[..., Any]:
+        return self.system.function(f"{self.orbit.replace('-', '_')}_{kernel}")
 
     def _compiled(self, name: str) -> Callable[..., Any] | None:
         if self.system.compiled is None:
             return None
         prefix = f"{self.system.table['name']}_{self.orbit}".replace("-", "_")
         return getattr(self.system.compiled, f"{prefix}_{name}", None)
+
+
+def _total(terms: Iterator[Any]) -> Any:
+    """Sum of numbers or arrays, which are not added to zero first."""
+    return sum(terms, next(terms, 0))

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from importlib.resources import files
@@ -27,6 +29,7 @@ from nonsmooth.runtime.model.kernel_records import (
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.model.loading.load import (
     Loaded,
+    library_of,
     load_declared,
     load_named,
     load_path,
@@ -40,13 +43,16 @@ __all__ = [
     "ParameterTable",
     "SystemKernels",
     "backend",
+    "compiled_for",
     "is_saved",
     "kernels_of",
+    "known_system",
     "load_orbit",
     "load_system",
     "orbit_names",
     "orbits_in",
     "system_names",
+    "uncompiled",
 ]
 
 _PACKAGE = "nonsmooth.generated"
@@ -59,12 +65,23 @@ _FIND = (
 
 
 def system_names() -> tuple[str, ...]:
-    """Names of the generated systems."""
-    return tuple(_provenance()["systems"])
+    """Names of the generated systems.
+
+    Returns
+    -------
+    tuple of str
+    """
+    names: tuple[str, ...] = _provenance()["systems"]
+    return names
 
 
 def orbit_names() -> tuple[str, ...]:
-    """Names ``system/orbit`` of all generated orbits."""
+    """Names ``system/orbit`` of all generated orbits.
+
+    Returns
+    -------
+    tuple of str
+    """
     return tuple(
         f"{system}/{orbit}"
         for system in system_names()
@@ -73,10 +90,30 @@ def orbit_names() -> tuple[str, ...]:
 
 
 def orbits_in(system: str) -> tuple[str, ...]:
-    """Names of the orbits of a system, of whatever kind; InputError if there is no such system."""
+    """Names of the orbits of a system, of whatever kind.
+
+    Parameters
+    ----------
+    system : str
+        As for `load_system`.
+
+    Returns
+    -------
+    tuple of str
+
+    Raises
+    ------
+    InputError
+        If there is no such system.
+
+    Examples
+    --------
+    >>> orbits_in("dry-friction")[:2]
+    ('dry-friction/symmetric', 'dry-friction/global-stick')
+    """
     if system in system_names():
         return tuple(f"{system}/{orbit}" for orbit in load_system(system).module.ORBITS)
-    origin = _located(system, None)
+    origin = _located(system)
     if origin is None:
         raise unknown_name("system", system, system_names())
     return tuple(f"{system}:{orbit}" for orbit in _orbits(origin))
@@ -87,11 +124,20 @@ def backend() -> str:
 
     The environment variable NONSMOOTH_BACKEND chooses; asking for C that is not there is an
     InputError.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputError
+        If the environment asks for C that is not built.
     """
     return "numpy" if _compiled_module() is None else "c"
 
 
-def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitKernels:
+def load_orbit(orbit: str | DeclaredOrbit) -> OrbitKernels:
     """Tables and kernels of an orbit.
 
     Parameters
@@ -100,8 +146,10 @@ def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitK
         ``system/orbit`` of a built-in system; ``FILE.py:orbit`` or ``FOLDER:orbit`` of a
         user's own; ``FILE.json`` or ``FILE.json:N`` of a saved one; or an itinerary, which is
         derived.
-    beside : Path, optional
-        As for `load_system`.
+
+    Returns
+    -------
+    OrbitKernels
 
     Raises
     ------
@@ -113,10 +161,10 @@ def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitK
         return _orbit(_kernels(load_declared(orbit.system, (orbit,))), orbit.name)
     name = _text(orbit, "orbit")
     if is_saved(name):
-        kernels: OrbitKernels = registered("saved_kernels")(name, beside)
+        kernels: OrbitKernels = registered("saved_kernels")(name)
         return kernels
     place, colon, label = name.rpartition(":")
-    if colon and (origin := _located(place, beside)) is not None:
+    if colon and (origin := _located(place)) is not None:
         found = _declared(origin, label)
         if found is not None:
             return _orbit(found, label)
@@ -126,7 +174,7 @@ def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitK
         built_in = load_system(system)
         if label in built_in.module.ORBITS:
             return _orbit(built_in, label)
-    elif (origin := _located(name, beside)) is not None:
+    elif (origin := _located(name)) is not None:
         known = ", ".join(f"{name}:{label}" for label in _orbits(origin))
         raise InputError(
             f"{name} is a system, not an orbit; "
@@ -135,7 +183,7 @@ def load_orbit(orbit: str | DeclaredOrbit, beside: Path | None = None) -> OrbitK
     raise unknown_name("orbit", name, orbit_names())
 
 
-def load_system(system: str | DeclaredSystem, beside: Path | None = None) -> SystemKernels:
+def load_system(system: str | DeclaredSystem) -> SystemKernels:
     """Tables and kernels of a system.
 
     Parameters
@@ -143,33 +191,129 @@ def load_system(system: str | DeclaredSystem, beside: Path | None = None) -> Sys
     system : str or System
         Name of a built-in system, a FILE.py that defines `system` and, if it likes, `orbits`,
         a folder that `nonsmooth generate` wrote, or a System, which is derived.
-    beside : Path, optional
-        Folder in which a file or folder is looked for too, where it is not in its place.
+
+    Returns
+    -------
+    SystemKernels
 
     Raises
     ------
     InputError
         As for `load_orbit`.
+
+    Examples
+    --------
+    >>> load_system("dry-friction").name
+    'dry-friction'
     """
     if not isinstance(system, str) and isinstance(system, DeclaredSystem):
         return _kernels(load_declared(system))
     name = _text(system, "system")
     if name in system_names():
         return _system(name, backend())
-    origin = _located(name, beside)
+    origin = _located(name)
     found = None if origin is None else _declared(origin)
     if found is None:
         raise unknown_name("system", name, system_names())
     return found
 
 
+def compiled_for(kernels: OrbitKernels, seconds: float, *, at_once: bool = False) -> OrbitKernels:
+    """An orbit with the compiled kernels of its declaration, if they are there or worth making.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    seconds : float
+        What NumPy takes for the work that they are for.
+    at_once : bool
+        Wait where they are made, so that all of a work has the same bits.
+
+    Returns
+    -------
+    OrbitKernels
+        The same where there are none: the work is done by NumPy.
+    """
+    system, chosen = kernels.system, _chosen()
+    library = None if system.compiled or chosen == "numpy" else library_of(system.module)
+    if library is None:
+        return kernels
+    everything = math.inf if chosen == "c" else seconds
+    found = library.wanted(everything, at_once=at_once)
+    return kernels if found is None else replace(kernels, system=replace(system, compiled=found))
+
+
+def uncompiled(kernels: OrbitKernels) -> OrbitKernels:
+    """An orbit with the kernels of NumPy alone.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+
+    Returns
+    -------
+    OrbitKernels
+    """
+    if kernels.system.compiled is None:
+        return kernels
+    return replace(kernels, system=replace(kernels.system, compiled=None))
+
+
+def known_system(name: str, orbit: str | None = None) -> SystemKernels:
+    """A system, or that of an orbit, as it was loaded last: results that are there are of it.
+
+    A file may have been changed since, or be gone. Errors as for `load_system`.
+
+    Parameters
+    ----------
+    name : str
+        Of the system.
+    orbit : str, optional
+        Of an orbit of it.
+
+    Returns
+    -------
+    SystemKernels
+    """
+    found = _KNOWN.get((name, orbit))
+    if found is not None:
+        return found
+    return load_system(name) if orbit is None else load_orbit(f"{name}:{orbit}").system
+
+
+_KNOWN: dict[tuple[str, str | None], SystemKernels] = {}  # of files and folders
+
+
 def is_saved(name: str) -> bool:
-    """Whether a name is that of an orbit in a file of results: ``FILE.json``, ``FILE.json:N``."""
+    """Whether a name is that of an orbit in a file of results: ``FILE.json``, ``FILE.json:N``.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> is_saved("found.json:2"), is_saved("dry-friction/symmetric")
+    (True, False)
+    """
     return name.endswith(".json") or name.rpartition(":")[0].endswith(".json")
 
 
 def kernels_of(system: str | SystemKernels | DeclaredSystem) -> SystemKernels:
-    """Tables and kernels of what stands for a system; errors as for `load_system`."""
+    """Tables and kernels of what stands for a system; errors as for `load_system`.
+
+    Parameters
+    ----------
+    system : str, System or SystemKernels
+
+    Returns
+    -------
+    SystemKernels
+    """
     return system if isinstance(system, SystemKernels) else load_system(system)
 
 
@@ -179,16 +323,19 @@ def _text(name: Any, kind: str) -> str:
     return str(os.fspath(name))
 
 
-def _located(name: str, beside: Path | None) -> Loaded | Path | None:
+def _located(name: str) -> Loaded | Path | None:
     """What a user declared under a name, or where it is; None for a name of neither."""
-    return load_named(name) or located(name, beside)
+    return load_named(name) or located(name)
 
 
 def _declared(origin: Loaded | Path, orbit: str | None = None) -> SystemKernels | None:
     """The system that a user declared, with an orbit; None if there is no such orbit."""
     if isinstance(origin, Path):
         loaded = load_path(origin, orbit, compiled=_chosen() != "numpy")
-        return None if loaded is None else _kernels(loaded)
+        if loaded is None:
+            return None
+        _KNOWN[loaded.name, orbit] = _kernels(loaded)
+        return _KNOWN[loaded.name, orbit]
     return _kernels(origin) if orbit is None or orbit in origin.module.ORBITS else None
 
 
@@ -197,7 +344,9 @@ def _orbits(origin: Loaded | Path) -> tuple[str, ...]:
 
 
 def _kernels(loaded: Loaded) -> SystemKernels:
-    return SystemKernels(loaded.name, loaded.module, loaded.compiled)
+    library = None if _chosen() == "numpy" else library_of(loaded.module)
+    compiled = loaded.compiled if library is None else library.module()
+    return SystemKernels(loaded.name, loaded.module, compiled)
 
 
 @cache
@@ -237,7 +386,7 @@ def _provenance() -> dict[str, Any]:
             raise TypeError
     except (OSError, ValueError, KeyError, TypeError):
         raise InputError(f"generated/{_PROVENANCE} is missing, cut or foreign: {_REMEDY}") from None
-    return dict(record)
+    return {**record, "systems": tuple(record["systems"])}
 
 
 def _chosen() -> str:
@@ -251,12 +400,18 @@ def _compiled_module() -> ModuleType | None:
     chosen = _chosen()
     if chosen == "numpy":
         return None
+    found = _extension()
+    if found is None and chosen == "c":
+        raise InputError(
+            "NONSMOOTH_BACKEND is 'c', but the compiled kernels are not built:"
+            " install the package again with a C compiler at hand"
+        )
+    return found
+
+
+@cache
+def _extension() -> ModuleType | None:
     try:
         return import_module(f"{_PACKAGE}._kernels")
     except ImportError:
-        if chosen == "c":
-            raise InputError(
-                "NONSMOOTH_BACKEND is 'c', but the compiled kernels are not built:"
-                " install the package again with a C compiler at hand"
-            ) from None
         return None

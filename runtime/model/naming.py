@@ -16,14 +16,38 @@ _GREEK = re.compile(
     "|upsilon|phi|chi|psi|omega"
 )
 
+_HASH = re.compile("@[0-9a-f]{16}")  # of a system's data or declaration
+
 
 def cycle_label(system: str, count: int) -> str:
-    """What an orbit of so many phases is called that no declaration names."""
+    """What an orbit of so many phases is called that no declaration names.
+
+    Parameters
+    ----------
+    system : str
+    count : int
+        Phases.
+
+    Returns
+    -------
+    str
+    """
     return f"{system}, {count} phase{'' if count == 1 else 's'}"
 
 
 def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
-    """Names of dwell times that were not declared: tau1, tau2, ... where these are free."""
+    """Names of dwell times that were not declared: tau1, tau2, ... where these are free.
+
+    Parameters
+    ----------
+    count : int
+    taken : container of str
+        Names that are not free.
+
+    Returns
+    -------
+    tuple of str
+    """
     stem = "tau"
     while any(f"{stem}{i}" in taken for i in range(1, count + 1)):
         stem = f"dwell_{stem}"
@@ -33,7 +57,21 @@ def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
 def start_names(
     states: Sequence[str], taken: Container[str], declared: Mapping[str, str] | None = None
 ) -> tuple[str, ...]:
-    """Names of the states at the start: those declared, or x10 for x1 where that is free."""
+    """Names of the states at the start: those declared, or x10 for x1 where that is free.
+
+    Parameters
+    ----------
+    states : sequence of str
+    taken : container of str
+        Names that are not free.
+    declared : mapping of str to str, optional
+        From states to the names of their values at the start.
+
+    Returns
+    -------
+    tuple of str
+        In the order of the states.
+    """
     known = declared or {}
     return tuple(
         known.get(name, name if f"{name}0" in taken or f"{name}0" in states else f"{name}0")
@@ -44,11 +82,20 @@ def start_names(
 def shown_name(name: str) -> str:
     """System, or system/orbit, of a name that may be that of a file or of an orbit in one.
 
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    str
+
     Examples
     --------
     >>> shown_name("/home/me/gear.py:rattle"), shown_name("dry-friction/symmetric")
     ('gear/rattle', 'dry-friction/symmetric')
     """
+    name = _HASH.sub("", name)
     if not (os.path.isabs(name) or ":" in name or name.endswith(".py")):
         return name
     system, _, orbit = os.path.basename(name).partition(":")
@@ -57,6 +104,15 @@ def shown_name(name: str) -> str:
 
 def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
     """Configurations and the boundaries by which they are left; equal phases are counted.
+
+    Parameters
+    ----------
+    itinerary : sequence of (str, str)
+        Configurations, and the boundaries that end their phases.
+
+    Returns
+    -------
+    str
 
     Examples
     --------
@@ -77,6 +133,15 @@ def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
 
 def symbol(name: str) -> str:
     r"""LaTeX of a name: Greek names are letters, what follows the letter is an index.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    str
+        Without dollar signs.
 
     Examples
     --------

@@ -49,6 +49,15 @@ class Batch:
         """All parameters of the equations, and open ones, from those that are known.
 
         A point at which another parameter is outside its domain is NaN.
+
+        Parameters
+        ----------
+        values : mapping of str to array
+            Of the names in `known`; they broadcast.
+
+        Returns
+        -------
+        dict of str to array
         """
         found, own = dict(values), self.kernels.parameter_names
         for name, terms in self.completed.items():
@@ -69,6 +78,10 @@ def complete_batch(kernels: OrbitKernels, given: Iterable[str]) -> Batch:
     kernels : OrbitKernels
     given : iterable of str
         Names of what is fixed or swept.
+
+    Returns
+    -------
+    Batch
 
     Raises
     ------
@@ -148,6 +161,18 @@ def parameter_points(
     """Points (n, p) of parameters that broadcast against each other, and their common shape.
 
     A point outside a domain, or one that breaks a constraint, is NaN.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    parameters : mapping of str to array, number, text or Value
+        All parameters of the system.
+
+    Returns
+    -------
+    points : array (n, p)
+        In the order of the system's parameters.
+    shape : tuple of int
 
     Raises
     ------

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
@@ -25,7 +26,17 @@ __all__ = [
 
 
 def in_domain(table: ParameterTable, number: float) -> bool:
-    """Whether a parameter may have this value."""
+    """Whether a parameter may have this value.
+
+    Parameters
+    ----------
+    table : ParameterTable
+    number : float
+
+    Returns
+    -------
+    bool
+    """
     lower, upper = table.ends
     if lower < number < upper:
         return True
@@ -33,7 +44,18 @@ def in_domain(table: ParameterTable, number: float) -> bool:
 
 
 def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
-    """Which of many numbers a parameter may be; those that are not finite never."""
+    """Which of many numbers a parameter may be; those that are not finite never.
+
+    Parameters
+    ----------
+    table : ParameterTable
+    numbers : array
+
+    Returns
+    -------
+    array of bool
+        Of the same shape.
+    """
     inside: np.ndarray = np.isfinite(numbers)
     lower, upper = table.ends
     if table.lower is not None:
@@ -46,42 +68,69 @@ def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
 def check_constraints(kernels: SystemKernels, values: Mapping[str, Value]) -> None:
     """Check the constraints of a system, as far as their parameters have values.
 
+    Parameters
+    ----------
+    kernels : SystemKernels
+    values : mapping of str to Value
+
     Raises
     ------
     InputError
         Names the values and the constraint that does not hold.
     """
-    numbers = {n: float(v) if v.exact is None else v.exact for n, v in values.items()}
-    for text, names, total in _constraints(kernels, numbers):
+    for text, names, total in _constraints(kernels, values, _number):
         if total < 0:
             told = ", ".join(f"{name} = {value}" for name, value in values.items() if name in names)
             raise InputError(f"{told}: {text} does not hold")
 
 
 def constrained(kernels: SystemKernels, numbers: Mapping[str, np.ndarray]) -> np.ndarray:
-    """At which points the constraints hold whose parameters have numbers (n,)."""
-    totals = [np.asarray(total) >= 0 for _, _, total in _constraints(kernels, numbers)]
+    """At which points the constraints hold whose parameters have numbers (n,).
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    numbers : mapping of str to array (n,)
+
+    Returns
+    -------
+    array (n,) of bool
+    """
+    found = _constraints(kernels, numbers, np.asarray)
+    totals = [np.asarray(total) >= 0 for _, _, total in found]
     shape = np.broadcast_shapes(*(np.shape(column) for column in numbers.values()))
     return np.asarray(np.logical_and.reduce([np.full(shape, True), *totals]))
 
 
 def _constraints(
-    kernels: SystemKernels, numbers: Mapping[str, Any]
+    kernels: SystemKernels, values: Mapping[str, Any], number: Callable[[Any], Any]
 ) -> Iterator[tuple[str, set[str], Any]]:
     """Text, names and value of each constraint of a system whose parameters are known.
 
     A constraint is a sum of products with their factors: ``{"a*b**2": 3, "1": -1}``.
     """
-    for constraint in kernels.table["constraints"]:
-        total, used = 0, set[str]()
-        for text, factor in constraint["terms"].items():
-            product: Any = factor
-            for name, power in _powers(text):
-                used.add(name)
-                product = product * numbers[name] ** power if name in numbers else 0
-            total = total + product
-        if used <= set(numbers):
+    for constraint, used in _used(kernels):
+        if used <= values.keys():
+            total: Any = 0
+            for text, factor in constraint["terms"].items():
+                product: Any = factor
+                for name, power in _powers(text):
+                    product = product * number(values[name]) ** power
+                total = total + product
             yield constraint["text"], used, total
+
+
+def _number(value: Value) -> Fraction | float:
+    return float(value) if value.exact is None else value.exact
+
+
+@cache
+def _used(kernels: SystemKernels) -> list[tuple[dict[str, Any], set[str]]]:
+    """Constraints of a system, and the names in each."""
+    return [
+        (constraint, {name for text in constraint["terms"] for name, _ in _powers(text)})
+        for constraint in kernels.table["constraints"]
+    ]
 
 
 @cache
@@ -92,14 +141,46 @@ def _powers(product: str) -> list[tuple[str, int]]:
 
 
 def value_of(table: ParameterTable, given: object) -> Value:
-    """Value of one parameter; InputError if it is no number or outside the domain."""
+    """Value of one parameter.
+
+    Parameters
+    ----------
+    table : ParameterTable
+    given : object
+        A number, its text, or a Value.
+
+    Returns
+    -------
+    Value
+
+    Raises
+    ------
+    InputError
+        If it is no number or outside the domain.
+    """
     value = number_of(table.name, given)
     check_domain(table, value)
     return value
 
 
 def number_of(name: str, given: object) -> Value:
-    """Value that is given for a name; InputError, which names it, if it is no number."""
+    """Value that is given for a name.
+
+    Parameters
+    ----------
+    name : str
+    given : object
+        A number, its text, or a Value.
+
+    Returns
+    -------
+    Value
+
+    Raises
+    ------
+    InputError
+        If it is no number; the message names it.
+    """
     try:
         return as_value(given)
     except InputError as error:
@@ -107,13 +188,40 @@ def number_of(name: str, given: object) -> Value:
 
 
 def check_domain(table: ParameterTable, value: Value) -> None:
-    """Refuse a value that a parameter cannot have."""
+    """Refuse a value that a parameter cannot have.
+
+    Parameters
+    ----------
+    table : ParameterTable
+    value : Value
+
+    Raises
+    ------
+    InputError
+        If the value is outside the parameter's domain.
+    """
     if not in_domain(table, float(value)):
         raise InputError(f"{table.name} = {value} is outside its domain {domain_text(table)}")
 
 
 def domain_text(table: ParameterTable) -> str:
-    """The domain as an interval."""
+    """The domain as an interval.
+
+    Parameters
+    ----------
+    table : ParameterTable
+
+    Returns
+    -------
+    str
+        Such as ``(0, oo)`` or ``[0, 1]``.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_system
+    >>> domain_text(load_system("dry-friction").parameters[0])
+    '(0, 1)'
+    """
     opening = "[" if table.closed else "("
     closing = "]" if table.upper_closed else ")"
     return f"{opening}{table.lower or '-oo'}, {table.upper or 'oo'}{closing}"

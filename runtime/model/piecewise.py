@@ -79,6 +79,10 @@ def piecewise(
     parameters : mapping of str to str, number or Value
         All physical parameters of the system.
 
+    Returns
+    -------
+    PiecewiseLinear
+
     Raises
     ------
     InputError
@@ -91,7 +95,23 @@ def piecewise(
 
 
 def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
-    """A system at a checked parameter point (p,), in double precision."""
+    """A system at a checked parameter point (p,), in double precision.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    point : array (p,)
+        In the order of the system's parameters.
+
+    Returns
+    -------
+    PiecewiseLinear
+
+    Raises
+    ------
+    InputError
+        Where double precision does not tell the modes from each other.
+    """
     values = {p.name: as_value(x) for p, x in zip(kernels.parameters, point.tolist(), strict=True)}
     fields, rows, resets = (part[0] for part in _evaluated(kernels, point[None]))
     structure = structure_of(kernels)
@@ -131,7 +151,19 @@ class PointGroup(NamedTuple):
 
 
 def numbers_at(kernels: SystemKernels, points: np.ndarray) -> list[PointGroup]:
-    """Numbers at points (n, p), grouped by their modes: one group for flows in closed form."""
+    """Numbers at points (n, p), grouped by their modes: one group for flows in closed form.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    points : array (n, p)
+        In the order of the system's parameters.
+
+    Returns
+    -------
+    list of PointGroup
+        NaN at points that have no modes.
+    """
     structure, count = structure_of(kernels), len(points)
     parts = _evaluated(kernels, points)
     if structure.modes is not None:
@@ -178,6 +210,18 @@ def piecewise_in(
 
     Entries are that arithmetic's numbers, or integers, in arrays of objects.
 
+    Parameters
+    ----------
+    system : str, System or SystemKernels
+    parameters : mapping of str to str, number or Value
+        All physical parameters of the system.
+    lib : Mpmath or Balls
+
+    Returns
+    -------
+    PiecewiseLinear
+        Without exponents and flows where the flow has no closed form.
+
     Raises
     ------
     InputError
@@ -206,15 +250,17 @@ def piecewise_in(
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
     """Fields, rows and resets at points (n, p), each (n, rows, columns)."""
-    return tuple(kernels.evaluate(kernel, points) for kernel in ("fields", "rows", "resets"))
+    with np.errstate(all="ignore"):  # who takes them looks whether they are finite
+        return tuple(kernels.evaluate(kernel, points) for kernel in ("fields", "rows", "resets"))
 
 
 def _closed_modes(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
     """Exponents (n, modes, 2) and flows (n, rows, N + 1) in closed form."""
     names = [p.name for p in kernels.parameters]
     places = [names.index(name) for name in kernels.table["spectrum_parameters"]]
-    spectrum, _ = kernels.evaluate("spectrum", points[:, places])
-    exponents, flows = kernels.evaluate("modes", points, spectrum)
+    with np.errstate(all="ignore"):
+        spectrum, _ = kernels.evaluate("spectrum", points[:, places])
+        exponents, flows = kernels.evaluate("modes", points, spectrum)
     return exponents, flows
 
 

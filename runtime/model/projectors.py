@@ -42,6 +42,11 @@ def chain(
     constant : bool
         Whether the centre is zero.
 
+    Yields
+    ------
+    centre : complex
+    term : array (N, N) of complex
+
     Raises
     ------
     ValueError
@@ -65,6 +70,25 @@ def newton(
     """The products (B - p_0) ... (B - p_(k-1)) P for k = 0, ..., as many as there are poles p.
 
     Parameters and exceptions are those of `chain`.
+
+    Parameters
+    ----------
+    matrix : array (N, N)
+        B, exact.
+    group, others : list of complex
+        The eigenvalues, roughly.
+    poles : list of complex
+        p_0, p_1, ...: nodes of Newton's interpolation.
+
+    Returns
+    -------
+    list of array (N, N)
+        Complex.
+
+    Raises
+    ------
+    ValueError
+        As for `chain`.
     """
     projector, bits = _projector(matrix, group, others)
     terms = []
@@ -77,7 +101,17 @@ def newton(
 
 
 def poles_of(matrix: np.ndarray) -> list[complex]:
-    """The eigenvalues of B, each to its last digit, with their conjugates and multiplicities."""
+    """The eigenvalues of B, each to its last digit, with their conjugates and multiplicities.
+
+    Parameters
+    ----------
+    matrix : array (N, N)
+        B, exact.
+
+    Returns
+    -------
+    list of complex
+    """
     with flint_precision(_BITS):
         rational = fmpq_mat([[_rational(x) for x in row] for row in matrix.tolist()])
         found: list[complex] = []
@@ -121,7 +155,17 @@ def _projector(
 
 
 def exponential_of(matrix: np.ndarray) -> np.ndarray:
-    """The matrix e^B, each entry to its last digit."""
+    """The matrix e^B, each entry to its last digit.
+
+    Parameters
+    ----------
+    matrix : array (N, N)
+        B, exact and real.
+
+    Returns
+    -------
+    array (N, N)
+    """
     with flint_precision(_BITS):
         return np.array(acb_mat(matrix.tolist()).exp().tolist()).astype(complex).real
 

@@ -5,7 +5,7 @@ Inside a configuration a boundary function is
     g(t) = Re sum_m P_m(t) e^(lambda_m t),
 
 P_m polynomials of low degree, beside chains of exponents that nearly meet. Its derivatives are
-bounded in closed form over any interval, so a search (`quasi_crossing`) can tell that nothing
+bounded in closed form over any interval, so a search (`first_crossing`) can tell that nothing
 hides between two samples.
 """
 
@@ -23,9 +23,10 @@ from nonsmooth.runtime.model.time_functions import (
     derivative_matrix,
     function_bounds,
     functions_at,
+    wave,
 )
 
-__all__ = ["TINY", "UNIT", "Chain", "Coefficients", "Jet", "QuasiPolynomial", "wave"]
+__all__ = ["TINY", "UNIT", "Chain", "Coefficients", "Jet", "QuasiPolynomial"]
 
 UNIT = 2.0**-48  # 16 eps
 TINY = 1e-300  # what underflow may take away
@@ -35,22 +36,6 @@ Coefficients = tuple[complex, ...]
 
 
 _QUIET = np.errstate(over="ignore", invalid="ignore")  # numbers beyond all end a motion
-_SPLIT = 2.0**27 + 1  # halves a double's digits
-
-
-def wave(exponent: complex, t: float) -> complex:
-    """e^(lambda t), the rounding of the angle w t taken in: its error does not grow with it."""
-    w = exponent.imag
-    if w == 0:
-        return complex(math.exp(exponent.real * t))
-    angle = w * t
-    a, b = _SPLIT * w, _SPLIT * t
-    w_high, t_high = a - (a - w), b - (b - t)
-    w_low, t_low = w - w_high, t - t_high
-    rest = ((w_high * t_high - angle) + w_high * t_low + w_low * t_high) + w_low * t_low
-    cosine, sine = math.cos(angle), math.sin(angle)
-    found = complex(cosine - rest * sine, sine + rest * cosine)
-    return math.exp(exponent.real * t) * found if exponent.real else found
 
 
 def _horner(coefficients: Sequence[complex], t: float) -> complex:
@@ -102,13 +87,29 @@ class Chain:
 
     @_QUIET
     def derivative(self) -> Chain:
-        """The derivative, with the rounding errors of its own coefficients."""
+        """The derivative, with the rounding errors of its own coefficients.
+
+        Returns
+        -------
+        Chain
+        """
         sizes = abs(self._turned) @ self.sizes
         return replace(self, coefficients=self.tower[1], sizes=sizes)
 
     @_QUIET
     def jet(self, t: float) -> Jet:
-        """Values and the rounding error, which is relative to the sizes."""
+        """Values and the rounding error, which is relative to the sizes.
+
+        Parameters
+        ----------
+        t : float
+            At least 0. In the system's unit of time.
+
+        Returns
+        -------
+        value, slope, curvature, error : float
+            The error in units of 16 eps.
+        """
         values = np.array(functions_at(self.shapes, self.exponents, t))
         bounds = np.array(function_bounds(self.shapes, self.exponents, t, t))
         error = float(bounds @ self.sizes) * (1.0 + float(abs(self.exponents[:, 0]).max()) * t / 8)
@@ -117,7 +118,18 @@ class Chain:
 
     @_QUIET
     def bound(self, order: int, t: float, length: float) -> float:
-        """Bound on the absolute value of a derivative over [t, t + length]."""
+        """Bound on the absolute value of a derivative over [t, t + length].
+
+        Parameters
+        ----------
+        order : int
+        t, length : float
+            In the system's unit of time.
+
+        Returns
+        -------
+        float
+        """
         part = self.coefficients
         for _ in range(order):
             part = self._turned @ part
@@ -126,7 +138,17 @@ class Chain:
 
     @_QUIET
     def taylor(self, count: int) -> tuple[list[float], list[float]]:
-        """Derivatives of order 0, ..., count - 1 at 0, where only the first function is not 0."""
+        """Derivatives of order 0, ..., count - 1 at 0, where only the first function is not 0.
+
+        Parameters
+        ----------
+        count : int
+
+        Returns
+        -------
+        values, sizes : list of float
+            Sizes are what rounds in each value.
+        """
         values, sizes = [], []
         part, size = self.coefficients, self.sizes
         for _ in range(count):
@@ -136,7 +158,12 @@ class Chain:
         return values, sizes
 
     def ceiling(self) -> float:
-        """Bound at all times, inf where there is none; a constant has its sign."""
+        """Bound at all times, inf where there is none; a constant has its sign.
+
+        Returns
+        -------
+        float
+        """
         head = float(self.coefficients[0])
         return self.bound(0, 0.0, math.inf) - (0.0 if self.exponents[0].any() else abs(head) - head)
 
@@ -173,7 +200,12 @@ class QuasiPolynomial:
         return self.jet(t)[0]
 
     def derivative(self) -> QuasiPolynomial:
-        """The function g', with the rounding errors of its own coefficients."""
+        """The function g', with the rounding errors of its own coefficients.
+
+        Returns
+        -------
+        QuasiPolynomial
+        """
         return QuasiPolynomial(
             self.exponents,
             tuple(_slope(p, x) for p, x in zip(self.polynomials, self.exponents, strict=True)),
@@ -185,7 +217,17 @@ class QuasiPolynomial:
         )
 
     def raised(self, by: float) -> QuasiPolynomial:
-        """The function g + a constant."""
+        """The function g + a constant.
+
+        Parameters
+        ----------
+        by : float
+            The constant.
+
+        Returns
+        -------
+        QuasiPolynomial
+        """
         if 0 not in self.exponents:
             polynomials = ((by + 0j,), *self.polynomials)
             sizes = ((0.0,), *self.sizes)
@@ -218,7 +260,17 @@ class QuasiPolynomial:
         return plain, powers
 
     def jet(self, t: float) -> Jet:
-        """Values of g, g' and g'' at t, and the rounding error of g."""
+        """Values of g, g' and g'' at t, and the rounding error of g.
+
+        Parameters
+        ----------
+        t : float
+            At least 0. In the system's unit of time.
+
+        Returns
+        -------
+        value, slope, curvature, error : float
+        """
         plain, powers = self._parts
         value = slope = curvature = error = 0.0
         for exponent, c, first, second, size, speed in plain:
@@ -245,7 +297,17 @@ class QuasiPolynomial:
         return value, slope, curvature, UNIT * error + TINY
 
     def rounding(self, t: float) -> float:
-        """Bound on the rounding error of the value at t."""
+        """Bound on the rounding error of the value at t.
+
+        Parameters
+        ----------
+        t : float
+            In the system's unit of time.
+
+        Returns
+        -------
+        float
+        """
         return self.jet(t)[3]
 
     @cached_property
@@ -275,7 +337,18 @@ class QuasiPolynomial:
         return tuple(b * (1 + 2.0**-40) for b in bounds)
 
     def bound(self, order: int, t: float, length: float) -> float:
-        """Bound on the absolute value of a derivative over [t, t + length]."""
+        """Bound on the absolute value of a derivative over [t, t + length].
+
+        Parameters
+        ----------
+        order : int
+        t, length : float
+            In the system's unit of time.
+
+        Returns
+        -------
+        float
+        """
         if order in (2, 3) and self.uniform is not None:
             return self.uniform[order - 2]
         end = t + length
@@ -297,7 +370,16 @@ class QuasiPolynomial:
         return total * (1 + 2.0**-40)
 
     def taylor(self, count: int) -> tuple[list[float], list[float]]:
-        """Derivatives of order 0, ..., count - 1 at 0, and the error of each."""
+        """Derivatives of order 0, ..., count - 1 at 0, and the error of each.
+
+        Parameters
+        ----------
+        count : int
+
+        Returns
+        -------
+        values, errors : list of float
+        """
         values, errors = [0.0] * count, [0.0] * count
         for exponent, p, s in zip(self.exponents, self.polynomials, self.sizes, strict=True):
             speed = abs(exponent)
@@ -313,7 +395,17 @@ class QuasiPolynomial:
         return values, errors
 
     def ceiling(self, t: float) -> float:
-        """Bound on g over [t, infinity), inf where the amplitudes give none."""
+        """Bound on g over [t, infinity), inf where the amplitudes give none.
+
+        Parameters
+        ----------
+        t : float
+            In the system's unit of time.
+
+        Returns
+        -------
+        float
+        """
         total = sum(chain.ceiling() for chain in self.chains)
         for exponent, p in zip(self.exponents, self.polynomials, strict=True):
             rate = exponent.real
@@ -333,7 +425,14 @@ class QuasiPolynomial:
         return total
 
     def last_root(self) -> float:
-        """Bound on the roots where g is a polynomial, else inf."""
+        """Bound on the roots where g is a polynomial, else inf.
+
+        The bound is that of Fujiwara (1916).
+
+        Returns
+        -------
+        float
+        """
         if any(self.exponents) or self.chains:
             return math.inf
         longest = max(map(len, self.polynomials), default=0)

@@ -116,6 +116,8 @@ class Structure:
         What decides where no transition is listed.
     forcing_row : int or None
         Row that is zero where the phase of the first forcing begins anew.
+    kernels : SystemKernels, optional
+        What it was made of.
     """
 
     name: str
@@ -133,15 +135,41 @@ class Structure:
     coordinates: tuple[tuple[int, int], ...] = ()
     law: Law | None = None
     forcing_row: int | None = None
+    kernels: SystemKernels | None = None
 
     def configuration(self, name: str) -> int:
-        """Index of a configuration; InputError if there is none of that name."""
+        """Index of a configuration.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        int
+
+        Raises
+        ------
+        InputError
+            If there is none of that name.
+        """
         if name not in self.configurations:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
 
     def listed(self, source: int, boundaries: frozenset[int]) -> tuple[TransitionShape, ...]:
-        """Transitions that are listed for exactly these boundaries."""
+        """Transitions that are listed for exactly these boundaries.
+
+        Parameters
+        ----------
+        source : int
+            Configuration in which they are reached.
+        boundaries : frozenset of int
+
+        Returns
+        -------
+        tuple of TransitionShape
+        """
         return self._listed.get((source, boundaries), ())
 
     @cached_property
@@ -156,7 +184,20 @@ class Structure:
     def transitions_to(
         self, source: int, boundaries: frozenset[int], target: int
     ) -> tuple[TransitionShape, ...]:
-        """Transitions to a target, listed or of the law, which tells no conditions here."""
+        """Transitions to a target, listed or of the law, which tells no conditions here.
+
+        Parameters
+        ----------
+        source : int
+            Configuration in which they are reached.
+        boundaries : frozenset of int
+        target : int
+            A configuration.
+
+        Returns
+        -------
+        tuple of TransitionShape
+        """
         listed = tuple(t for t in self.listed(source, boundaries) if t.target == target)
         if self.law is None:
             return listed
@@ -166,19 +207,55 @@ class Structure:
         return (*listed, TransitionShape(boundaries, (), self.law.reset(event, target), target))
 
     def exits(self, source: int) -> Iterator[tuple[int, int]]:
-        """Each boundary with each target that it may lead to when it is reached alone."""
+        """Each boundary with each target that it may lead to when it is reached alone.
+
+        Parameters
+        ----------
+        source : int
+            A configuration.
+
+        Yields
+        ------
+        boundary, target : int
+        """
         for boundary in range(len(self.boundaries[source])):
             for target in range(len(self.configurations)):
                 if self.transitions_to(source, frozenset({boundary}), target):
                     yield boundary, target
 
     def orders(self, source: int, boundaries: frozenset[int]) -> tuple[int, ...]:
-        """Numbers of the orders in which what is reached together may act; 0 for one order."""
+        """Numbers of the orders in which what is reached together may act; 0 for one order.
+
+        Parameters
+        ----------
+        source : int
+            Configuration in which they are reached.
+        boundaries : frozenset of int
+
+        Returns
+        -------
+        tuple of int
+        """
         numbers = (t.order for t in self.listed(source, boundaries))
         return tuple(dict.fromkeys(filter(None, numbers))) or (0,)
 
     def boundary(self, configuration: int, name: str) -> int:
-        """Index of a boundary of a configuration; InputError if it has none of that name."""
+        """Index of a boundary of a configuration.
+
+        Parameters
+        ----------
+        configuration : int
+        name : str
+
+        Returns
+        -------
+        int
+
+        Raises
+        ------
+        InputError
+            If it has none of that name.
+        """
         names = [b.name for b in self.boundaries[configuration]]
         if name not in names:
             where = self.configurations[configuration]
@@ -187,7 +264,13 @@ class Structure:
 
     @cached_property
     def shapes(self) -> Modes:
-        """The modes, where they are known."""
+        """The modes of each configuration.
+
+        Raises
+        ------
+        InputError
+            If they depend on the parameters and no point is chosen.
+        """
         if self.modes is None:
             raise InputError(f"the modes of {self.name} depend on its parameters")
         return self.modes
@@ -198,7 +281,17 @@ class Structure:
         return tuple(sum(len(mode.places) for mode in modes) for modes in self.shapes)
 
     def with_modes(self, modes: Modes) -> Structure:
-        """The same with the modes of a parameter point; one record for equal modes."""
+        """The same with the modes of a parameter point; one record for equal modes.
+
+        Parameters
+        ----------
+        modes : tuple of tuple of ModeShape
+            Of each configuration.
+
+        Returns
+        -------
+        Structure
+        """
         return _with_modes(self, modes)
 
 
@@ -208,7 +301,26 @@ def _with_modes(structure: Structure, modes: Modes) -> Structure:
 
 
 def structure_of(system: str | SystemKernels | DeclaredSystem) -> Structure:
-    """Structure of a system; InputError for an unknown name."""
+    """Structure of a system.
+
+    Parameters
+    ----------
+    system : str, System or SystemKernels
+
+    Returns
+    -------
+    Structure
+
+    Raises
+    ------
+    InputError
+        As for `load_system`.
+
+    Examples
+    --------
+    >>> structure_of("dry-friction").states
+    ('x1', 'x2', 'v1', 'v2')
+    """
     kernels = kernels_of(system)
     return _structure(kernels)
 
@@ -272,6 +384,7 @@ def _structure(kernels: SystemKernels) -> Structure:
         _pairs(states, table["coordinates"]),
         law_of(table, configurations),
         table.get("forcing_row"),
+        kernels,
     )
 
 
@@ -284,7 +397,17 @@ def _pairs(
 def mode_shapes(
     modes: Iterable[tuple[int, bool] | tuple[int, bool, bool, bool]],
 ) -> tuple[ModeShape, ...]:
-    """Modes of a configuration: their lengths, whether they oscillate, are joined, are paired."""
+    """Modes of a configuration: their lengths, whether they oscillate, are joined, are paired.
+
+    Parameters
+    ----------
+    modes : iterable of (int, bool) or (int, bool, bool, bool)
+
+    Returns
+    -------
+    tuple of ModeShape
+        With the places of their functions of time, counted from 0.
+    """
     shapes, first = [], 0
     for length, oscillates, *chained in modes:
         count = length * (2 if oscillates else 1)

@@ -19,11 +19,19 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.exponential_differences import divided_differences
 from nonsmooth.runtime.model.structure import ModeShape
 
-__all__ = ["chains", "derivative_matrix", "function_bounds", "functions_at"]
+__all__ = [
+    "chains",
+    "derivative_matrix",
+    "factors_at",
+    "function_bounds",
+    "functions_at",
+    "wave",
+]
 
-_TERMS = 22  # of an exponential series whose argument is at most 1
+_SPLIT = 2.0**27 + 1  # halves a double's digits
 
 _Poles = tuple[complex, ...]
 
@@ -32,6 +40,15 @@ def chains(shapes: Sequence[ModeShape]) -> Iterator[tuple[int, int, bool]]:
     """First and last place of modes that go on from each other, and whether they are a chain.
 
     A mode by itself is none, unless it stands for a pair of poles.
+
+    Parameters
+    ----------
+    shapes : sequence of ModeShape
+
+    Yields
+    ------
+    first, end : int
+    chain : bool
     """
     starts = [place for place, shape in enumerate(shapes) if not shape.joined]
     for first, end in pairwise([*starts, len(shapes)]):
@@ -48,6 +65,7 @@ def functions_at(
     shapes : sequence of ModeShape
     exponents : array (..., modes, 2)
     times : array (...)
+        In the system's unit of time.
     lib : arithmetic with `sin`, `cos` and `exp` of arrays
         Chains have values in double precision only.
 
@@ -73,7 +91,18 @@ def functions_at(
 
 
 def derivative_matrix(shapes: Sequence[ModeShape], exponents: np.ndarray) -> np.ndarray:
-    """Matrix (functions, functions) that gives the derivatives of the functions of time."""
+    """Matrix (functions, functions) that gives the derivatives of the functions of time.
+
+    Parameters
+    ----------
+    shapes : sequence of ModeShape
+    exponents : array (modes, 2)
+        Rate and angular frequency of each mode.
+
+    Returns
+    -------
+    array (functions, functions)
+    """
     size = sum(len(shape.places) for shape in shapes)
     start = shapes[0].places[0]
     matrix = np.zeros((size, size))
@@ -102,7 +131,21 @@ def derivative_matrix(shapes: Sequence[ModeShape], exponents: np.ndarray) -> np.
 def function_bounds(
     shapes: Sequence[ModeShape], exponents: np.ndarray, begin: Any, end: Any
 ) -> list[Any]:
-    """Bounds of the functions' absolute values between two times, which may be arrays."""
+    """Bounds of the functions' absolute values between two times, which may be arrays.
+
+    Parameters
+    ----------
+    shapes : sequence of ModeShape
+    exponents : array (modes, 2)
+        Rate and angular frequency of each mode.
+    begin, end : float or array
+        At least 0. In the system's unit of time.
+
+    Returns
+    -------
+    list of float or array
+        One for each function of time.
+    """
     found: list[Any] = []
     for first, last, chain in chains(shapes):
         rate = float(exponents[first:last, 0].max())
@@ -114,6 +157,96 @@ def function_bounds(
             else:
                 for k in range(shape.length):
                     found += [growth * end**k] * (2 if shape.oscillates else 1)
+    return found
+
+
+def wave(exponent: complex, t: float) -> complex:
+    """e^(lambda t), the rounding of the angle w t taken in: its error does not grow with it.
+
+    The product w t is split into what rounds and what is lost (Dekker, 1971).
+
+    Parameters
+    ----------
+    exponent : complex
+        lambda.
+    t : float
+        In the system's unit of time.
+
+    Returns
+    -------
+    complex
+    """
+    w = exponent.imag
+    if w == 0:
+        return complex(math.exp(exponent.real * t))
+    angle = w * t
+    a, b = _SPLIT * w, _SPLIT * t
+    w_high, t_high = a - (a - w), b - (b - t)
+    w_low, t_low = w - w_high, t - t_high
+    rest = ((w_high * t_high - angle) + w_high * t_low + w_low * t_high) + w_low * t_low
+    cosine, sine = math.cos(angle), math.sin(angle)
+    found = complex(cosine - rest * sine, sine + rest * cosine)
+    return math.exp(exponent.real * t) * found if exponent.real else found
+
+
+def factors_at(
+    modes: Sequence[tuple[complex, ModeShape]],
+    joined: Sequence[tuple[int, int, bool]],
+    t: float,
+    *,
+    changes: bool = False,
+) -> list[tuple[float, float, int]]:
+    """Values of the functions of time, or their changes since 0, with bounds and places.
+
+    As `functions_at`, for one time and without arrays: the rounding of angles is taken in, and
+    changes over a short time keep their relative accuracy.
+
+    Parameters
+    ----------
+    modes : sequence of (exponent, ModeShape)
+    joined : sequence of (int, int, bool)
+        What `chains` gives of their shapes.
+    t : float
+        In the system's unit of time.
+    changes : bool
+
+    Returns
+    -------
+    list of (float, float, int)
+        Value, bound and place of each function.
+    """
+    found = []
+    for first, end, chain in joined:
+        exponent, mode = modes[first]
+        growth, power = math.exp(exponent.real * t), 1.0
+        turn = wave(exponent, t)
+        change = turn
+        if changes:
+            half = math.sin(exponent.imag * t / 2)
+            decay = math.expm1(exponent.real * t)
+            change = complex(decay * turn.real / growth - 2 * half * half, turn.imag)
+        if chain:
+            shapes = [shape for _, shape in modes[first:end]]
+            exponents = np.array([(x.real, x.imag) for x, _ in modes[first:end]])
+            values, bounds = (
+                list(map(float, part))
+                for part in (
+                    functions_at(shapes, exponents, t),
+                    function_bounds(shapes, exponents, t, t),
+                )
+            )
+            values[0] = change.real
+            if mode.oscillates and not mode.paired:
+                values[1] = change.imag
+            begin = mode.places[0]
+            found += list(zip(values, bounds, range(begin, begin + len(values)), strict=True))
+            continue
+        step = 2 if mode.oscillates else 1
+        for place in mode.places[::step]:
+            found.append((power * change.real, power * growth, place))
+            if mode.oscillates:
+                found.append((power * change.imag, power * growth, place + 1))
+            power, change = power * t, turn
     return found
 
 
@@ -132,77 +265,34 @@ def _poles_of(
 
 def _chain_at(shapes: Sequence[ModeShape], exponents: np.ndarray, times: Any) -> list[np.ndarray]:
     lead = np.broadcast_shapes(exponents.shape[:-2], np.shape(times))
-    times = np.broadcast_to(np.asarray(times, dtype=float), lead)
-    if exponents.ndim > 2:  # point by point
-        points = np.broadcast_to(exponents, (*lead, *exponents.shape[-2:]))
-        count = sum(len(shape.places) for shape in shapes)
-        table = np.empty((count, *lead))
-        for place in np.ndindex(lead):
-            table[(slice(None), *place)] = _chain_at(shapes, points[place], times[place])
-        return list(table)
-    flat, found = times.ravel(), []
-    known: dict[_Poles, np.ndarray] = {}
-    for shape, poles, both in _poles_of(shapes, exponents):
+    flat = np.broadcast_to(np.asarray(times, dtype=float), lead).ravel()
+    values = exponents[..., 0] + 1j * exponents[..., 1]
+    values = np.broadcast_to(values, (*lead, len(shapes))).reshape(-1, len(shapes)).T
+    poles: list[np.ndarray] = []
+    ends: list[int] = []  # of each mode, without its conjugate
+    for shape, value in zip(shapes, values, strict=True):
+        poles += [value] * shape.length
+        ends.append(len(poles) - 1)
+        if shape.paired:
+            poles.append(value.conj())
+    differences = divided_differences(np.array(poles), flat)
+    found = []
+    for shape, end in zip(shapes, ends, strict=True):
+        own = [differences[end]]
         if not shape.joined and not shape.paired:
-            pole = poles[0]
-            value = _exponential(pole, flat)
-            values = [value * flat**k for k in range(shape.length)]
-        else:
-            values = [_difference(poles, flat, known)]
-        for value in values:
+            own = [differences[0] * flat**k for k in range(shape.length)]
+        for value in own:
             found.append(value.real)
             if shape.paired:
-                found.append(_difference(both, flat, known).real)
+                found.append(differences[end + 1].real)
             elif shape.oscillates:
                 found.append(value.imag)
     return [value.reshape(lead) for value in found]
 
 
-def _exponential(pole: complex, times: np.ndarray) -> np.ndarray:
-    return np.asarray(np.exp(pole.real * times) * np.exp(1j * pole.imag * times))
-
-
 def _farthest(poles: _Poles) -> tuple[float, int, int]:
     """The largest distance of two poles, and their places."""
     return max((abs(poles[i] - poles[j]), i, j) for i, j in combinations(range(len(poles)), 2))
-
-
-def _difference(poles: _Poles, times: np.ndarray, known: dict[_Poles, np.ndarray]) -> np.ndarray:
-    """The divided difference: of the farthest poles, or by its series where none is far."""
-    if poles in known:
-        return known[poles]
-    if len(poles) == 1:
-        found = _exponential(poles[0], times)
-    else:
-        distance, i, j = _farthest(poles)
-        far = distance * times > 1
-        found = np.empty(times.shape, dtype=complex)
-        if far.any():
-            one, two = (
-                _difference((*poles[:k], *poles[k + 1 :]), times, known)[far] for k in (j, i)
-            )
-            found[far] = (one - two) / (poles[i] - poles[j])
-        if not far.all():
-            found[~far] = _series(poles, times[~far])
-    known[poles] = found
-    return found
-
-
-def _series(poles: _Poles, times: np.ndarray) -> np.ndarray:
-    """The same by the exponential series about the middle of the poles."""
-    middle = sum(poles) / len(poles)
-    order = len(poles) - 1
-    unit = max(abs(pole - middle) for pole in poles) or 1.0  # whose powers may overflow
-    # complete homogeneous polynomials of the distances, degree by degree
-    degrees = np.zeros(_TERMS, dtype=complex)
-    degrees[0] = 1
-    for pole in poles:
-        for k in range(1, _TERMS):
-            degrees[k] += (pole - middle) / unit * degrees[k - 1]
-    total = np.zeros(times.shape, dtype=complex)
-    for k in range(_TERMS - 1, -1, -1):
-        total = total * (unit * times / (order + k + 1)) + degrees[k]
-    return np.asarray(_exponential(middle, times) * total * times**order / math.factorial(order))
 
 
 def _bound(poles: _Poles, times: Any) -> Any:

@@ -34,26 +34,83 @@ class Units:
     states: str
 
     def label(self, name: str) -> str:
-        """A parameter, or another number of the system, as a formula with its unit."""
+        """A parameter, or another number of the system, as a formula with its unit.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        str
+            In LaTeX, with dollar signs.
+        """
         return with_unit(f"${symbol(name)}$", self.parameters.get(name, self.states))
 
     def attributes(self, name: str = "") -> dict[str, str]:
-        """The unit of a parameter, or of a state or time, as an attribute of an array."""
+        """The unit of a parameter, or of a state or time, as an attribute of an array.
+
+        Parameters
+        ----------
+        name : str
+            Of a parameter; any other name stands for a state or time.
+
+        Returns
+        -------
+        dict of str to str
+            Empty without a unit.
+        """
         unit = self.parameters.get(name, self.states)
         return {"units": unit} if unit else {}
 
     def text(self, text: str, line: str = " ") -> str:
-        """A text about states or times with their unit."""
+        """A text about states or times with their unit.
+
+        Parameters
+        ----------
+        text : str
+        line : str
+            What stands between the text and the unit.
+
+        Returns
+        -------
+        str
+        """
         return with_unit(text, self.states, line)
 
 
 def with_unit(text: str, unit: str, line: str = " ") -> str:
-    """A text and a unit in brackets, if there is one."""
+    """A text and a unit in brackets, if there is one.
+
+    Parameters
+    ----------
+    text, unit : str
+    line : str
+        What stands between them.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> with_unit("time", "s")
+    'time (s)'
+    """
     return f"{text}{line}({unit})" if unit else text
 
 
 def units_of(system: str | SystemKernels) -> Units:
-    """What a system says of its units; nothing where it cannot be loaded."""
+    """What a system says of its units; nothing where it cannot be loaded.
+
+    Parameters
+    ----------
+    system : str or SystemKernels
+
+    Returns
+    -------
+    Units
+    """
     try:
         kernels = load_system(system) if isinstance(system, str) else system
     except (NonsmoothError, OSError):

@@ -1,28 +1,37 @@
 """One periodic orbit, or one at each of many parameter points: solved, refined, judged.
 
-=====================  =========================================================================
-`solve`                `solve`: one orbit at one parameter point
-`many`                 `solve_many`: many parameter points, in C and in threads
-`problem`              `OrbitProblem`: what kernels and tables answer alike
-`orbit`                `Orbit`: the record of a periodic orbit, and all that can be asked of it
-`refine`               `refine`: any number of digits, by Newton's method with growing precision
-`stability`            Poincare map, multipliers and the trace criterion
-`admissible`           whether a solution of the equations is a motion of the real system
-`motion`               the state at any time of an orbit, from the closed-form flows
-`declared_many`        declared orbits without kernels at many parameter points
-`declared_solve`       a declared orbit without kernels at one parameter point
-`kernel_many`          many orbits by their kernels: compiled, or on NumPy
-`kernel_problem`       `KernelProblem`: the answers of derived kernels
-`kernel_solve`         one orbit by its kernels
-`orbit_arrays`         the record of the orbits of one itinerary at many parameter points
-`physical_parameters`  all parameters of an orbit's system; what the orbit leaves open is chosen
-`routes`               itineraries through coupled contacts: the routes of the law are listed
-`sensitivity`          kernels of an orbit at its own numbers, and derivatives by its parameters
-`table_admissible`     admissibility, by a system's tables
-`table_many`           many orbits of one itinerary, by their system's tables
-`table_motion`         the motion along an orbit, as a trajectory
-`table_problem`        `TableProblem`: the answers of a system's tables, for any itinerary
-`table_refine`         any number of digits, by a system's tables
-`table_solve`          one orbit of any itinerary, by its system's tables
-=====================  =========================================================================
+=======================  ========================================================================
+`solve`                  `solve`: one orbit at one parameter point
+`many`                   `solve_many`: many parameter points, in C and in threads
+`problem`                `OrbitProblem`: what kernels and tables answer alike
+`equations`              `OrbitEquations`: the equations near an orbit, at many points
+`points`                 `OrbitPoints`: one orbit at many points of a chart
+`orbit`                  `Orbit`: the record of a periodic orbit, and all that can be asked of it
+`refine`                 `refine`: any number of digits, by Newton's method with growing precision
+`stability`              Poincare map, multipliers and the trace criterion
+`admissible`             whether a solution of the equations is a motion of the real system
+`motion`                 the state at any time of an orbit, from the closed-form flows
+`declared_many`          declared orbits without kernels at many parameter points
+`declared_solve`         a declared orbit without kernels at one parameter point
+`kernel_equations`       they, by kernels
+`kernel_many`            many orbits by their kernels: compiled, or on NumPy
+`kernel_points`          an orbit at the points of a chart, by its kernels
+`kernel_problem`         `KernelProblem`: the answers of derived kernels
+`kernel_solve`           one orbit by its kernels
+`orbit_arrays`           the record of the orbits of one itinerary at many parameter points
+`physical_parameters`    all parameters of an orbit's system; what the orbit leaves open is chosen
+`routes`                 itineraries through coupled contacts: the routes of the law are listed
+`sensitivity`            kernels of an orbit at its own numbers, and derivatives by its parameters
+`table_admissible`       admissibility, by a system's tables
+`table_digits`           how many digits rounding leaves of orbits by tables
+`table_equations`        they, by a system's tables
+`table_limits`           which limit of admissibility an orbit fails first, by tables
+`table_many`             many orbits of one itinerary, by their system's tables
+`table_motion`           the motion along an orbit, as a trajectory
+`table_phase_functions`  boundary functions and conditions along the phases, by tables
+`table_points`           an orbit at the points of a chart, by tables
+`table_problem`          `TableProblem`: the answers of a system's tables, for any itinerary
+`table_refine`           any number of digits, by a system's tables
+`table_solve`            one orbit of any itinerary, by its system's tables
+=======================  ========================================================================
 """

@@ -1,39 +1,48 @@
 """Admissibility: whether a solution of the equations is a motion of the real system.
 
 Along every phase each boundary of its configuration has to stay uncrossed until the phase
-ends. A boundary function is a trigonometric sum there; its maximum is found with a
-guarantee, so that no violation is too short to be seen. Since a phase begins where the
-transition before it has ended, this also checks the transitions' conditions.
+ends. A boundary function is a trigonometric sum there, or an affine function along a damped or
+forced motion; its maximum is found with a guarantee, so that no violation is too short to be
+seen. Since a phase begins where the transition before it has ended, this also checks the
+transitions' conditions.
+
+`table_admissible` does the same for orbits without kernels. Both stay: kernels give the
+functions, and test millions of points in C, while tables have transitions that are to be chosen.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.trigonometric_sums import LONGEST_PHASE, TrigonometricSum, maximum
+from nonsmooth.runtime.events.guaranteed_maxima import LONGEST_PHASE, BoundaryCurve
+from nonsmooth.runtime.events.linear_motions import AlongMotion, LinearMotion
+from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = [
+    "NEITHER",
+    "NO_ORBIT",
+    "UNTOLD",
     "Admissibility",
     "Coincidence",
     "Requirement",
     "Violation",
     "admissible_points",
     "assess_admissibility",
-    "boundary_sums",
+    "boundary_curves",
     "first_violations",
-    "sums_of",
 ]
 
 
+NEITHER, NO_ORBIT, UNTOLD = -1, -2, -3  # limits: none fails, there is no orbit, it is not told
 MOST_MISSED = 2.0**-30  # in units of the data; the compiled test's number
 
 
@@ -107,7 +116,23 @@ class Admissibility:
 
 
 def assess_admissibility(orbit: Orbit) -> Admissibility:
-    """Check all boundaries along all phases of an orbit, in double precision."""
+    """Check all boundaries along all phases of an orbit, in double precision.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Of kernels, converged.
+
+    Returns
+    -------
+    Admissibility
+        Verdict, violations, and what open parameters have to exceed.
+
+    Raises
+    ------
+    InputError
+        For a phase longer than the search for maxima reaches.
+    """
     kernels = orbit.kernels
     phases = kernels.table["phases"]
     dwell = orbit.dwell_times.astype(float).tolist()
@@ -123,24 +148,24 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     if violations:
         return Admissibility(False, tuple(violations), ())
     least = {p.name: 0.0 for p in kernels.open_parameters if p.name not in orbit.opened}
-    sums = list(boundary_sums(kernels, orbit))
+    curves = list(boundary_curves(kernels, orbit))
     measures = [float(orbit.values[n]) for n in kernels.table["measures"]]
-    noise = _noise(kernels, measures, sums, dwell)
-    for boundary, function in sums:
+    noise = _noise(kernels, measures, curves, dwell)
+    for boundary, function in curves:
         duration = dwell[boundary.phase]
         _check_length(orbit.name, phases[boundary.phase][0], function, duration)
         opened = boundary.open_parameter
         if opened in least:
             floor = -boundary.open_coefficient * least[opened]
-            found = maximum(function, duration, floor)
+            found = function.maximum(duration, floor)
             least[opened] = max(least[opened], found.value / -boundary.open_coefficient)
             continue
         if opened is not None:
             shift = boundary.open_coefficient * float(orbit.opened[opened])
-            function = replace(function, constant=function.constant + shift)
+            function = function.raised(shift)
         floor = function.rounding(duration) + noise
         rises = _rises(boundary, function, duration, noise)
-        found = maximum(function, duration, -math.inf if rises else floor)
+        found = function.maximum(duration, -math.inf if rises else floor)
         if rises or found.value > floor:
             time = found.time if found.value > floor else 0.0
             violations.append(
@@ -167,7 +192,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
 def _noise(
     kernels: OrbitKernels,
     measures: Sequence[float],
-    sums: Sequence[tuple[Boundary, TrigonometricSum]],
+    curves: Sequence[tuple[Boundary, BoundaryCurve]],
     dwell: Sequence[float],
 ) -> float:
     """Rounding of the coefficients themselves, which are differences of the data.
@@ -177,46 +202,66 @@ def _noise(
     """
     size = max(map(abs, measures))
     exits = [name for _, name, _ in kernels.table["phases"]]
-    missed = max(abs(g(dwell[b.phase])) for b, g in sums if b.name == exits[b.phase])
+    missed: float = max(abs(g(dwell[b.phase])) for b, g in curves if b.name == exits[b.phase])
     return 32 * float(np.finfo(float).eps) * size + min(2 * missed, MOST_MISSED * size)
 
 
-def _check_length(
-    name: str, configuration: str, function: TrigonometricSum, duration: float
-) -> None:
+def _check_length(name: str, configuration: str, function: BoundaryCurve, duration: float) -> None:
     """Say which phase is too long for a guaranteed search."""
-    if not duration * max(function.frequency, default=0.0) <= LONGEST_PHASE:
+    if not duration * function.fastest <= LONGEST_PHASE:
         raise InputError(
             f"{name}: whether it is admissible cannot be guaranteed: {configuration} lasts"
             f" {duration:.6g}, more than {LONGEST_PHASE:g} radians of its fastest oscillation"
         )
 
 
-def _rises(boundary: Boundary, function: TrigonometricSum, duration: float, noise: float) -> bool:
+def _rises(boundary: Boundary, function: BoundaryCurve, duration: float, noise: float) -> bool:
     """Whether a phase begins on a boundary and rises: it crosses it, however little."""
     return boundary.begins and duration > 0 and function.rises(noise)
 
 
-def boundary_sums(
+def boundary_curves(
     kernels: OrbitKernels, orbit: Orbit
-) -> Iterator[tuple[Boundary, TrigonometricSum]]:
+) -> Iterator[tuple[Boundary, BoundaryCurve]]:
     """Each boundary of each phase with its function of the time since the phase's start.
 
     An open parameter's contribution is left out of the function.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    orbit : Orbit
+        Its parameters and unknowns.
+
+    Yields
+    ------
+    Boundary, BoundaryCurve
+        In the order of the kernels' boundaries.
     """
-    parameters = [float(orbit.values[name]) for name in kernels.parameter_names]
-    unknowns = [float(orbit.values[name]) for name in kernels.unknowns]
-    spectrum, _ = kernels.spectrum(parameters)
-    coefficients, frequencies = kernels.evaluate(
-        "boundary_functions", parameters, spectrum, unknowns
-    )
-    yield from sums_of(kernels, coefficients, frequencies)
+    parameters = np.array([float(orbit.values[name]) for name in kernels.parameter_names])
+    unknowns = np.array([float(orbit.values[name]) for name in kernels.unknowns])
+    dwell = orbit.dwell_times.astype(float)
+    (curves,) = _curves(kernels, parameters[None], unknowns[None], dwell[None])
+    yield from curves()
 
 
-def sums_of(
-    kernels: OrbitKernels, coefficients: Any, frequencies: Any
-) -> Iterator[tuple[Boundary, TrigonometricSum]]:
-    """Rows of the `boundary_functions` kernel of one point as functions of time."""
+def _curves(
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, dwell: np.ndarray
+) -> Iterator[Callable[[], Iterator[tuple[Boundary, BoundaryCurve]]]]:
+    """Boundary functions of each of many points, made when they are asked for."""
+    spectrum, _ = kernels.spectrum(points)
+    readers: dict[str, Callable[..., Iterator[tuple[Boundary, BoundaryCurve]]]]
+    readers = {"boundary_functions": _sums, "phase_fields": _along_motions}
+    kernel = "boundary_functions" if kernels.trigonometric else "phase_fields"
+    arrays, read = kernels.evaluate(kernel, points, spectrum, unknowns), readers[kernel]
+    for row in range(len(points)):
+        yield partial(read, kernels, *(array[row] for array in arrays), dwell[row])
+
+
+def _sums(
+    kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray, _: np.ndarray
+) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+    """Rows of the `boundary_functions` kernel of one point; frequencies of phase after phase."""
     terms = kernels.table["terms"]
     first_frequency = np.concatenate([[0], np.cumsum(terms)])
     place = 0
@@ -235,6 +280,21 @@ def sums_of(
                 tuple(float(w) for w in frequencies[begin : begin + count]),
             ),
         )
+
+
+def _along_motions(
+    kernels: OrbitKernels,
+    fields: np.ndarray,
+    starts: np.ndarray,
+    ends: np.ndarray,
+    rows: np.ndarray,
+    dwell: np.ndarray,
+) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+    """What the `phase_fields` kernel gives at one point."""
+    phases = zip(np.split(fields, len(starts)), starts, dwell.tolist(), strict=True)
+    motions = [LinearMotion(*phase) for phase in phases]
+    for boundary, row in zip(kernels.boundaries, rows, strict=True):
+        yield boundary, AlongMotion(motions[boundary.phase], row[:-1], float(row[-1]))
 
 
 def admissible_points(
@@ -279,8 +339,8 @@ def first_violations(kernels: OrbitKernels, points: np.ndarray, unknowns: np.nda
     Returns
     -------
     array (count,) of int
-        Row of the first of `kernels.boundaries` that is crossed; -1 where none is, -2 where a
-        dwell time is not positive, -3 where it cannot be told.
+        Row of the first of `kernels.boundaries` that is crossed; NEITHER where none is, NO_ORBIT
+        where a dwell time is not positive, UNTOLD where it cannot be told.
     """
     if kernels.admissible is None:
         return _admissible_numpy(kernels, points, unknowns)[0]
@@ -293,41 +353,38 @@ def _admissible_numpy(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """The compiled test's algorithm, point by point: its codes, and the bounds."""
-    crossed = np.full(len(points), -3)
+    crossed = np.full(len(points), UNTOLD)
     opened = [p.name for p in kernels.open_parameters]
     bounds = np.zeros((len(points), len(opened)))
     values = dict(zip(kernels.parameter_names, points.T, strict=True))
     durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
     dwell = np.stack([np.broadcast_to(d, len(points)) for d in durations.values()], axis=-1)
     timed = [name not in kernels.table["vanishing"] for name in durations]
-    crossed[(dwell[:, timed] <= 0).any(axis=-1)] = -2
+    crossed[(dwell[:, timed] <= 0).any(axis=-1)] = NO_ORBIT
     sound = np.flatnonzero(np.isfinite(unknowns).all(axis=-1) & (dwell[:, timed] > 0).all(axis=-1))
-    spectrum, _ = kernels.spectrum(points[sound])
-    coefficients, frequencies = kernels.evaluate(
-        "boundary_functions", points[sound], spectrum, unknowns[sound]
-    )
     names = [*kernels.parameter_names, *kernels.unknowns]
     places = [names.index(name) for name in kernels.table["measures"]]
-    for row, point in enumerate(sound):
+    found = _curves(kernels, points[sound], unknowns[sound], dwell[sound])
+    for point, curves_of in zip(sound.tolist(), found, strict=True):
         try:
-            sums = list(sums_of(kernels, coefficients[row], frequencies[row]))
+            curves = list(curves_of())
             measures = np.concatenate([points[point], unknowns[point]])[places].tolist()
-            noise = _noise(kernels, measures, sums, dwell[point].tolist())
-            for number, (boundary, function) in enumerate(sums):
+            noise = _noise(kernels, measures, curves, dwell[point].tolist())
+            for number, (boundary, function) in enumerate(curves):
                 duration = float(dwell[point, boundary.phase])
                 if boundary.open_parameter is None:
                     floor = function.rounding(duration) + noise
                     if (
                         _rises(boundary, function, duration, noise)
-                        or maximum(function, duration, floor).value > floor
+                        or function.maximum(duration, floor).value > floor
                     ):
                         crossed[point] = number
                         break
                 else:
                     place = opened.index(boundary.open_parameter)
                     unit = -boundary.open_coefficient
-                    found = maximum(function, duration, unit * bounds[point, place])
-                    bounds[point, place] = found.value / unit
+                    highest = function.maximum(duration, unit * bounds[point, place])
+                    bounds[point, place] = highest.value / unit
             else:
                 crossed[point] = -1
         except InputError:  # overflow, or a phase too long for any guarantee

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -17,7 +18,7 @@ from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.orbits.table_problem import TableProblem
-from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, shoot
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
 
 __all__ = ["solve_declared_many", "with_admissibility"]
 
@@ -40,6 +41,11 @@ def solve_declared_many(
     admissibility : bool
         Decided point by point in Python, about a millisecond for each.
     threads : int, optional
+
+    Returns
+    -------
+    Orbits
+        Arrays in the shape to which the parameters broadcast.
 
     Raises
     ------
@@ -80,7 +86,21 @@ def solve_declared_many(
 
 
 def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:
-    """Decide point by point whether orbits are motions of the system; no parameter is open."""
+    """Decide point by point whether orbits are motions of the system; no parameter is open.
+
+    Parameters
+    ----------
+    values : mapping of str to array
+        All physical parameters; they broadcast against each other.
+    found : Orbits
+        Orbits by tables.
+
+    Returns
+    -------
+    Orbits
+        The same with `admissible`: False also where a phase is longer than the guarantee of the
+        search reaches.
+    """
     system, shape = found.problem.system, found.status.shape
     points, given = parameter_points(system, values)
     width = points.shape[1]
@@ -91,8 +111,9 @@ def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:
     allowed = np.zeros(len(points), dtype=bool)
     for place in np.flatnonzero(found.converged.ravel()).tolist():
         here = piecewise_at(system, points[place])
-        cycle = cycle_of(here.structure, found.itinerary)
+        cycle = itinerary_shape(here.structure, found.itinerary)
         now = shoot(cycle, numbers_in(here), dwell[place], starts[place], np)
-        positive = bool((dwell[place] > 0).all())
-        allowed[place] = positive and assess_cycle(cycle, here, now, dwell[place]).verdict is True
+        if (dwell[place] > 0).all():
+            with suppress(InputError):  # of one point among many
+                allowed[place] = assess_cycle(cycle, here, now, dwell[place]).verdict is True
     return replace(found, admissible=allowed.reshape(shape), bounds={})

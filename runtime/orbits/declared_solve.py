@@ -17,8 +17,8 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_problem import labelled
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.shooting.cycle_newton import fitting_start
-from nonsmooth.runtime.shooting.shooting_map import cycle_of
+from nonsmooth.runtime.shooting.fitting_start import fitting_start
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 
 __all__ = ["solve_declared", "unknowns_of", "whole_names"]
 
@@ -26,7 +26,16 @@ CONTINUATION_STEPS = 24
 
 
 def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
-    """Names of the unknowns of a declared orbit: dwell times, then the start's coordinates."""
+    """Names of the unknowns of a declared orbit: dwell times, then the start's coordinates.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+
+    Returns
+    -------
+    tuple of str
+    """
     dwell = _part_names(kernels)
     taken = {*dwell, *(p.name for p in kernels.system.parameters)}
     states = kernels.system.table["states"]
@@ -38,7 +47,18 @@ def _part_names(kernels: OrbitKernels) -> tuple[str, ...]:
 
 
 def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
-    """Names of an orbit of so many phases: those of its images bear the image's number."""
+    """Names of an orbit of so many phases: those of its images bear the image's number.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    count : int
+        Number of phases of the whole period.
+
+    Returns
+    -------
+    tuple of str
+    """
     part = _part_names(kernels)
     images = count // len(part)
     dwell = [n if k == 0 else f"{n}_{k + 1}" for k in range(images) for n in part]
@@ -73,6 +93,11 @@ def solve_declared(
         ``period`` at most.
     throw : bool
         Raise when there is no convergence.
+
+    Returns
+    -------
+    Orbit
+        Converged, unless `throw` is false.
 
     Raises
     ------
@@ -210,7 +235,7 @@ def _start(
         return given
     if not given or symmetry:
         return None
-    cycle = cycle_of(point.structure, phases)
+    cycle = itinerary_shape(point.structure, phases)
     flat = numbers_of(point)[None]
     with np.errstate(all="ignore"):
         start = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()

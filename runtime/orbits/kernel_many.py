@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
+from nonsmooth.runtime.core.threads import thread_pool
+from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, compiled_for
 from nonsmooth.runtime.model.parameter_batches import complete_arrays
 from nonsmooth.runtime.model.parameters import constrained, in_domains
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, OUTSIDE, Solved, solve_reduced
+from nonsmooth.runtime.shooting.kernel_newton import (
+    Solved,
+    error_bounds,
+    frequency_spread,
+    solve_reduced,
+)
+from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, OUTSIDE, UNSURE
 
-__all__ = ["CHUNK", "solve_from", "solve_kernels_many"]
+__all__ = ["CHUNK", "NUMPY_JUDGED", "solve_from", "solve_kernels_many"]
 
 CHUNK = 1 << 15  # points that one thread takes at a time
+NUMPY_SOLVED, NUMPY_JUDGED = 1e-5, 3e-4  # seconds a point without compiled kernels
+_WIDE = 25.0  # ratio of the spectrum's parameters beyond which the digits of orbits are counted
+_MOST_ERROR = 1e-6  # of unknowns in units of max(1, |x|), and of the trace
 _SAME = 1e-6  # difference of one orbit found twice, in units of max(1, |x|)
 
 
@@ -34,12 +44,37 @@ def solve_kernels_many(
     threads: int | None,
     chunk: int,
 ) -> Orbits:
-    """Find orbits at many points by the kernels of their own equations; as `solve_many`."""
+    """Find orbits at many points by the kernels of their own equations; as `solve_many`.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    parameters : mapping of str to array
+        They broadcast against each other.
+    admissibility : bool
+        Whether it is decided.
+    threads : int or None
+        As many as processors when None.
+    chunk : int
+        Points that are solved at a time.
+
+    Returns
+    -------
+    Orbits
+        Arrays in the shape to which the parameters broadcast.
+
+    Raises
+    ------
+    InputError
+        For wrong names, or arrays that do not broadcast.
+    """
     arrays = complete_arrays(kernels, parameters)
     try:
         shape = np.broadcast_shapes(*(a.shape for a in arrays.values()))
     except ValueError as error:
         raise InputError(f"the parameter arrays do not broadcast: {error}") from None
+    seconds = math.prod(shape) * (NUMPY_JUDGED if admissibility else NUMPY_SOLVED)
+    kernels = compiled_for(kernels, seconds)
     opened = {n: arrays.pop(n) for n in [*arrays] if n not in kernels.parameter_names}
     found = _solve_arrays(kernels, arrays, shape, None, admissibility, threads, chunk)
     return found.restricted(opened)
@@ -58,6 +93,11 @@ def solve_from(
         All parameters of the equations; they broadcast against each other.
     start : array (..., m) or None
         Reduced unknowns; None starts as `solve_many` does.
+
+    Returns
+    -------
+    Orbits
+        Arrays in the shape to which the parameters broadcast.
     """
     shape = np.broadcast_shapes(*(np.shape(a) for a in parameters.values()))
     return _solve_arrays(kernels, dict(parameters), shape, start, True, 1, CHUNK)
@@ -74,15 +114,15 @@ def _solve_arrays(
 ) -> Orbits:
     count = int(np.prod(shape, dtype=np.int64))
     results = _Results.empty(kernels, count, admissibility)
-    broadcast = [np.broadcast_to(arrays[name], shape) for name in kernels.parameter_names]
     flat = None if start is None else start.reshape(count, len(kernels.reduced))
+    every = [_flat(arrays[name], shape) for name in kernels.parameter_names]
 
     def work(part: slice) -> None:
-        points = np.stack([b.flat[part] for b in broadcast], axis=-1)
-        _fill(kernels, points, None if flat is None else flat[part], results, part)
+        columns = [column if column.size == 1 else column[part] for column in every]
+        _fill(kernels, columns, None if flat is None else flat[part], results, part)
 
     if count > chunk and threads != 1:
-        with ThreadPoolExecutor(threads) as pool:
+        with thread_pool(threads) as pool:
             list(pool.map(work, _parts(count, chunk)))
     else:
         for part in _parts(count, chunk):
@@ -90,12 +130,18 @@ def _solve_arrays(
     return results.shaped(kernels, arrays, shape)
 
 
+def _flat(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """One parameter of all points, or (1,) where they share it."""
+    return array.reshape(1) if array.size == 1 else np.broadcast_to(array, shape).reshape(-1)
+
+
 @dataclass(frozen=True)
 class _Results:
-    """Flat arrays that the threads fill."""
+    """Flat arrays that the threads fill; unknowns are (n, count), bounds (b, count)."""
 
     unknowns: np.ndarray
     trace: np.ndarray
+    period: np.ndarray
     residual: np.ndarray
     iterations: np.ndarray
     status: np.ndarray
@@ -105,13 +151,14 @@ class _Results:
     @classmethod
     def empty(cls, kernels: OrbitKernels, count: int, admissibility: bool) -> _Results:
         return cls(
-            np.empty((count, len(kernels.unknowns))),
+            np.empty((len(kernels.unknowns), count)),
+            np.empty(count),
             np.empty(count),
             np.empty(count),
             np.empty(count, dtype=np.int32),
             np.empty(count, dtype=np.int32),
             np.empty(count, dtype=bool) if admissibility else None,
-            np.empty((count, len(kernels.open_parameters))) if admissibility else None,
+            np.empty((len(kernels.open_parameters), count)) if admissibility else None,
         )
 
     def shaped(
@@ -120,29 +167,23 @@ class _Results:
         parameters: dict[str, np.ndarray],
         shape: tuple[int, ...],
     ) -> Orbits:
-        unknowns = _columns(self.unknowns, kernels.unknowns, shape)
-        full = {n: np.broadcast_to(parameters[n], shape) for n in kernels.parameter_names}
         opened, bounds = [p.name for p in kernels.open_parameters], self.bounds
-        status = self.status.reshape(shape)
-        period = sum(kernels.durations({**full, **unknowns}).values())
         return Orbits(
             KernelProblem(kernels),
             parameters,
-            unknowns,
+            _named(kernels.unknowns, self.unknowns, shape),
             self.trace.reshape(shape),
-            np.where(status == CONVERGED, period, np.nan)[()],
+            self.period.reshape(shape)[()],
             self.residual.reshape(shape),
             self.iterations.reshape(shape),
-            status,
+            self.status.reshape(shape),
             None if self.admissible is None else self.admissible.reshape(shape),
-            None if bounds is None else _columns(bounds, opened, shape),
+            None if bounds is None else _named(opened, bounds, shape),
         )
 
 
-def _columns(
-    table: np.ndarray, names: Iterable[str], shape: tuple[int, ...]
-) -> dict[str, np.ndarray]:
-    return {name: table[:, i].reshape(shape) for i, name in enumerate(names)}
+def _named(names: Iterable[str], rows: np.ndarray, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
+    return {name: row.reshape(shape) for name, row in zip(names, rows, strict=True)}
 
 
 def _parts(count: int, chunk: int) -> Iterator[slice]:
@@ -151,40 +192,80 @@ def _parts(count: int, chunk: int) -> Iterator[slice]:
 
 def _fill(
     kernels: OrbitKernels,
-    points: np.ndarray,
+    columns: Sequence[np.ndarray],
     start: np.ndarray | None,
     results: _Results,
     part: slice,
 ) -> None:
-    starts = _starts(kernels, points) if start is None else [start]
-    solved = _solve_points(kernels, points, starts)
+    """Solve a part of the points, whose parameters are columns (k,), or (1,) where shared."""
+    count = results.trace[part].size
+    points = np.empty((len(columns), count)).T
+    for place, column in enumerate(columns):
+        points[:, place] = column
+    valid = _inside(kernels, columns)
+    starts = _starts(kernels, columns, count) if start is None else [start]
+    unknowns = results.unknowns[:, part]
+    solved = _solve_points(kernels, points, np.broadcast_to(valid, count), starts, unknowns.T)
     if results.admissible is not None and results.bounds is not None:
         allowed, bounds = _admissible_ones(kernels, points, starts, solved)
-        results.admissible[part], results.bounds[part] = allowed, bounds
-    lost = solved.status != CONVERGED
-    for array, found in zip(
-        (results.unknowns, results.trace, results.residual), solved[:3], strict=True
-    ):
-        array[part] = found
-        array[part][lost] = np.nan
+        results.admissible[part], results.bounds[:, part] = allowed, bounds.T
+    _count_digits(kernels, columns, points, solved)
+    lost = np.flatnonzero(solved.status != CONVERGED)
+    for array in solved[:3]:
+        array[lost] = np.nan
+    results.trace[part], results.residual[part] = solved.trace, solved.residual
     results.iterations[part], results.status[part] = solved.iterations, solved.status
+    values = dict(zip(kernels.parameter_names, columns, strict=True))
+    values |= dict(zip(kernels.unknowns, unknowns, strict=True))
+    period = results.period[part]
+    period[:] = reduce(np.add, kernels.durations(values).values())
+    period[lost] = np.nan
 
 
-def _starts(kernels: OrbitKernels, points: np.ndarray) -> list[np.ndarray]:
-    """Reduced unknowns (count, m) to start from: the prediction, then further ones."""
+def _count_digits(
+    kernels: OrbitKernels, columns: Sequence[np.ndarray], points: np.ndarray, solved: Solved
+) -> None:
+    """Tell apart what has converged to numbers that rounding leaves too few digits of."""
+    apart = _far_apart(kernels, columns)
+    if not apart.any():
+        return
+    places = np.flatnonzero((solved.status == CONVERGED) & apart)
+    if not len(places):
+        return
+    spread = frequency_spread(kernels, kernels.spectrum(points[places])[0])
+    lost = np.finfo(float).eps * np.minimum(spread, 1e9) ** 2
+    errors = error_bounds(kernels, solved.unknowns[places], points[places])
+    solved.status[places[~(np.maximum(errors, lost) < _MOST_ERROR)]] = UNSURE
+
+
+def _far_apart(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:
+    """Where parameters of the spectrum, or their distances to ends of domains, are far apart."""
+    distances = []
+    for place in kernels.spectrum_places:
+        values = columns[place]
+        lower, upper = kernels.tables[kernels.parameter_names[place]].ends
+        if np.isfinite(upper):
+            distances.append(upper - values)
+        distances.append(values - lower if np.isfinite(lower) and lower else np.abs(values))
+    if not distances:
+        return np.zeros(1, dtype=bool)
+    largest, least = reduce(np.maximum, distances), reduce(np.minimum, distances)
+    return np.asarray(~(largest < _WIDE * least))
+
+
+def _starts(kernels: OrbitKernels, columns: Sequence[np.ndarray], count: int) -> list[np.ndarray]:
+    """Reduced unknowns to start from: the prediction (count, m), then further ones (m,)."""
     if not kernels.reduced:
-        return [np.empty((len(points), 0))]
+        return [np.empty((count, 0))]
     predictor = _predictor(kernels)
     # summed in a fixed order: a matrix product rounds differently for other numbers of points
-    distances = (points - predictor.parameters).T
-    columns = [
-        sum((d * slope for d, slope in zip(distances, slopes, strict=True)), start)
-        for slopes, start in zip(predictor.slopes.T, predictor.reduced, strict=True)
-    ]
-    guess = np.stack(columns, axis=-1)
-    guess = np.clip(guess, *np.sort([0.25 * predictor.reduced, 4.0 * predictor.reduced], axis=0))
-    further = [np.broadcast_to(start, guess.shape) for start in predictor.starts]
-    return [guess, *further]
+    distances = [c - start for c, start in zip(columns, predictor.parameters, strict=True)]
+    moved = [i for i, d in enumerate(distances) if d.size > 1 or d[0] != 0]
+    guess = np.empty((len(predictor.reduced), count))
+    for row, slopes, start in zip(guess, predictor.slopes.T, predictor.reduced, strict=True):
+        total = sum((distances[i] * slopes[i] for i in moved), start)
+        np.clip(total, *sorted((0.25 * start, 4.0 * start)), out=row)
+    return [guess.T, *predictor.starts]
 
 
 def _admissible_ones(
@@ -198,7 +279,7 @@ def _admissible_ones(
         rest = np.flatnonzero(~allowed & (solved.status == CONVERGED))
         if not len(rest):
             break
-        again = solve_reduced(kernels, points[rest], start[rest])
+        again = solve_reduced(kernels, points[rest], start)
         # the same orbit again is no motion either
         moved = np.abs(again.unknowns - solved.unknowns[rest])
         other = (moved > _SAME * np.maximum(1, np.abs(again.unknowns))).any(axis=-1)
@@ -213,36 +294,43 @@ def _admissible_ones(
 
 
 def _solve_points(
-    kernels: OrbitKernels, points: np.ndarray, starts: Sequence[np.ndarray]
+    kernels: OrbitKernels,
+    points: np.ndarray,
+    valid: np.ndarray,
+    starts: Sequence[np.ndarray],
+    unknowns: np.ndarray,
 ) -> Solved:
-    """Solve from the first start, and what is lost from each further one in turn."""
-    valid = _inside(kernels, points)
-    sound = np.where(valid[:, None], points, np.nan)
-    solved = solve_reduced(kernels, sound, starts[0])
+    """Solve from the first start, and what is lost from each further one in turn.
+
+    The unknowns (k, n) that are found go into the array.
+    """
+    sound = points if valid.all() else np.where(valid[:, None], points, np.nan)
+    solved = solve_reduced(kernels, sound, starts[0], unknowns)
     if not kernels.reduced:
         return solved
     for start in starts[1:]:
         lost = np.flatnonzero(valid & (solved.status != CONVERGED))
         if not len(lost):
             break
-        again = solve_reduced(kernels, points[lost], start[lost])
+        again = solve_reduced(kernels, points[lost], start)
         # a root with a negative dwell time says more than none at all
         better = (again.status == CONVERGED) | (
             (again.status == NEGATIVE) & (solved.status[lost] != NEGATIVE)
         )
         for array, found in zip(solved, again, strict=True):
             array[lost[better]] = found[better]
-    outside = ~_allowed(kernels.other_parameters, kernels.unknowns, solved.unknowns)
-    solved.status[outside & (solved.status == CONVERGED)] = OUTSIDE
+    if kernels.solved_for:
+        outside = ~_allowed(kernels.other_parameters, kernels.unknowns, solved.unknowns)
+        solved.status[outside & (solved.status == CONVERGED)] = OUTSIDE
     return solved
 
 
-def _inside(kernels: OrbitKernels, points: np.ndarray) -> np.ndarray:
+def _inside(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:
     """Which points lie in the domains of all parameters, and keep the system's constraints."""
-    allowed = _allowed(kernels.parameters, kernels.parameter_names, points)
-    columns = dict(zip(kernels.parameter_names, points.T, strict=True))
-    allowed &= constrained(kernels.system, columns)
-    return np.asarray(np.isfinite(points).all(axis=-1) & allowed)
+    named = dict(zip(kernels.parameter_names, columns, strict=True))
+    told = [in_domains(kernels.tables[name], column) for name, column in named.items()]
+    told.append(constrained(kernels.system, named))
+    return reduce(np.logical_and, sorted(told, key=np.size))  # what is shared is told first
 
 
 def _allowed(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -10,21 +10,33 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.model.completion import SystemPoint, complete_system, followers
+from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
+from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility, assess_admissibility
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.orbits.refine import refine_kernels
 from nonsmooth.runtime.orbits.sensitivity import evaluate
 from nonsmooth.runtime.orbits.stability import assess_stability
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.shooting.fitting_start import fitting_start
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import (
+    BEYOND,
     CONVERGED,
     INVALID,
     NEGATIVE,
     OUTSIDE,
     SINGULAR,
     STALLED,
+    UNSURE,
 )
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
@@ -43,6 +55,7 @@ STATUS = {
     " change what is given",
     SINGULAR: "singular: at these parameters (a resonance) the equations do not determine an"
     " orbit; there is none, or a whole family: change a parameter",
+    UNSURE: BEYOND,
 }
 
 
@@ -79,9 +92,40 @@ class KernelProblem:
         return self.kernels.dwell_times
 
     @property
+    def unknown_names(self) -> tuple[str, ...]:
+        """See `OrbitProblem`."""
+        return self.kernels.unknowns
+
+    @property
+    def has_trajectory(self) -> bool:
+        """See `OrbitProblem`."""
+        return False
+
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """See `OrbitProblem`."""
+        taken = {*self.dwell_time_names, *(table.name for table in self.system.parameters)}
+        return start_names(structure_of(self.system).states, taken)
+
+    @property
+    def forcing(self) -> tuple[tuple[int, int], ...]:
+        """None: a forced orbit has no kernels."""
+        return ()
+
+    @property
+    def period_name(self) -> str | None:
+        """See `OrbitProblem`: of a conservative orbit."""
+        return self.kernels.period_name
+
+    @property
     def parameters(self) -> tuple[ParameterTable, ...]:
         """See `OrbitProblem`."""
         return self.kernels.parameters
+
+    @property
+    def all_parameters(self) -> Mapping[str, ParameterTable]:
+        """See `OrbitProblem`."""
+        return self.kernels.tables
 
     @property
     def required(self) -> Mapping[str, str]:
@@ -91,6 +135,77 @@ class KernelProblem:
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
         """See `OrbitProblem`."""
         return list(self.kernels.durations(values).values())
+
+    def followers(self, names: Iterable[str]) -> Collection[str]:
+        """See `OrbitProblem`."""
+        return followers(self.kernels, names)
+
+    def period(self, orbit: Orbit) -> Value | None:
+        """See `OrbitProblem`."""
+        given = orbit.given.get(self.period_name or "")
+        if given is None and self.kernels.table["conservative"]:
+            return as_value(float(orbit.period))
+        return given
+
+    def system_values(self, values: Mapping[str, Value]) -> dict[str, Value]:
+        """See `OrbitProblem`."""
+        return complete_system(self.kernels, values).values
+
+    def physical(
+        self, orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
+    ) -> SystemPoint:
+        """See `OrbitProblem`."""
+        return physical_parameters(orbit, beside, near)
+
+    def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
+        """The orbit's own, or in other coordinates the one that fits the dwell times best.
+
+        Parameters
+        ----------
+        orbit : Orbit
+        values : mapping of str to Value
+            Of all parameters of the system.
+
+        Returns
+        -------
+        list of number
+            N states.
+        """
+        if self._in_system_states:
+            return list(orbit.states[0].tolist())
+        point = piecewise(self.system, values)
+        cycle = itinerary_shape(point.structure, self.itinerary)
+        numbers = numbers_of(point)[None]
+        with np.errstate(all="ignore"):
+            found = fitting_start(cycle, numbers, orbit.dwell_times.astype(float)[None])
+        return list(found[0].tolist())
+
+    def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
+        """See `OrbitProblem`.
+
+        Parameters
+        ----------
+        orbit : Orbit
+        beside : mapping of str to number or None
+            Values of parameters that the orbit leaves open.
+
+        Returns
+        -------
+        Orbit
+
+        Raises
+        ------
+        InputError
+            If Newton's method finds no orbit by the tables.
+        """
+        values, dwell = self.physical(orbit, beside).values, orbit.dwell_times.astype(float)
+        start = orbit.states[0].astype(float).tolist() if self._in_system_states else None
+        found = solve_itinerary(
+            self.system, values, self.itinerary, dwell.tolist(), start, period=self.period(orbit)
+        )
+        if not found.converged:
+            raise InputError(f"{self.name}: {found.message}")
+        return found
 
     def message(self, status: int, *, timed: bool) -> str:
         """See `OrbitProblem`."""
@@ -111,6 +226,12 @@ class KernelProblem:
         return refine_kernels(orbit, digits, arithmetic)
 
     @property
+    def _in_system_states(self) -> bool:
+        """Whether the kernels have the system's own coordinates, and no presentation's."""
+        own: bool = self.kernels.table["states"] == self.system.table["states"]
+        return own
+
+    @property
     def _phases(self) -> list[tuple[str, str, str]]:
         phases: list[tuple[str, str, str]] = self.kernels.table["phases"]
         return phases
@@ -124,7 +245,13 @@ class KernelEvaluation:
 
     @property
     def tables(self) -> TableEvaluation:
-        """See `Evaluation`."""
+        """See `Evaluation`.
+
+        Raises
+        ------
+        InputError
+            Always: kernels answer.
+        """
         raise InputError(f"{self.orbit.name} was solved with kernels, not with its system's tables")
 
     @cached_property
@@ -139,7 +266,13 @@ class KernelEvaluation:
 
     @property
     def part_stability(self) -> Stability:
-        """See `Evaluation`."""
+        """See `Evaluation`.
+
+        Raises
+        ------
+        InputError
+            Always: there is no part.
+        """
         raise InputError("the orbit was not composed from a part and a symmetry")
 
     @cached_property
@@ -175,10 +308,27 @@ class KernelEvaluation:
         return ()
 
     def trajectory(self, periods: int) -> Trajectory:
-        """None, where the equations leave physical parameters open."""
-        raise InputError(
-            f"{self.orbit.name} does not determine all physical parameters: ask its motion()"
-        )
+        """The motion by the system's tables, if all physical parameters are given.
+
+        Parameters
+        ----------
+        periods : int
+
+        Returns
+        -------
+        Trajectory
+
+        Raises
+        ------
+        InputError
+            Where the equations leave physical parameters open.
+        """
+        problem = self.orbit.problem
+        if problem.physical(self.orbit).chosen:
+            raise InputError(
+                f"{self.orbit.name} does not determine all physical parameters: ask its motion()"
+            )
+        return problem.by_tables(self.orbit).trajectory(periods)
 
     def _array(self, kernel: str) -> np.ndarray:
         found = evaluate(self.orbit, kernel)

@@ -11,23 +11,24 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, parse
-from nonsmooth.runtime.model.completion import Point, complete
+from nonsmooth.runtime.model.completion import Point, complete, complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.shooting.newton import (
-    CONVERGED,
-    OUTSIDE,
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.shooting.kernel_newton import (
     Full,
     equations_at,
     error_bound,
+    frequency_spread,
     solve_full,
     solve_reduced,
 )
+from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, UNSURE
 
-__all__ = ["reference_guess", "search", "solve_kernels"]
+__all__ = ["search", "solve_kernels"]
 
 CONTINUATION_STEPS = 24
 STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
@@ -47,11 +48,40 @@ def solve_kernels(
     """Find a periodic orbit by the kernels of its own equations; as `solve`.
 
     A message calls it by the label, where there is one.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    parameters : mapping of str to number, text or Value
+        Absent ones take the reference point's values.
+    guess : sequence or mapping of float, optional
+        Unknowns; without it they are searched for.
+    unknown : iterable of str
+        Parameters that are solved for.
+    given : mapping of str to number, text or Value
+        Unknowns that are given in their place.
+    throw : bool
+        Raise when there is no convergence.
+    label : str
+        What a message calls the orbit, where it is not empty.
+
+    Returns
+    -------
+    Orbit
+        Converged, unless `throw` is false.
+
+    Raises
+    ------
+    InputError
+        For wrong names or values, or an exchange that does not fit.
+    NoConvergence
+        If no orbit was found.
     """
     swapped, fixed = tuple(unknown), dict(given or {})
-    _check_exchange(kernels, swapped, fixed)
+    if swapped or fixed:
+        _check_exchange(kernels, swapped, fixed)
     point = complete(kernels, parameters or {}, without=swapped)
-    start = _start(kernels, guess, swapped)
+    start = _start(kernels, point, guess, swapped)
     found, tried = (
         _exchanged(kernels, point, swapped, _given(fixed), start)
         if swapped
@@ -62,20 +92,6 @@ def solve_kernels(
         reason = "no orbit was found at these parameters" if searched else found.message
         raise NoConvergence(f"{label or kernels.name}: {reason} (tried: {', '.join(tried)})")
     return found
-
-
-def reference_guess(kernels: OrbitKernels) -> dict[str, float]:
-    """Values of the unknowns near the reference point.
-
-    Raises
-    ------
-    InputError
-        If the orbit declares none.
-    """
-    reference = kernels.table["reference"]
-    if reference is None:
-        raise InputError(f"{kernels.name} declares no reference point: give a guess")
-    return {name: float(text) for name, text in reference["guess"].items()}
 
 
 def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
@@ -172,12 +188,12 @@ def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
     """Whether an orbit has converged and may be a motion of the real system."""
     if not orbit.converged:
         return False
-    kernels, unknowns = orbit.kernels, np.array([[*orbit.unknowns.values()]])
-    allowed, bounds = admissible_points(kernels, parameters[None], unknowns)
+    kernels, unknowns = orbit.kernels, np.array([*orbit.unknowns.values()])
+    allowed, bounds = admissible_points(kernels, parameters[None], unknowns[None])
+    if not orbit.opened or not allowed[0]:
+        return bool(allowed[0])
     least = zip(kernels.open_parameters, bounds[0], strict=True)
-    return bool(allowed[0]) and all(
-        float(orbit.opened[p.name]) > bound for p, bound in least if p.name in orbit.opened
-    )
+    return all(float(orbit.opened[p.name]) > bound for p, bound in least if p.name in orbit.opened)
 
 
 def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: Any) -> Orbit:
@@ -190,6 +206,7 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
     if status == CONVERGED:
         residual, error = _quality(kernels, np.concatenate([solved.unknowns, parameters]))
         digits = _digits(error)
+        status = CONVERGED if digits else UNSURE
     return Orbit(
         KernelProblem(kernels),
         point.values,
@@ -208,8 +225,10 @@ def _quality(kernels: OrbitKernels, x: np.ndarray) -> tuple[float, float]:
     At unknowns, then parameters (n + p,).
     """
     equations = equations_at(kernels, x)
-    places = list(range(len(kernels.unknowns)))
-    return float(np.abs(equations.residual).max()), error_bound(kernels, x, places, equations)
+    places = slice(len(kernels.unknowns))
+    rounding = 4 * np.finfo(float).eps * float(frequency_spread(kernels, equations.spectrum))
+    error = max(error_bound(kernels, x, places, equations), rounding)
+    return float(np.abs(equations.residual).max()), error
 
 
 def _digits(error: float) -> int:
@@ -287,25 +306,50 @@ def _approached(
 
 def _start(
     kernels: OrbitKernels,
+    point: Point,
     guess: Sequence[float] | Mapping[str, float] | None,
     swapped: Sequence[str],
 ) -> dict[str, float]:
     """A value for every unknown, and for exchanged parameters if given, to start from."""
-    if guess is None:
-        return reference_guess(kernels)
-    if isinstance(guess, Mapping):
-        variables = [*kernels.unknowns, *swapped]
-        for name in guess:
-            if name not in variables:
-                raise unknown_name("variable", name, variables)
-        named = {name: float(as_value(value)) for name, value in guess.items()}
-        return reference_guess(kernels) | named
-    if len(guess) != len(kernels.unknowns):
+    if guess is not None and not isinstance(guess, Mapping):
+        if len(guess) != len(kernels.unknowns):
+            raise InputError(
+                f"the guess has {len(guess)} values, {kernels.name} has {len(kernels.unknowns)}"
+                f" unknowns: {', '.join(kernels.unknowns)}"
+            )
+        guess = dict(zip(kernels.unknowns, guess, strict=True))
+    variables = [*kernels.unknowns, *swapped]
+    for name in guess or {}:
+        if name not in variables:
+            raise unknown_name("variable", name, variables)
+    reference = kernels.table["reference"]
+    if reference is None and not guess and kernels.unknowns:
+        raise InputError(f"{kernels.name} declares no reference point: give a guess")
+    known = {**(reference["guess"] if reference else {}), **(guess or {})}
+    named = {n: float(as_value(value)) for n, value in known.items() if n in variables}
+    if all(name in named for name in kernels.unknowns):
+        return named
+    values = complete(kernels, {}) if reference else point
+    return _fitted(kernels, {**values.values, **values.opened}, named) | named
+
+
+def _fitted(
+    kernels: OrbitKernels, values: Mapping[str, Value], named: Mapping[str, float]
+) -> dict[str, float]:
+    """Coordinates of the start that go with dwell times: those of the orbit that is composed."""
+    table, system = kernels.table, kernels.system
+    missing = [name for _, _, name in table["phases"] if name not in named]
+    if missing:
         raise InputError(
-            f"the guess has {len(guess)} values, {kernels.name} has {len(kernels.unknowns)}"
-            f" unknowns: {', '.join(kernels.unknowns)}"
+            f"{kernels.name}: the guess has no {', '.join(missing)}: give one, as in"
+            f" --guess {','.join(f'{name}=1' for name in missing)}"
         )
-    return {n: float(as_value(x)) for n, x in zip(kernels.unknowns, guess, strict=True)}
+    phases = [(configuration, boundary) for configuration, boundary, _ in table["phases"]]
+    dwell = [named[name] for _, _, name in table["phases"]]
+    whole = complete_system(kernels, values).values
+    orbit = solve_itinerary(system, whole, phases, dwell)
+    states = zip(system.table["states"], orbit.states[0].tolist(), strict=True)
+    return {f"{state}0": value for state, value in states}
 
 
 def _check_exchange(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.showing import Shown
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -37,8 +38,8 @@ class Samples:
     phases: np.ndarray
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
+@dataclass(frozen=True, eq=False, repr=False)
+class Motion(Shown):
     """The periodic motion of an orbit as a function of time, in double precision.
 
     Calling it gives the state at any times; every time is taken modulo the period. At a
@@ -211,6 +212,15 @@ class Motion:
 
 def orbit_motion(orbit: Orbit) -> Motion:
     """Give the motion along an orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit
+
+    Returns
+    -------
+    Motion
+        Over one period, in double precision.
 
     Raises
     ------

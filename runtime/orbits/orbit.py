@@ -12,6 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
@@ -36,8 +37,8 @@ GUARD = 15  # decimal digits carried beyond those asked for
 PERIOD = "period"  # under which name it is given
 
 
-@dataclass(frozen=True)
-class Orbit:
+@dataclass(frozen=True, repr=False)
+class Orbit(Shown):
     """A periodic orbit of an itinerary, or what a solver reached when it found none.
 
     Attributes
@@ -55,7 +56,7 @@ class Orbit:
     residual : number
         Largest absolute value of the equations' left-hand sides.
     digits : int
-        Error of each unknown x is at most 10^-digits max(1, |x|).
+        Error of each unknown x is at most ``10^-digits max(1, |x|)``.
     iterations : int
     status : int
         A number of `nonsmooth.runtime.shooting.newton`: 0 converged; `message` says what to
@@ -338,8 +339,8 @@ class Orbit:
         Raises
         ------
         InputError
-            If there is no orbit, for a count that is no positive integer, or an orbit with
-            kernels, which leaves physical parameters open: see `motion`.
+            If there is no orbit, for a count that is no positive integer, or an orbit that
+            leaves physical parameters open: see `motion`.
         """
         return self.evaluation.trajectory(checked_count("periods", periods, 1))
 
@@ -389,7 +390,7 @@ class Orbit:
         Parameters
         ----------
         path : str or path
-            A JSON file; its folder has to exist.
+            A JSON file; folders above it are made.
         """
         registered("save_orbit")(self, path)
 

@@ -8,16 +8,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.problem import OrbitProblem
 
-__all__ = ["Orbits"]
+__all__ = ["Columns", "Orbits"]
+
+Columns = dict[str, np.ndarray]  # what is known of some points, by the name of the variable
 
 
-@dataclass(frozen=True, eq=False)
-class Orbits:
+@dataclass(frozen=True, eq=False, repr=False)
+class Orbits(Shown):
     """Orbits at many parameter points; leading axes have the broadcast shape.
 
     Attributes

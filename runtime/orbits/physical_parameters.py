@@ -19,7 +19,7 @@ __all__ = ["chosen_parameters", "open_bounds", "physical_parameters"]
 def physical_parameters(
     orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
 ) -> SystemPoint:
-    """All parameters of the system of an orbit; `model.completion` says how open ones are chosen.
+    """All parameters of the system of an orbit with kernels; see `OrbitProblem.physical`.
 
     Parameters
     ----------
@@ -28,6 +28,11 @@ def physical_parameters(
         Values of parameters that the orbit leaves open.
     near : iterable of Orbit
         Others that what is chosen has to suit, as far as they are admissible.
+
+    Returns
+    -------
+    SystemPoint
+        Values of all parameters, and the names of those that were chosen.
 
     Raises
     ------
@@ -51,13 +56,43 @@ def physical_parameters(
 def chosen_parameters(
     orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
 ) -> dict[str, Value]:
-    """Values of those that are chosen; as `physical_parameters`."""
-    point = physical_parameters(orbit, beside, near)
+    """Values of those that are chosen; see `OrbitProblem.physical`.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    beside : mapping of str to number or None
+        Values of parameters that the orbit leaves open.
+    near : iterable of Orbit
+        Others that what is chosen has to suit.
+
+    Returns
+    -------
+    dict of str to Value
+        Empty where nothing is left open.
+
+    Raises
+    ------
+    InputError
+        As for `OrbitProblem.physical`.
+    """
+    point = orbit.problem.physical(orbit, beside, near)
     return {name: point.values[name] for name in point.chosen}
 
 
 def open_bounds(orbits: Iterable[Orbit]) -> dict[str, float]:
-    """What the open parameters have to exceed for all of the orbits that may be admissible."""
+    """What the open parameters have to exceed for all of the orbits that may be admissible.
+
+    Parameters
+    ----------
+    orbits : iterable of Orbit
+        With kernels.
+
+    Returns
+    -------
+    dict of str to float
+        Bounds by the parameters' names, in their units; empty where no orbit is admissible.
+    """
     found: dict[str, float] = {}
     for orbit in orbits:
         kernels = orbit.kernels

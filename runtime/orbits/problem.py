@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.completion import SystemPoint
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.symmetry import Symmetry
@@ -56,27 +58,219 @@ class OrbitProblem(Protocol):
         """Name of each phase's dwell time."""
 
     @property
+    def unknown_names(self) -> tuple[str, ...]:
+        """What is solved for, unless it is given and a parameter is solved for in its place."""
+
+    @property
+    def has_trajectory(self) -> bool:
+        """Whether an orbit determines all parameters of its system, and so a trajectory."""
+
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """Name of each of the system's states at the start."""
+
+    @property
+    def forcing(self) -> tuple[tuple[int, int], ...]:
+        """Places of the cosine and the sine of each forcing among the states."""
+
+    @property
+    def period_name(self) -> str | None:
+        """What the period is called where it is given; None where the equations determine it."""
+
+    @property
     def parameters(self) -> tuple[ParameterTable, ...]:
         """Names, meanings and domains of the parameters of the equations."""
+
+    @property
+    def all_parameters(self) -> Mapping[str, ParameterTable]:
+        """All that may be given, by name: those of the equations, and what they follow from."""
 
     @property
     def required(self) -> Mapping[str, str]:
         """Values that parameters must have for such an orbit to exist, as text."""
 
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
-        """Dwell time of each phase, from parameters and unknowns."""
+        """Dwell time of each phase, from parameters and unknowns.
+
+        Parameters
+        ----------
+        values : mapping of str to number
+            Parameters and unknowns, in any arithmetic.
+
+        Returns
+        -------
+        list of number
+            One for each phase, in the unit of time.
+        """
+
+    def followers(self, names: Iterable[str]) -> Collection[str]:
+        """Parameters that follow from those of these names: e1 = ur1 - us1 from ur1 and us1.
+
+        Parameters
+        ----------
+        names : iterable of str
+
+        Returns
+        -------
+        collection of str
+        """
+
+    def period(self, orbit: Orbit) -> Value | None:
+        """What the dwell times have to sum up to; None where the equations determine it.
+
+        Parameters
+        ----------
+        orbit : Orbit
+
+        Returns
+        -------
+        Value or None
+            In the unit of time.
+        """
+
+    def system_values(self, values: Mapping[str, Value]) -> dict[str, Value]:
+        """All parameters of the system, from those of the equations and what they leave open.
+
+        Parameters
+        ----------
+        values : mapping of str to Value
+            Parameters of the equations, and those that they leave open.
+
+        Returns
+        -------
+        dict of str to Value
+
+        Raises
+        ------
+        InputError
+            If they are not values that the system takes.
+        """
+
+    def physical(
+        self, orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
+    ) -> SystemPoint:
+        """All parameters of the system at an orbit; those that it leaves open are chosen.
+
+        Values that are given beside it are not chosen, and what is chosen suits all orbits
+        that are near; `model.completion` says how. InputError as for `system_values`.
+
+        Parameters
+        ----------
+        orbit : Orbit
+        beside : mapping of str to number or None
+            Values of parameters that the orbit leaves open.
+        near : iterable of Orbit
+            Others that what is chosen has to suit.
+
+        Returns
+        -------
+        SystemPoint
+            Values of all parameters, and the names of those that were chosen.
+
+        Raises
+        ------
+        InputError
+            As for `system_values`.
+        """
+
+    def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
+        """State (N,) at the start in the system's coordinates, about; at all its parameters.
+
+        Parameters
+        ----------
+        orbit : Orbit
+        values : mapping of str to Value
+            Of all parameters of the system.
+
+        Returns
+        -------
+        list of number
+            N states.
+        """
+
+    def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
+        """The same orbit by the tables of its system, at all of its parameters; see `physical`.
+
+        Parameters
+        ----------
+        orbit : Orbit
+        beside : mapping of str to number or None
+            Values of parameters that the orbit leaves open.
+
+        Returns
+        -------
+        Orbit
+
+        Raises
+        ------
+        InputError
+            If Newton's method finds no orbit by the tables.
+        """
 
     def message(self, status: int, *, timed: bool) -> str:
-        """What a status means and suggests, where the period was given or not."""
+        """What a status means and suggests, where the period was given or not.
+
+        Parameters
+        ----------
+        status : int
+        timed : bool
+            Whether the period was given.
+
+        Returns
+        -------
+        str
+        """
 
     def evaluation(self, orbit: Orbit) -> Evaluation:
-        """What the equations tell at an orbit of this problem."""
+        """What the equations tell at an orbit of this problem.
+
+        Parameters
+        ----------
+        orbit : Orbit
+
+        Returns
+        -------
+        Evaluation
+        """
 
     def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
-        """States (..., N) at times (...) since a phase's start; parameters in their order."""
+        """States (..., N) at times (...) since a phase's start; parameters in their order.
+
+        Parameters
+        ----------
+        parameters : array (q,)
+        phase : int
+            Index of the phase.
+        since : array (...)
+            In the unit of time.
+        start : array (N,)
+            State at the start of the phase.
+
+        Returns
+        -------
+        array (..., N)
+        """
 
     def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
-        """The same orbit to true decimal digits."""
+        """The same orbit to true decimal digits.
+
+        Parameters
+        ----------
+        orbit : Orbit
+            Converged.
+        digits : int
+        arithmetic : str
+            ``flint`` or ``mpmath``.
+
+        Returns
+        -------
+        Orbit
+
+        Raises
+        ------
+        NoConvergence
+            If Newton's method leaves the orbit.
+        """
 
 
 class Evaluation(Protocol):
@@ -123,4 +317,18 @@ class Evaluation(Protocol):
         """States that a translation of the system moves."""
 
     def trajectory(self, periods: int) -> Trajectory:
-        """The motion along the orbit, with all physical parameters."""
+        """The motion along the orbit, with all physical parameters.
+
+        Parameters
+        ----------
+        periods : int
+
+        Returns
+        -------
+        Trajectory
+
+        Raises
+        ------
+        InputError
+            If the orbit does not determine all physical parameters.
+        """

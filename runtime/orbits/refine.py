@@ -12,16 +12,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
 
-__all__ = ["MOST_DIGITS", "check_digits", "precisions", "refine", "refine_kernels"]
+__all__ = ["MOST_DIGITS", "check_digits", "refine", "refine_kernels"]
 
 MOST_DIGITS = 100_000
 _START_DIGITS = 15
-_MARGIN = 10  # decimals that the linear algebra of a step may lose
 
 
 def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
@@ -32,7 +34,7 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     orbit : Orbit
         A converged orbit; its parameters are taken exactly as they were given.
     digits : int
-        The error of each unknown x will be at most 10^-digits max(1, |x|).
+        The error of each unknown x will be at most ``10^-digits max(1, |x|)``.
     arithmetic : {"flint", "mpmath"}
         Balls, whose digits are proved, or mpmath (on gmpy2 where that is installed), whose
         digits are checked against twice the precision. An orbit without kernels of its own
@@ -67,25 +69,45 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
 
 
 def check_digits(digits: object) -> None:
-    """Refuse what is no number of digits."""
+    """Refuse what is no number of digits.
+
+    Parameters
+    ----------
+    digits : int
+
+    Raises
+    ------
+    InputError
+        If it is no integer, or out of range.
+    """
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
 
 
 def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
-    """Refine an orbit by the kernels of its own equations; as `refine`."""
+    """Refine an orbit by the kernels of its own equations; as `refine`.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    digits : int
+        Decimal digits that are true.
+    arithmetic : str
+        ``flint`` for balls, else mpmath.
+
+    Returns
+    -------
+    Orbit
+
+    Raises
+    ------
+    NoConvergence
+        If Newton's method leaves the orbit.
+    """
     route = _with_balls if arithmetic == "flint" else _with_mpmath
     unknowns, residual, iterations = route(orbit, digits + GUARD)
     named = dict(zip(orbit.unknowns, unknowns, strict=True))
     return replace(orbit, unknowns=named, residual=residual, digits=digits, iterations=iterations)
-
-
-def precisions(digits: int, start: int) -> list[int]:
-    """Decimals of the steps: doubling up to the last, from what doubles give."""
-    steps = [digits]
-    while steps[-1] > start:
-        steps.append(math.ceil(steps[-1] / 2) + 2)
-    return steps[::-1]
 
 
 def _equations(
@@ -109,30 +131,18 @@ def _equations(
     return residual, [[([*a, *b])[i] for i in places] for a, b in rows]
 
 
-def _with_mpmath(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
+def _with_mpmath(orbit: Orbit, digits: int) -> tuple[Any, Any, int]:
     lib = Mpmath(_START_DIGITS)
     names = list(orbit.unknowns)
-    x = [lib.mp.mpf(value) for value in orbit.unknowns.values()]
-    # the last step, at twice the digits, corrects nothing that counts: the check
-    steps = [*precisions(digits, _START_DIGITS), 2 * digits]
-    correction = lib.mp.inf
-    for count, precision in enumerate(steps, 1):
-        with lib.working(precision + _MARGIN):
-            residual, jacobian = _at(orbit, names, x, lib)
-            try:
-                step = lib.solve(jacobian, residual)
-            except ZeroDivisionError:
-                raise _lost(orbit, precision) from None
-            correction = max(abs(s) / max(abs(v), 1) for s, v in zip(step, x, strict=True))
-            if not correction < 10.0**-3:
-                raise _lost(orbit, precision)
-            if count == len(steps):
-                break
-            x = [v - s for v, s in zip(x, step, strict=True)]
-    if not correction <= lib.mp.mpf(10) ** -(digits - _MARGIN):
-        raise _lost(orbit, digits)
-    mp = Mpmath(digits + _MARGIN).mp  # a context rounds to its own precision when it computes
-    return [mp.mpf(v) for v in x], mp.mpf(max(abs(r) for r in residual)), len(steps)
+
+    def step_at(x: np.ndarray, _: bool) -> tuple[list[Any], list[Any]]:
+        residual, jacobian = _at(orbit, names, x, lib)
+        return [-s for s in lib.solve(jacobian, residual)], residual
+
+    start = np.array([lib.mp.mpf(value) for value in orbit.unknowns.values()], dtype=object)
+    x, residual, count = climb(lib, start, step_at, digits, _START_DIGITS, orbit.name)
+    mp = Mpmath(digits + MARGIN).mp  # a context rounds to its own precision when it computes
+    return [mp.mpf(v) for v in x], mp.mpf(max(abs(r) for r in residual)), count
 
 
 def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
@@ -140,26 +150,26 @@ def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
     x = [exact_ball(value) for value in orbit.unknowns.values()]
     steps = precisions(digits, _START_DIGITS)
     for precision in steps:
-        with lib.working(_bits(precision + _MARGIN)):
+        with lib.working(_bits(precision + MARGIN)):
             residual, jacobian = _at(orbit, names, x, lib)
             try:
                 step = lib.solve(jacobian, residual)
             except ZeroDivisionError:
-                raise _lost(orbit, precision) from None
+                raise lost(orbit.name, precision) from None
             x = [(v - s).mid() for v, s in zip(x, step, strict=True)]
-    with lib.working(_bits(digits + 2 * _MARGIN)):
+    with lib.working(_bits(digits + 2 * MARGIN)):
         residual, _ = _at(orbit, names, x, lib)
         radii = _krawczyk(orbit, names, x, residual, lib)
-        bound = lib.rational(1, 10 ** (digits - _MARGIN))
+        bound = lib.rational(1, 10 ** (digits - MARGIN))
         if radii is None or not all(r < bound for r in radii):
-            raise _lost(orbit, digits)
-        mp = Mpmath(digits + _MARGIN).mp
+            raise lost(orbit.name, digits)
+        mp = Mpmath(digits + MARGIN).mp
         largest = max(middle(mp, abs(r).upper()) for r in residual)
         return [middle(mp, v) for v in x], largest, len(steps) + 1
 
 
 def _at(
-    orbit: Orbit, names: list[str], x: list[Any], lib: Any
+    orbit: Orbit, names: list[str], x: Sequence[Any] | np.ndarray, lib: Any
 ) -> tuple[list[Any], list[list[Any]]]:
     given = {name: lib.number(value) for name, value in orbit.given.items()}
     return _equations(orbit.kernels, names, given | dict(zip(names, x, strict=True)), lib)
@@ -197,10 +207,3 @@ def _krawczyk(
 
 def _bits(digits: int) -> int:
     return math.ceil(digits * math.log2(10)) + 8
-
-
-def _lost(orbit: Orbit, digits: int) -> NoConvergence:
-    return NoConvergence(
-        f"{orbit.name}: Newton's method with {digits} digits leaves the orbit: the equations are"
-        " singular here, or the start is too coarse"
-    )

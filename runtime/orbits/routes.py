@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from nonsmooth.runtime.events.transition_choice import Decider
-from nonsmooth.runtime.model.contacts.law import HOLDING, Event, Law
+from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law
 from nonsmooth.runtime.model.contacts.stages import Path, Stage
 from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.flows import flow_states
@@ -26,7 +26,18 @@ Itinerary = Sequence[tuple[str, str | Sequence[str]]]
 
 
 def with_routes(kernels: SystemKernels, itinerary: Itinerary) -> SystemKernels:
-    """Kernels in which every transition of an itinerary is listed that the law may take."""
+    """Kernels in which every transition of an itinerary is listed that the law may take.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    itinerary : sequence of (configuration, boundary)
+
+    Returns
+    -------
+    SystemKernels
+        The same kernels where nothing is missing.
+    """
     structure = structure_of(kernels)
     if structure.law is None or not _missing(structure, itinerary):
         return kernels
@@ -52,6 +63,11 @@ def with_routes_at(
     dwell_times : array (p,)
     starts : array (p, N)
         Where each phase begins.
+
+    Returns
+    -------
+    SystemKernels
+        The same kernels where the system has no law of contact.
     """
     structure = point.structure
     if structure.law is None:
@@ -59,7 +75,7 @@ def with_routes_at(
     law = structure.law
     decider = Decider(structure, point.fields, point.rows, point.resets)
 
-    def taken(place: int, event: Event, target: int) -> Path:
+    def taken(place: int, event: ContactEvent, target: int) -> Path:
         source = structure.configuration(itinerary[place][0])
         times = np.asarray(dwell_times[place : place + 1], dtype=float)
         end = flow_states(point, source, times, np.asarray(starts[place], dtype=float))[0]
@@ -72,7 +88,7 @@ def with_routes_at(
     return _listed(kernels, itinerary, taken)
 
 
-def _shortest(law: Law, event: Event, target: int) -> Path:
+def _shortest(law: Law, event: ContactEvent, target: int) -> Path:
     """What slips behind the event slips in its first step too."""
     regimes = law.regimes[target]
     slipping = {i for i in event.resting
@@ -103,7 +119,7 @@ def _steps(itinerary: Itinerary) -> list[tuple[str, tuple[str, ...], str]]:
 
 
 def _listed(
-    kernels: SystemKernels, itinerary: Itinerary, path: Callable[[int, Event, int], Path]
+    kernels: SystemKernels, itinerary: Itinerary, path: Callable[[int, ContactEvent, int], Path]
 ) -> SystemKernels:
     """Kernels with a route for each transition that the law allows and the system does not list."""
     structure = structure_of(unfolded(kernels, ()))

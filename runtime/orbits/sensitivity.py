@@ -16,7 +16,21 @@ __all__ = ["Sensitivity", "evaluate", "sensitivity"]
 
 
 def evaluate(orbit: Orbit, kernel: str, *, moved: bool = False) -> Any:
-    """A kernel of an orbit at its own parameters and unknowns; see `Orbit.evaluate`."""
+    """A kernel of an orbit at its own parameters and unknowns; see `Orbit.evaluate`.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    kernel : str
+        Its name.
+    moved : bool
+        Whether the kernel takes the derivatives of the spectrum.
+
+    Returns
+    -------
+    array, or nested list
+        Of doubles, or of numbers of the orbit's own arithmetic.
+    """
     kernels, values = orbit.kernels, orbit.values
     parameters = [values[name] for name in kernels.parameter_names]
     unknowns = [values[name] for name in kernels.unknowns]
@@ -50,6 +64,18 @@ def sensitivity(orbit: Orbit, parameter: str) -> Sensitivity:
 
     By the implicit function theorem on the full equations, J du = -dF/dp, for the choice of
     unknowns of this orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        With kernels.
+    parameter : str
+        Name of one that was given.
+
+    Returns
+    -------
+    Sensitivity
+        Nondimensional.
 
     Raises
     ------

@@ -79,7 +79,7 @@ def solve(
     -------
     Orbit
         In double precision; the iteration ends when a full Newton step is below
-        1e-9 max(1, |x|), which leaves an error of rounding.
+        ``1e-9 max(1, |x|)``, which leaves an error of rounding.
 
     Raises
     ------
@@ -147,7 +147,25 @@ def _composed(
 
 
 def period_in(unknown: Iterable[str], given: Mapping[str, object] | None) -> object:
-    """The period that is given for an itinerary, if it is; InputError for an exchange."""
+    """The period that is given for an itinerary, if it is; InputError for an exchange.
+
+    Parameters
+    ----------
+    unknown : iterable of str
+        Names that are solved for: none can be.
+    given : mapping of str to number, text or Value or None
+        ``period`` at most.
+
+    Returns
+    -------
+    number, text, Value or None
+        The period.
+
+    Raises
+    ------
+    InputError
+        For an exchange.
+    """
     exchanged = [*unknown, *(name for name in given or {} if name != PERIOD)]
     if exchanged:
         raise InputError(
@@ -161,6 +179,18 @@ def guess_along(
     kernels: SystemKernels, itinerary: Itinerary, guess: Any
 ) -> tuple[Sequence[tuple[str, str]], Any, Any]:
     """Phases, and the guesses (..., p) of their dwell times and (..., N) of the start, if any.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    itinerary : sequence of (configuration, boundary), or Recurrence
+    guess : array (..., p) or (..., p + N), mapping or None
+        A Recurrence brings its own.
+
+    Returns
+    -------
+    tuple
+        Phases, dwell times, and the start or None.
 
     Raises
     ------

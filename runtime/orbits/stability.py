@@ -1,20 +1,64 @@
-"""Stability of an orbit: Poincare map, multipliers and the trace criterion (Secs. 4, 5)."""
+"""Stability of an orbit: Poincare map, multipliers and the trace criterion (Secs. 4, 5).
+
+The multipliers are those that `shooting.section_map` gives without kernels. Both stay: the trace
+of the kernels keeps the digits of a reciprocal pair, in any precision, without an eigenvalue.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+from nonsmooth.runtime.core.errors import NoConvergence
+from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, Orbit
+from nonsmooth.runtime.orbits.refine import refine_kernels
+from nonsmooth.runtime.shooting.kernel_newton import frequency_spread
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 
 __all__ = ["assess_stability"]
 
+_WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poincare map
+
 
 def assess_stability(orbit: Orbit) -> Stability:
-    """Multipliers of an orbit and what they mean, to the orbit's own digits."""
+    """Multipliers of an orbit and what they mean, to the orbit's own digits.
+
+    Where frequencies are so far apart that the map in doubles has fewer digits than the orbit,
+    both are computed with more.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Of kernels.
+
+    Returns
+    -------
+    Stability
+        Its verdict is "undecided" where more digits cannot be had.
+    """
+    if orbit.precise or not frequency_spread(orbit.kernels, _spectrum(orbit)) > _WIDE:
+        return _assessed(orbit)
+    try:
+        found = _assessed(refine_kernels(orbit, DOUBLE, "flint"))
+    except NoConvergence:
+        return replace(_assessed(orbit), verdict="undecided")
+    multipliers = tuple(
+        Multiplier(float(m.real), float(m.imaginary), m.trivial) for m in found.multipliers
+    )
+    trace, margin = float(found.trace), float(found.margin)
+    return replace(found, multipliers=multipliers, trace=trace, margin=margin)
+
+
+def _spectrum(orbit: Orbit) -> np.ndarray:
+    values = [float(orbit.values[name]) for name in orbit.kernels.parameter_names]
+    return np.asarray(orbit.kernels.spectrum(values)[0])
+
+
+def _assessed(orbit: Orbit) -> Stability:
     table = orbit.kernels.table
     zero = orbit.arithmetic.mp.zero if orbit.precise else 0.0
     trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
@@ -49,6 +93,12 @@ def assess_stability(orbit: Orbit) -> Stability:
 
 def _grazes(orbit: Orbit, error: Any) -> bool:
     """Whether a phase's exit boundary may be reached tangentially: there no map has a slope."""
+    rates = _exit_rates if orbit.kernels.trigonometric else _exit_rates_of_fields
+    return any(abs(rate) <= error * size for rate, size in rates(orbit))
+
+
+def _exit_rates(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
+    """Rates of the boundaries that end the phases there, and sizes of what they are made of."""
     kernels, lib = orbit.kernels, orbit.arithmetic.mp if orbit.precise else np
     coefficients, frequencies = (list(a) for a in orbit.evaluate("boundary_functions"))
     dwell, terms = orbit.dwell_times.tolist(), kernels.table["terms"]
@@ -65,9 +115,19 @@ def _grazes(orbit: Orbit, error: Any) -> bool:
             cosine, sine = waves[j], waves[count + j]
             rate += w * (sine * lib.cos(w * dwell[phase]) - cosine * lib.sin(w * dwell[phase]))
             size += w * (abs(sine) + abs(cosine))
-        if abs(rate) <= error * size:
-            return True
-    return False
+        yield rate, size
+
+
+def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
+    """The same along damped and forced motions: n (A y + b) at the end y of a phase."""
+    kernels = orbit.kernels
+    fields, _, ends, rows = (np.array(a, dtype=object) for a in orbit.evaluate("phase_fields"))
+    fields = fields.reshape(len(ends), -1, fields.shape[-1])
+    for boundary, row in zip(kernels.boundaries, rows, strict=True):
+        phase = boundary.phase
+        if boundary.name == kernels.table["phases"][phase][1]:
+            terms = row[:-1, None] * fields[phase] * np.append(ends[phase], 1)
+            yield terms.sum(), abs(terms).sum()
 
 
 def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:

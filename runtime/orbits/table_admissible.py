@@ -11,19 +11,18 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.first_crossing import first_crossing
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
 from nonsmooth.runtime.events.phase_numbers import ConfigurationTable
 from nonsmooth.runtime.events.transition_choice import Decider, choose
-from nonsmooth.runtime.model.contacts.law import Event
+from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.orbits.admissible import MOST_MISSED, Admissibility, Violation
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, flow_at, numbers_in
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, flow_at, numbers_in
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
 from nonsmooth.runtime.shooting.variational import Shooting
 
@@ -35,12 +34,26 @@ _SIZES = 9  # instants of a phase at which the sizes of its states are taken
 
 
 def assess_cycle(
-    cycle: Cycle, system: PiecewiseLinear, now: Shooting, dwell: np.ndarray
+    cycle: ItineraryShape, system: PiecewiseLinear, now: Shooting, dwell: np.ndarray
 ) -> Admissibility:
     """Check all boundaries along all phases, and all transitions.
 
     A transition that the conditions refuse is a violation of its own boundary at the end of
     its phase, by no excess.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    system : PiecewiseLinear
+        In double precision.
+    now : Shooting
+        The cycle at the orbit.
+    dwell : array (p,)
+        In the unit of time.
+
+    Returns
+    -------
+    Admissibility
 
     Raises
     ------
@@ -90,6 +103,8 @@ def assess_cycle(
 
 def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[float, float]:
     """Where a function that has crossed zero is largest, and its value there."""
+    from scipy.optimize import minimize_scalar
+
     angle = function.fastest * (last - first)
     times = np.linspace(first, last, int(min(64 + _SAMPLES * angle, _MOST_SAMPLES)))
     values = [function(time) for time in times.tolist()]
@@ -106,7 +121,7 @@ def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[floa
 
 
 def _noise(
-    cycle: Cycle, numbers: Numbers, now: Shooting, place: int, duration: float
+    cycle: ItineraryShape, numbers: Numbers, now: Shooting, place: int, duration: float
 ) -> np.ndarray:
     """Rounding of every row along a phase, whose terms are differences of the data.
 
@@ -121,7 +136,9 @@ def _noise(
     return np.asarray(64 * _EPSILON * size + np.minimum(2 * missed, MOST_MISSED * size))
 
 
-def _taken(cycle: Cycle, numbers: Numbers, now: Shooting, place: int, noise: np.ndarray) -> bool:
+def _taken(
+    cycle: ItineraryShape, numbers: Numbers, now: Shooting, place: int, noise: np.ndarray
+) -> bool:
     """Whether what follows the end of a phase is the itinerary's transition."""
     if cycle.boundaries[place] is None:  # the forcing's phase changes nothing
         return True
@@ -130,17 +147,18 @@ def _taken(cycle: Cycle, numbers: Numbers, now: Shooting, place: int, noise: np.
     found = choose(structure, source, wanted.boundaries, judge).transition
     if found is None or found is wanted:
         return found is wanted
-    # by other steps of the law, or in another order, the same may follow
+    if found.target != wanted.target:
+        return False
+    # on other conditions, by other steps of the law, or in another order, the same may follow
     several = wanted.path is not None or structure.orders(source, wanted.boundaries) != (0,)
-    alike = found.target == wanted.target and judge.agree((found.reset, wanted.reset))
-    return several and alike
+    return found.reset == wanted.reset or (several and judge.agree((found.reset, wanted.reset)))
 
 
 @dataclass(frozen=True)
 class _AtEnd:
     """Judge at the end of a phase, which the orbit meets but for its residual."""
 
-    cycle: Cycle
+    cycle: ItineraryShape
     numbers: Numbers
     now: Shooting
     place: int
@@ -175,7 +193,7 @@ class _AtEnd:
 
         return all(map(alike, others))
 
-    def targets(self, event: Event) -> tuple[int, ...]:
+    def targets(self, event: ContactEvent) -> tuple[int, ...]:
         numbers, source = self.numbers, self.cycle.configurations[self.place]
         decider = Decider(self.cycle.structure, numbers.fields, numbers.rows, numbers.resets)
         missed = self.now.residual[self.place] / self.now.speeds[self.place]

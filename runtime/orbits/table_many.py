@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.threads import thread_pool
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_points
@@ -16,8 +17,8 @@ from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.routes import with_routes
+from nonsmooth.runtime.orbits.table_digits import without_digits
 from nonsmooth.runtime.orbits.table_problem import TableProblem
-from nonsmooth.runtime.shooting.cycle_newton import sizes, solve_cycle
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
@@ -27,14 +28,15 @@ from nonsmooth.runtime.shooting.section_map import (
     stroboscopic_maps,
 )
 from nonsmooth.runtime.shooting.shooting_map import (
-    Cycle,
+    ItineraryShape,
     Numbers,
-    cycle_of,
     guesses,
+    itinerary_shape,
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetry import closed_cycle
+from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape
+from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
 from nonsmooth.runtime.shooting.translations import (
     directions_of,
     gauges_of,
@@ -77,6 +79,11 @@ def solve_itineraries(
     threads : int, optional
         As many as processors when omitted.
 
+    Returns
+    -------
+    Orbits
+        Arrays in the shape (...) to which all these broadcast; NaN where there is no orbit.
+
     Raises
     ------
     InputError
@@ -85,7 +92,7 @@ def solve_itineraries(
     """
     kernels = with_routes(system, itinerary)
     structure = structure_of(kernels)
-    cycle = cycle_of(structure, itinerary)
+    cycle = itinerary_shape(structure, itinerary)
     size = len(structure.states)
     points, given = parameter_points(kernels, parameters)
     shape = _common(given, dwell_times, start)
@@ -127,7 +134,7 @@ def solve_itineraries(
                 with np.errstate(all="ignore"):
                     at = shoot(here, numbers, guess[part], begin_at[part], np).starts[first]
             near = np.roll(guess[part], -first, axis=1)
-            found = solve_cycle(here.rotated(first), flat, near, at, lengths[part])
+            found = solve_shape(here.rotated(first), flat, near, at, lengths[part])
             found_dwell[part] = np.roll(found.dwell, first, axis=1)
             states[part] = np.roll(found.starts, first, axis=1)
             residual[part] = found.residual
@@ -136,19 +143,17 @@ def solve_itineraries(
             else:
                 fields = numbers_in(group.structure, group.flat).fields
                 first_field = fields[:, cycle.configurations[0]]
-                with np.errstate(divide="ignore", invalid="ignore"):  # points without an orbit
-                    timed = stroboscopic_maps(
-                        here, first_field, found.starts[:, 0], found.maps, driven
-                    )
+                timed = stroboscopic_maps(here, first_field, found.starts[:, 0], found.maps, driven)
                 maps[part] = _with_translations(timed, directions[..., driven])
-            iterations[part], status[part] = found.iterations, found.status
+            iterations[part] = found.iterations
+            status[part] = without_digits(here.rotated(first), flat, found, lengths[part])
 
     parts = range(0, count, CHUNK)
     if threads == 1 or len(parts) < 2:
         for begin in parts:
             work(begin)
     else:
-        with ThreadPoolExecutor(threads) as pool:
+        with thread_pool(threads) as pool:
             list(pool.map(work, parts))
     lost = status != CONVERGED
     for array in (found_dwell, states, maps, residual):
@@ -178,13 +183,15 @@ def _numbers(given: Any) -> np.ndarray:
 
 def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
     """Whether the system does not change along some direction: the first sound point tells."""
-    sound = np.flatnonzero(np.isfinite(points).all(axis=1))
-    if not len(sound):
-        return False
-    return bool(len(translations_of(piecewise_at(kernels, points[sound[0]]))))
+    for place in np.flatnonzero(np.isfinite(points).all(axis=1))[:CHUNK]:
+        with suppress(InputError):  # of a point whose flows double precision does not tell
+            return bool(len(translations_of(piecewise_at(kernels, points[place]))))
+    return False
 
 
-def _closed(cycle: Cycle, flat: np.ndarray) -> tuple[Cycle, np.ndarray, np.ndarray]:
+def _closed(
+    cycle: ItineraryShape, flat: np.ndarray
+) -> tuple[ItineraryShape, np.ndarray, np.ndarray]:
     """A cycle that closes up to translations, numbers with its last reset, and directions."""
     structure, count = cycle.structure, len(flat)
     numbers = numbers_in(structure, flat)
@@ -194,7 +201,7 @@ def _closed(cycle: Cycle, flat: np.ndarray) -> tuple[Cycle, np.ndarray, np.ndarr
     added = np.stack([projection_along(d) @ r for d, r in zip(directions, last, strict=True)])
     place = sum(part[0].size for part in numbers[:3])
     parts = [flat[:, :place], added.reshape(count, -1), flat[:, place:]]
-    return closed_cycle(cycle, len(cycle)), np.concatenate(parts, axis=1), directions
+    return closed_shape(cycle, len(cycle)), np.concatenate(parts, axis=1), directions
 
 
 def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
@@ -228,7 +235,7 @@ def _spread(
 
 
 def _smallest_section(
-    cycle: Cycle,
+    cycle: ItineraryShape,
     kernels: SystemKernels,
     points: np.ndarray,
     dwell: np.ndarray,
@@ -247,7 +254,7 @@ def _smallest_section(
             continue
         here = cycle.at(group.structure)
         at = None if start is None else start[part]
-        found = solve_cycle(here, flat, dwell[part], at, np.full(1, np.nan))
+        found = solve_shape(here, flat, dwell[part], at, np.full(1, np.nan))
         single = Numbers(*_first(numbers_in(group.structure, flat)))
         with np.errstate(all="ignore"):
             now = shoot(here, single, found.dwell[0], found.starts[0, 0], np)

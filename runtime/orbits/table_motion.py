@@ -6,7 +6,7 @@ import numpy as np
 
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["motion_along"]
@@ -14,7 +14,7 @@ __all__ = ["motion_along"]
 
 def motion_along(
     system: PiecewiseLinear,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     dwell: np.ndarray,
     starts: np.ndarray,
     ends: np.ndarray,
@@ -27,13 +27,18 @@ def motion_along(
     ----------
     system : PiecewiseLinear
         In double precision, as all that follows.
-    cycle : Cycle
+    cycle : ItineraryShape
     dwell : array (p,)
     starts, ends : array (p, N)
         State at the start and at the end of each phase.
     shift : array (N,)
         By which a period moves the state.
     periods : int
+
+    Returns
+    -------
+    Trajectory
+        From time 0 on; one phase without a transition is not cut.
     """
     if cycle.uninterrupted:
         run = Run(

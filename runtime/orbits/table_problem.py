@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -12,6 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.completion import SystemPoint, system_parameters
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
@@ -21,24 +22,26 @@ from nonsmooth.runtime.model.piecewise import (
     piecewise_at,
     piecewise_in,
 )
+from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_motion import motion_along
-from nonsmooth.runtime.orbits.table_refine import refine_cycle
+from nonsmooth.runtime.orbits.table_refine import refine_shape
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
-from nonsmooth.runtime.shooting.cycle_newton import LEAST, message_of, sizes
 from nonsmooth.runtime.shooting.multipliers import Stability
-from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
+from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR
 from nonsmooth.runtime.shooting.section_map import assess, saltations
 from nonsmooth.runtime.shooting.shooting_map import (
-    Cycle,
+    ItineraryShape,
     Numbers,
-    cycle_of,
+    itinerary_shape,
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetry import Symmetry, closing, part_of, whole_orbit
+from nonsmooth.runtime.shooting.symmetric_orbit import closing, part_of, whole_orbit
+from nonsmooth.runtime.shooting.symmetry import Symmetry
+from nonsmooth.runtime.shooting.table_newton import message_of, sizes
 from nonsmooth.runtime.shooting.translations import (
     gauges_of,
     translations_of,
@@ -93,6 +96,11 @@ class TableProblem:
         """See `OrbitProblem`."""
         return self.system.parameters
 
+    @property
+    def all_parameters(self) -> Mapping[str, ParameterTable]:
+        """See `OrbitProblem`."""
+        return {table.name: table for table in self.parameters}
+
     @cached_property
     def unknown_names(self) -> tuple[str, ...]:
         """Names of the dwell times, then those of the start: of x1 it is x10."""
@@ -108,6 +116,26 @@ class TableProblem:
         return self.unknown_names[: len(self.itinerary)]
 
     @property
+    def has_trajectory(self) -> bool:
+        """See `OrbitProblem`."""
+        return True
+
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """See `OrbitProblem`."""
+        return self.unknown_names[len(self.itinerary) :]
+
+    @property
+    def forcing(self) -> tuple[tuple[int, int], ...]:
+        """See `OrbitProblem`."""
+        return structure_of(self.system).forcing
+
+    @property
+    def period_name(self) -> str:
+        """See `OrbitProblem`."""
+        return PERIOD
+
+    @property
     def required(self) -> Mapping[str, str]:
         """None: all parameters are given."""
         return {}
@@ -115,6 +143,32 @@ class TableProblem:
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
         """See `OrbitProblem`."""
         return [values[name] for name in self.dwell_time_names]
+
+    def followers(self, names: Iterable[str]) -> Collection[str]:
+        """See `OrbitProblem`: all parameters are given."""
+        return ()
+
+    def period(self, orbit: Orbit) -> Value | None:
+        """See `OrbitProblem`."""
+        return orbit.given_period
+
+    def system_values(self, values: Mapping[str, Value]) -> dict[str, Value]:
+        """See `OrbitProblem`: nothing is left open."""
+        return system_parameters(self.system, {p.name: values[p.name] for p in self.parameters})
+
+    def physical(
+        self, orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
+    ) -> SystemPoint:
+        """See `OrbitProblem`: nothing is left open."""
+        return SystemPoint(orbit.parameters, ())
+
+    def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
+        """See `OrbitProblem`."""
+        return list(orbit.states[0].tolist())
+
+    def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
+        """See `OrbitProblem`: the orbit itself."""
+        return orbit
 
     def message(self, status: int, *, timed: bool) -> str:
         """See `OrbitProblem`."""
@@ -149,7 +203,29 @@ def orbit_of(
     iterations: int,
     status: int,
 ) -> Orbit:
-    """Record of dwell times (p,) and states (p, N) at the start of each phase."""
+    """Record of dwell times (p,) and states (p, N) at the start of each phase.
+
+    Parameters
+    ----------
+    problem : TableProblem
+    parameters : mapping of str to Value
+        All physical ones.
+    period : Value or None
+        Where it was given.
+    dwell_times : array (p,)
+    states : array (p, N)
+    residual : number
+        Of the closure.
+    digits : int
+        That are true.
+    iterations : int
+        Of Newton's method.
+    status : int
+
+    Returns
+    -------
+    Orbit
+    """
     unknowns = [*dwell_times.tolist(), *states[0].tolist()]
     given = dict(parameters) if period is None else {**parameters, PERIOD: period}
     return Orbit(
@@ -166,7 +242,21 @@ def orbit_of(
 
 
 def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
-    """The same orbit by the name and the names of unknowns that a declaration gives it."""
+    """The same orbit by the name and the names of unknowns that a declaration gives it.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        By tables.
+    label : str or None
+        ``FILE.py:ORBIT`` and the like.
+    names : sequence of str
+        Of the dwell times, then of the start's coordinates.
+
+    Returns
+    -------
+    Orbit
+    """
     assert isinstance(orbit.problem, TableProblem)
     problem = replace(orbit.problem, label=label, names=tuple(names))
     unknowns = dict(zip(problem.unknown_names, orbit.unknowns.values(), strict=True))
@@ -192,9 +282,9 @@ class TableEvaluation:
         return self.orbit.starts
 
     @cached_property
-    def cycle(self) -> Cycle:
+    def cycle(self) -> ItineraryShape:
         """The itinerary looked up in the system."""
-        return cycle_of(self.piecewise.structure, self.problem.itinerary)
+        return itinerary_shape(self.piecewise.structure, self.problem.itinerary)
 
     @cached_property
     def piecewise(self) -> PiecewiseLinear:
@@ -265,7 +355,13 @@ class TableEvaluation:
 
     @cached_property
     def part_stability(self) -> Stability:
-        """See `Evaluation`."""
+        """See `Evaluation`.
+
+        Raises
+        ------
+        InputError
+            If the orbit was not composed from a part and a symmetry.
+        """
         self._check_found()
         if self.problem.symmetry is None:
             raise InputError("the orbit was not composed from a part and a symmetry")
@@ -315,6 +411,14 @@ class TableEvaluation:
     def refined(self, digits: int) -> Orbit:
         """The same orbit to true decimal digits, with mpmath numbers.
 
+        Parameters
+        ----------
+        digits : int
+
+        Returns
+        -------
+        Orbit
+
         Raises
         ------
         InputError
@@ -324,7 +428,7 @@ class TableEvaluation:
         """
         orbit, system, symmetry = self.orbit, self.problem.system, self.problem.symmetry
         period, parameters = orbit.given_period, orbit.parameters
-        precise = refine_cycle(
+        precise = refine_shape(
             system,
             self.cycle,
             parameters,
@@ -353,17 +457,19 @@ class TableEvaluation:
         )
 
     @cached_property
-    def _part(self) -> tuple[Cycle, Numbers, Shooting, np.ndarray]:
+    def _part(self) -> tuple[ItineraryShape, Numbers, Shooting, np.ndarray]:
         """The part that the symmetry closes: cycle, numbers, passage and dwell times."""
         return self._closed(self.problem.symmetry)
 
-    def _closed(self, symmetry: Symmetry | None) -> tuple[Cycle, Numbers, Shooting, np.ndarray]:
+    def _closed(
+        self, symmetry: Symmetry | None
+    ) -> tuple[ItineraryShape, Numbers, Shooting, np.ndarray]:
         system, part = closing(self.piecewise, self.cycle, symmetry)
         numbers, dwell = numbers_in(system), self.orbit.dwell_times[: len(part)]
         now = shoot(part, numbers, dwell, self.states[0], self._functions)
         return part, numbers, now, dwell
 
-    def _assessed(self, closed: tuple[Cycle, Numbers, Shooting, np.ndarray]) -> Stability:
+    def _assessed(self, closed: tuple[ItineraryShape, Numbers, Shooting, np.ndarray]) -> Stability:
         return assess(*closed, self.translations, self.family, self._functions, self._error)
 
     @property

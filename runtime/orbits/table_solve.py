@@ -6,49 +6,38 @@ boundaries and transitions are enough. Coordinates are physical, positions befor
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
+from nonsmooth.runtime.orbits.table_digits import digits_of
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
-from nonsmooth.runtime.shooting.cycle_newton import (
-    Found,
-    sizes,
-    solve_cycle,
-)
-from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.newton import CONVERGED, UNSURE
 from nonsmooth.runtime.shooting.shooting_map import (
-    Cycle,
-    cycle_of,
     guesses,
-    numbers_in,
-    shoot,
+    itinerary_shape,
 )
-from nonsmooth.runtime.shooting.symmetry import (
+from nonsmooth.runtime.shooting.symmetric_orbit import (
     closing,
     part_of,
-    symmetry_of,
-    whole_cycle,
     whole_itinerary,
     whole_orbit,
+    whole_shape,
 )
+from nonsmooth.runtime.shooting.symmetry import symmetry_of
+from nonsmooth.runtime.shooting.table_newton import solve_shape
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 
 __all__ = ["Symmetries", "solve_itinerary"]
 
 Symmetries = Mapping[str, str] | np.ndarray | Sequence[Sequence[int]] | None
-
-_ROUNDING = 16 * float(np.finfo(float).eps)  # of one phase, in units of the states' sizes
 
 
 def solve_itinerary(
@@ -98,9 +87,9 @@ def solve_itinerary(
     point = piecewise(kernels, parameters)
     structure = point.structure
     if mirror is None:
-        cycle = cycle_of(structure, itinerary)
+        cycle = itinerary_shape(structure, itinerary)
     else:
-        cycle = whole_cycle(point, mirror, itinerary)
+        cycle = whole_shape(point, mirror, itinerary)
     closed, part = closing(point, cycle, mirror)
     dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
     begin, directions = None, translations_of(point)
@@ -113,10 +102,12 @@ def solve_itinerary(
         raise InputError(f"period = {wanted} is not positive and finite")
     if wanted is not None and mirror is not None:
         length = float(part_of(wanted, mirror.order))
-    found = solve_cycle(
+    found = solve_shape(
         part, numbers_of(closed)[None], dwell.reshape(1, -1), begin, np.array([length])
     )
     found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
+    digits = int(digits_of(part, numbers_of(closed)[None], found, np.array([length]))[0])
+    status = UNSURE if found.status[0] == CONVERGED and not digits else int(found.status[0])
     part_of_it = found.dwell[0], found.starts[0]
     times, states = whole_orbit(point, cycle, mirror, *part_of_it, np)
     kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
@@ -127,39 +118,7 @@ def solve_itinerary(
         times,
         states,
         float(found.residual[0]),
-        _digits(part, closed, found, length),
+        digits,
         int(found.iterations[0]),
-        int(found.status[0]),
+        status,
     )
-
-
-def _digits(part: Cycle, system: PiecewiseLinear, found: Found, period: float) -> int:
-    """Decimal digits of an orbit in double precision, by the inverse of its equations.
-
-    What closure and switching miss, and rounding, move the start by as much as the smallest
-    singular value lets them, and the dwell times with it.
-    """
-    if found.status[0] != CONVERGED:
-        return 0
-    dwell, start, numbers = found.dwell[0], found.starts[0, 0], numbers_in(system)
-    now = shoot(part, numbers, dwell, start, np)
-    directions = translations_of(system)  # how far it drifts is no size
-    starts, ends, fields = (
-        up_to_shift(part, directions) for part in (now.starts, now.ends, now.velocities)
-    )
-    size_of = sizes(now._replace(starts=starts, ends=ends, velocities=fields), dwell)
-    matrix, right = linearised_closure(now, dwell, size_of, np.float64(period))
-    matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, FLOATS)
-    least = float(np.linalg.svd(matrix, compute_uv=False)[-1])
-    missed = float(np.abs(right).max()) + _ROUNDING * len(part)
-    relative = missed / least if least else math.inf
-    by_start = relative * (np.abs(now.rates[:, :-1]) @ size_of)
-    by_gap = np.abs(now.residual / now.speeds) + _ROUNDING * dwell
-    errors = [
-        *(relative * size_of / np.maximum(1, np.abs(start))),
-        *((by_start + by_gap) / np.maximum(1, dwell)),
-    ]
-    largest = max(errors)
-    if not math.isfinite(largest):
-        return 0
-    return max(0, min(DOUBLE, math.floor(-math.log10(max(largest, 1e-300)))))

@@ -7,14 +7,14 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.values import decimal_string
-from nonsmooth.runtime.model.naming import itinerary_text, symbol
+from nonsmooth.runtime.model.naming import itinerary_text, shown_name, symbol
 from nonsmooth.runtime.present.report import orbit_json
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.explore.finding.find import Found
+    from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["found_html", "orbit_html", "orbit_latex"]
+__all__ = ["found_html", "orbit_html", "orbit_latex", "table_html"]
 
 _MOST_DIGITS = 50  # of a number in a formula
 
@@ -26,10 +26,21 @@ def _complex(real: str, imaginary: str) -> str:
 
 
 def orbit_html(orbit: Orbit) -> str:
-    """Show an orbit as a compact table, for a notebook."""
+    """Show an orbit as a compact table, for a notebook.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged or not.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     given = [f"{name} = {value}" for name, value in {**orbit.given, **orbit.opened}.items()]
     if not orbit.converged:
-        return _table(orbit.name, [("given", given), ("status", [orbit.message])])
+        return table_html(shown_name(orbit.name), [("given", given), ("status", [orbit.message])])
     found = orbit_json(orbit, min(orbit.digits, 15))
     unknowns = [f"{name} = {text}" for name, text in found["unknowns"].items()]
     multipliers = [
@@ -45,8 +56,8 @@ def orbit_html(orbit: Orbit) -> str:
         f" at t = {float(v['time']):.6g} by {float(v['excess']):.6g}"
         for v in found.get("violations", ())
     ]
-    return _table(
-        f"{orbit.name}, {orbit.digits} digits",
+    return table_html(
+        f"{shown_name(orbit.name)}, {orbit.digits} digits",
         [
             ("given", given),
             ("unknowns", unknowns),
@@ -59,7 +70,18 @@ def orbit_html(orbit: Orbit) -> str:
 
 
 def orbit_latex(orbit: Orbit) -> str:
-    """Show the unknowns of an orbit as aligned equations, for a notebook."""
+    """Show the unknowns of an orbit as aligned equations, for a notebook.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged or not.
+
+    Returns
+    -------
+    str
+        LaTeX, in display style.
+    """
     if not orbit.converged:
         return rf"$$\text{{{orbit.name}: {orbit.message}}}$$"
     rows = []
@@ -72,7 +94,20 @@ def orbit_latex(orbit: Orbit) -> str:
     return f"$$\\begin{{aligned}}\n{body}\n\\end{{aligned}}$$"
 
 
-def _table(caption: str, rows: Iterable[tuple[str, Iterable[str]]]) -> str:
+def table_html(caption: str, rows: Iterable[tuple[str, Iterable[str]]]) -> str:
+    """Write a table of named rows, for a notebook.
+
+    Parameters
+    ----------
+    caption : str
+    rows : iterable of (str, iterable of str)
+        A name and the lines beside it.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     left = 'style="text-align: left"'
     body = "".join(
         f"<tr><th {left}>{escape(name)}</th><td {left}>{'<br>'.join(map(escape, lines))}</td></tr>"
@@ -82,7 +117,18 @@ def _table(caption: str, rows: Iterable[tuple[str, Iterable[str]]]) -> str:
 
 
 def found_html(found: Found) -> str:
-    """Show what was found as a table, for a notebook: a row for each, and how else motions end."""
+    """Show what was found as a table, for a notebook: a row for each, and how else motions end.
+
+    Parameters
+    ----------
+    found : Found
+        What was found from many starts.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     rows = [
         (
             f"{place}",
@@ -100,7 +146,7 @@ def found_html(found: Found) -> str:
         for place, entry in enumerate(found.equilibria, len(found.orbits) + 1)
     ]
     rows += [("", [outcome.text], share) for outcome, share in found.outcomes.items()]
-    return _table(
+    return table_html(
         f"{found.system}, {len(found.starts)} starts",
         [(name, [*lines, f"{100 * share:.4g} % of the starts"]) for name, lines, share in rows],
     )

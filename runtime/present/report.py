@@ -10,13 +10,17 @@ from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
     ParameterTable,
+    SystemKernels,
+    is_saved,
     load_orbit,
     load_system,
     orbits_in,
     system_names,
 )
+from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.present.files.named_entries import saved_names
 from nonsmooth.runtime.shooting.multipliers import Stability
 
 __all__ = ["admissibility_json", "orbit_json", "short", "systems_json"]
@@ -26,14 +30,18 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
     """An orbit with stability and admissibility; numbers as decimal strings.
 
     `unknowns` are what was solved for, `parameters` what was given, with three digits more
-    than the error bound 10^-digits max(1, |x|) needs. The phases are told where the orbit has
-    no kernels, and so no list of its own.
+    than the error bound 10^-digits max(1, |x|) needs.
 
     Parameters
     ----------
     orbit : Orbit
     digits : int, optional
         Fewer digits than the orbit has.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
 
     Raises
     ------
@@ -72,12 +80,11 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
     }
     if orbit.symmetry is not None:
         found["part_multipliers"] = multipliers(orbit.part_stability)
-    if orbit.problem.kernels is None:
-        phases = zip(orbit.itinerary, orbit.dwell_time_names, strict=True)
-        found["phases"] = [
-            {"configuration": configuration, "boundary": boundary, "dwell_time": name}
-            for (configuration, boundary), name in phases
-        ]
+    phases = zip(orbit.itinerary, orbit.dwell_time_names, strict=True)
+    found["phases"] = [
+        {"configuration": configuration, "boundary": boundary, "dwell_time": name}
+        for (configuration, boundary), name in phases
+    ]
     return found
 
 
@@ -85,6 +92,16 @@ def admissibility_json(orbit: Orbit) -> dict[str, Any]:
     """Verdict, and what it rests on: violations, or bounds on the open parameters.
 
     Phases are counted from 1.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
     """
     admissibility = orbit.admissibility
     found: dict[str, Any] = {"admissible": admissibility.verdict}
@@ -113,24 +130,58 @@ def admissibility_json(orbit: Orbit) -> dict[str, Any]:
 
 
 def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
-    """Systems, all built-in ones without names, and their orbits: what is given and solved for."""
-    named = names or system_names()
-    orbits = {name: [load_orbit(orbit) for orbit in orbits_in(name)] for name in named}
-    systems = [load_system(name) for name in named]
+    """Systems, all built-in ones without names, and their orbits: what is given and solved for.
+
+    Parameters
+    ----------
+    names : sequence of str, optional
+        Of systems; empty for all built-in ones.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+    """
+    systems = {name: _listed(name) for name in names or system_names()}
     return {
         "systems": [
             {
-                "name": system.name,
+                "name": shown_name(system.name) if is_saved(name) else system.name,
                 "description": system.table["description"],
+                "states": list(system.table["states"]),
                 "configurations": list(system.configurations),
+                "boundaries": {
+                    configuration: [dict(boundary) for boundary in boundaries]
+                    for configuration, boundaries in system.table["configurations"].items()
+                },
+                "transitions": _transitions_json(system),
                 "parameters": [_parameter_json(p) for p in system.parameters],
-                "orbits": [
-                    _declared_json(o) if o.derived else _composed_json(o) for o in orbits[name]
-                ],
+                "orbits": [_declared_json(o) if o.derived else _composed_json(o) for o in orbits],
             }
-            for name, system in zip(named, systems, strict=True)
+            for name, (system, orbits) in systems.items()
         ]
     }
+
+
+def _transitions_json(system: SystemKernels) -> list[dict[str, Any]]:
+    """What may follow where boundaries are reached: which it is the state decides."""
+    targets: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    for transition in system.table["transitions"]:
+        reached = (transition["source"], tuple(transition["boundaries"]))
+        known = targets.setdefault(reached, [])
+        if transition["target"] not in known:
+            known.append(transition["target"])
+    return [
+        {"source": source, "boundaries": list(boundaries), "targets": found}
+        for (source, boundaries), found in targets.items()
+    ]
+
+
+def _listed(name: str) -> tuple[SystemKernels, list[OrbitKernels]]:
+    """A system with its orbits, or what a file of results has of them."""
+    saved = is_saved(name)
+    orbits = [load_orbit(orbit) for orbit in (saved_names if saved else orbits_in)(name)]
+    return orbits[0].system if saved else load_system(name), orbits
 
 
 def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
@@ -141,13 +192,14 @@ def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
     combining = (combining | set(kernels.required)) - {p.name for p in tables}
     tables += [p for p in kernels.system.parameters if p.name in combining]
     return {
-        "name": kernels.name,
+        "name": kernels.address,
         "phases": [
             {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
             for configuration, boundary, dwell_time in kernels.table["phases"]
         ],
         "parameters": [_parameter_json(p) | {"default": defaults.get(p.name)} for p in tables],
         "unknowns": list(kernels.unknowns),
+        "derived": True,
     }
 
 
@@ -156,7 +208,7 @@ def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
     table, system = kernels.table, kernels.system
     reference = table["reference"] or {"parameters": {}}
     return {
-        "name": kernels.name,
+        "name": kernels.address,
         "phases": [
             {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
             for configuration, boundary, dwell_time in table["phases"]
@@ -166,6 +218,8 @@ def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
             for p in system.parameters
         ],
         "unknowns": list(unknowns_of(kernels)),
+        "derived": False,
+        "reason": table["reason"],
     }
 
 
@@ -181,7 +235,18 @@ def _parameter_json(parameter: ParameterTable) -> dict[str, Any]:
 
 
 def short(number: Any) -> str:
-    """A small number to three digits; its size is what counts."""
+    """A small number to three digits; its size is what counts.
+
+    Parameters
+    ----------
+    number : float or mpf
+        The number.
+
+    Returns
+    -------
+    str
+        Decimal.
+    """
     from mpmath import mp
 
     return str(mp.nstr(mp.mpf(number), 3))

@@ -9,9 +9,10 @@
 `certificate`               `Certificate`: what is proved of an orbit, with enclosures
 `admissibility`             whether a proved orbit is a motion of the real system
 `admissibility_conditions`  what has to be shown of a cycle for it to be a motion, phase by phase
-`closure`                   how a cycle closes, which makes its equations square and nonsingular
 `contact_statement`         the contact law, as a certificate states it
-`cycle_equations`           closure and switching in balls, their Jacobian, the Poincare map
+`orbit_equations`           closure and switching in balls, their Jacobian, the Poincare map
+`exact_closure`             closure conditions that make a cycle's equations square and nonsingular
+`symplectic_form`           the form and the energies that a conservative cycle keeps
 `enclosure`                 the box that contains exactly one orbit
 `exact_tables`              a system's numbers, rational where the parameters are, else balls
 `expansion`                 Taylor expansions of affine functions along a phase
@@ -19,7 +20,7 @@
 `krawczyk`                  Newton's method towards a root, and the test that a box has exactly one
 `multipliers`               trace and multipliers, and on which side of the unit circle they are
 `orbit_claims`              what is claimed of one orbit: existence, admissibility, stability
-`orbit_cycle`               what is to be proved: an orbit of any kind as a cycle of its system
+`orbit_to_prove`               what is to be proved: an orbit of any kind as a cycle of its system
 `parametric_declaration`    the declaration of a file, as functions of its parameters
 `sign_along_phase`          whether an affine function stays negative along a phase
 `statement`                 the exact system, as a certificate states it and the checker reads it

@@ -71,6 +71,11 @@ def judge(
     now : Shooting
         Over the enclosures.
     dwell : sequence of arb or TaylorModel
+
+    Returns
+    -------
+    Judgement
+        "refuted" once a phase is, "proved" if all phases are, else "undecided".
     """
     margins: list[Margin] = []
     undecided = ""

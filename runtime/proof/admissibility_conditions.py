@@ -14,7 +14,7 @@ from nonsmooth.runtime.model.structure import Structure, TransitionShape
 from nonsmooth.runtime.proof.exact_tables import Matrix, Tables
 from nonsmooth.runtime.proof.invariants import CycleInvariants
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["Condition", "Derivative", "Follower", "Plan", "Watched", "plan_of"]
 
@@ -113,7 +113,18 @@ class Plan(NamedTuple):
     orders: tuple[tuple[Follower, ...], ...]
 
     def at(self, number: Callable[[Any], Any]) -> Plan:
-        """The same with numbers in place of exact entries, but for exact zeros."""
+        """The same with numbers in place of exact entries, but for exact zeros.
+
+        Parameters
+        ----------
+        number : callable
+            Maps exact entries to numbers: balls or Taylor models.
+
+        Returns
+        -------
+        Plan
+            With rows of numbers.
+        """
 
         def numbers(row: Row) -> Any:
             return tuple(number(x) if x else 0 for x in row)
@@ -155,12 +166,27 @@ _ZERO: Any = (0,)
 _OPEN = Derivative(0, _ZERO)  # of no sign that could be told
 
 
-def plan_of(tables: Tables, cycle: Cycle, invariants: CycleInvariants) -> tuple[Plan, ...]:
-    """What has to be shown, for each phase of a cycle of a system whose numbers are exact."""
+def plan_of(tables: Tables, cycle: ItineraryShape, invariants: CycleInvariants) -> tuple[Plan, ...]:
+    """What has to be shown, for each phase of a cycle of a system whose numbers are exact.
+
+    Parameters
+    ----------
+    tables : Tables
+        Exact.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+    invariants : CycleInvariants
+        What vanishes where the phases begin and end.
+
+    Returns
+    -------
+    tuple of Plan
+        One for each phase.
+    """
     return tuple(_plan(tables, cycle, invariants, place) for place in range(len(cycle)))
 
 
-def _plan(tables: Tables, cycle: Cycle, invariants: CycleInvariants, place: int) -> Plan:
+def _plan(tables: Tables, cycle: ItineraryShape, invariants: CycleInvariants, place: int) -> Plan:
     structure = cycle.structure
     configuration = cycle.configurations[place]
     wanted = cycle.transitions[place]
@@ -199,7 +225,7 @@ def _plan(tables: Tables, cycle: Cycle, invariants: CycleInvariants, place: int)
 
 
 def _followers(
-    tables: Tables, cycle: Cycle, place: int, order: int, ends: Invariants
+    tables: Tables, cycle: ItineraryShape, place: int, order: int, ends: Invariants
 ) -> tuple[Follower, ...]:
     """What may follow in an order in which stops act, 0 where there is but one."""
     structure, wanted = cycle.structure, cycle.transitions[place]

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
 from nonsmooth.runtime.proof.statement import decimals, rational
@@ -17,10 +18,20 @@ from nonsmooth.runtime.proof.statement import decimals, rational
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["CLAIMS", "FORMAT", "GUARD", "VERSION", "Certificate", "Stated", "Unknown"]
+__all__ = [
+    "CLAIMS",
+    "FORMAT",
+    "GUARD",
+    "VERSION",
+    "Certificate",
+    "Stated",
+    "Unknown",
+    "balls_json",
+    "orbit_json",
+]
 
 FORMAT = "nonsmooth certificate"
-VERSION = 2
+VERSION = 3
 GUARD = 32  # bits beyond those of the enclosures
 NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")
@@ -43,7 +54,22 @@ class Stated(Enclosure):
 
     @staticmethod
     def of(middle: str, radius: str, bits: int) -> Stated:
-        """The enclosure that two decimal texts state."""
+        """The enclosure that two decimal texts state.
+
+        Parameters
+        ----------
+        middle : str
+            Decimal.
+        radius : str
+            Decimal, not negative.
+        bits : int
+            Precision of the enclosures.
+
+        Returns
+        -------
+        Stated
+            A ball that contains what the texts state.
+        """
         from flint import arb
 
         with flint_precision(2 * bits + 64):
@@ -55,6 +81,20 @@ class Stated(Enclosure):
         """An enclosure that decimal texts state: a little wider than a ball.
 
         The radius has so many digits.
+
+        Parameters
+        ----------
+        ball : arb
+            What has to be enclosed.
+        bits : int
+            Precision of the enclosures.
+        digits : int, default 3
+            Of the radius.
+
+        Returns
+        -------
+        Stated
+            A ball that contains the given one.
         """
         return Stated.of(*decimals(ball, bits, digits), bits)
 
@@ -62,8 +102,8 @@ class Stated(Enclosure):
         return self.texts
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Certificate:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Certificate(Shown):
     """What ball arithmetic proves of one orbit at one parameter point.
 
     Attributes
@@ -155,25 +195,20 @@ class Certificate:
         dict
             The certificate, ready for `json.dumps`.
         """
-
-        def ball(enclosure: Stated) -> dict[str, str]:
-            return {"mid": enclosure.mid, "rad": enclosure.rad}
-
         return {
-            "orbit": self.orbit,
-            "system": self.system,
-            "parameters": {name: value.text for name, value in self.parameters.items()},
+            **orbit_json(self),
             "chosen": list(self.chosen),
             "given_period": "" if self.given_period is None else self.given_period.text,
-            "itinerary": [list(phase) for phase in self.itinerary],
             "bits": self.bits,
             "claims": dict(self.claims),
             "stability": self.stability,
             "reasons": dict(self.reasons),
-            "enclosures": {name: ball(found) for name, found in self.enclosures.items()},
-            "multipliers": [{"re": ball(re), "im": ball(im)} for re, im in self.multipliers],
+            "enclosures": balls_json(self.enclosures),
+            "multipliers": [
+                {"re": re.to_json(), "im": im.to_json()} for re, im in self.multipliers
+            ],
             "margins": [dict(margin) for margin in self.margins],
-            "box": [{"name": x.name, "mid": x.mid, "rad": x.rad} for x in self.box],
+            "box": [asdict(x) for x in self.box],
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -190,3 +225,40 @@ class Certificate:
             If the file cannot be written.
         """
         registered("save_certificate")(self, path)
+
+
+def orbit_json(found: Any) -> dict[str, Any]:
+    """Which orbit a certificate, a map, a census or an event is of, as JSON.
+
+    Parameters
+    ----------
+    found : Certificate, BoxCertificate, Census or EventCertificate
+        What is proved of the orbit.
+
+    Returns
+    -------
+    dict
+        Orbit, system, parameters as texts, and itinerary.
+    """
+    return {
+        "orbit": found.orbit,
+        "system": found.system,
+        "parameters": {name: value.text for name, value in found.parameters.items()},
+        "itinerary": [list(phase) for phase in found.itinerary],
+    }
+
+
+def balls_json(enclosures: Mapping[str, Enclosure]) -> dict[str, dict[str, str]]:
+    """Enclosures by name as JSON.
+
+    Parameters
+    ----------
+    enclosures : dict of str to Enclosure
+        By name.
+
+    Returns
+    -------
+    dict of str to dict
+        "mid" and "rad" of each, as decimal texts.
+    """
+    return {name: enclosure.to_json() for name, enclosure in enclosures.items()}

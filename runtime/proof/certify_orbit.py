@@ -20,7 +20,7 @@ from nonsmooth.runtime.proof.certificate import (
 )
 from nonsmooth.runtime.proof.enclosure import IsolatedOrbit, Missing, locate
 from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, judged, named_numbers
-from nonsmooth.runtime.proof.orbit_cycle import (
+from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
     Subject,
     subject_of,
@@ -194,15 +194,29 @@ def _statement(region: Region) -> tuple[dict[str, Any], dict[str, Any]]:
     declared = system_declaration(
         subject.kernels, cycle, tables, subject.start_names, subject.dwell_names, timed=timed
     )
-    own = {value: name for name, value in reversed(subject.values.items())}
-    variables = [own[value] for value in tables.constants]
-    return declared, closing_json(closing, cycle, declared["parameters"], variables, PERIOD)
+    variables = [value.text for value in tables.constants]
+    over = [*declared["parameters"], *declared.get("constants", ())]
+    return declared, closing_json(closing, cycle, over, variables, PERIOD)
 
 
 def stated(ball: arb, bits: int, size: int = 0) -> Stated:
     """A wider ball than was found: the check computes it anew, with other roundings.
 
     A number that is computed from others of a size may be much smaller than these.
+
+    Parameters
+    ----------
+    ball : arb
+        What was found.
+    bits : int
+        Precision of the enclosures.
+    size : int, default 0
+        How large the numbers are that it is computed from.
+
+    Returns
+    -------
+    Stated
+        A ball that contains the given one.
     """
     from flint import arb
 

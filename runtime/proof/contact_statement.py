@@ -11,13 +11,26 @@ from nonsmooth.runtime.model.contacts.stages import Path, Stage
 from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["kernels_with", "law_json", "steps_json"]
 
 
 def steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
-    """The steps of a path: which contacts have their kinetic limit, and what each does."""
+    """The steps of a path: which contacts have their kinetic limit, and what each does.
+
+    Parameters
+    ----------
+    law : Law
+        The system's law of contacts.
+    path : Path
+        Stages, one after the other.
+
+    Returns
+    -------
+    list of dict
+        "kinetic" and "regimes" of each stage.
+    """
     return [
         {
             "kinetic": [law.contacts[i].name for i in sorted(stage.reached)],
@@ -27,8 +40,23 @@ def steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
     ]
 
 
-def law_json(law: Law, cycle: Cycle, row: Callable[[int], list[Any]]) -> dict[str, Any]:
-    """What the law is told, as far as an itinerary concerns it; `row` writes one."""
+def law_json(law: Law, cycle: ItineraryShape, row: Callable[[int], list[Any]]) -> dict[str, Any]:
+    """What the law is told, as far as an itinerary concerns it; `row` writes one.
+
+    Parameters
+    ----------
+    law : Law
+        The system's law of contacts.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+    row : callable
+        Writes the row of a number as a list.
+
+    Returns
+    -------
+    dict
+        Contacts, coupling, arrivals, limits, configurations, and the rows of free contacts.
+    """
     places = sorted(set(cycle.configurations))
     others = dict.fromkeys(law.others[c] for c in places)
     return {
@@ -59,7 +87,25 @@ def law_json(law: Law, cycle: Cycle, row: Callable[[int], list[Any]]) -> dict[st
 
 
 def kernels_with(kernels: SystemKernels, declaration: Mapping[str, Any]) -> SystemKernels:
-    """Kernels in which the routes of a certificate's declaration are listed."""
+    """Kernels in which the routes of a certificate's declaration are listed.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+    declaration : dict
+        As a certificate's file states it.
+
+    Returns
+    -------
+    SystemKernels
+        The same kernels where the system has no law of contacts.
+
+    Raises
+    ------
+    InputError
+        If the declaration holds no steps of a contact law.
+    """
     law = structure_of(kernels).law
     if law is None:
         return kernels

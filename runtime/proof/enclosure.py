@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.certificate import Unknown
-from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Linearised
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.krawczyk import Contraction, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED, conserved
-from nonsmooth.runtime.proof.orbit_cycle import Subject
+from nonsmooth.runtime.proof.orbit_equations import Equations, Flows, Linearised
+from nonsmooth.runtime.proof.orbit_to_prove import Subject
 from nonsmooth.runtime.proof.statement import decimals, rational
 
 if TYPE_CHECKING:
@@ -52,9 +52,15 @@ def locate(region: Region, bits: int) -> IsolatedOrbit:
     bits : int
         Of the enclosures; the working precision is larger.
 
+    Returns
+    -------
+    IsolatedOrbit
+        The box, the image in it, and the equations there.
+
     Raises
     ------
     Missing
+        If that is refuted, or cannot be proved.
     """
     from flint import arb
 
@@ -124,7 +130,20 @@ def _box(
     return box, [arb(rational(x.mid)) for x in box], [arb(rational(x.rad)) for x in box]
 
 
-def unknown_names(subject: Subject, closing: Closing) -> list[str]:
-    """Names of the unknowns of the equations."""
+def unknown_names(subject: Subject, closing: ClosureConditions) -> list[str]:
+    """Names of the unknowns of the equations.
+
+    Parameters
+    ----------
+    subject : Subject
+        The orbit that is to be proved.
+    closing : ClosureConditions
+        How the cycle closes.
+
+    Returns
+    -------
+    list of str
+        Free states at the start, the forcing's time, the dwell times.
+    """
     free = [name for k, name in enumerate(subject.start_names) if k not in closing.forced]
     return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]

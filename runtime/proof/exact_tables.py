@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -10,10 +10,12 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.arithmetic import Balls
-from nonsmooth.runtime.core.rational_functions import RationalFunction, symbols
+from nonsmooth.runtime.core.irrational_numbers import Irrationals, irrationals
+from nonsmooth.runtime.core.rational_functions import RationalFunction
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of
-from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.core.values import Value, parse
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.saved_system import saved_of
 from nonsmooth.runtime.proof.motion.exact_rows import Row
 
 if TYPE_CHECKING:
@@ -24,8 +26,10 @@ __all__ = [
     "NotRational",
     "Number",
     "Tables",
-    "constant_symbols",
+    "constants_over",
+    "declared_constants",
     "exact_tables",
+    "irrational_texts",
     "numbers",
     "rational_of",
     "rational_tables",
@@ -63,7 +67,7 @@ class Tables:
     exact : bool
         Whether the entries are rational numbers or functions; else they are balls.
     constants : tuple of Value
-        The irrational parameters that do not vary: the last of which entries are functions.
+        Irrational numbers that do not vary: the last of which entries are functions.
     """
 
     fields: tuple[Matrix, ...]
@@ -76,6 +80,16 @@ class Tables:
         """The map from entries to numbers, at values of the parameters that vary.
 
         Numbers are balls of the working precision, or Taylor models where values are.
+
+        Parameters
+        ----------
+        values : sequence of arb or TaylorModel, optional
+            Of the parameters that vary.
+
+        Returns
+        -------
+        callable
+            From an exact entry to its number.
         """
         from flint import arb, ctx
 
@@ -94,18 +108,39 @@ class Tables:
         return number
 
     def near(self, entry: Any, values: Sequence[Any] = ()) -> float:
-        """An entry, about."""
+        """An entry, about.
+
+        Parameters
+        ----------
+        entry : fmpq, RationalFunction or Value
+            Of the tables.
+        values : sequence of arb, optional
+            Of the parameters that vary.
+
+        Returns
+        -------
+        float
+            The middle of its ball.
+        """
         return float(middle_of(self.number_at(values)(entry)))
 
 
 class _Rationals:
-    """What rational kernels ask of an arithmetic."""
+    """What rational kernels ask of an arithmetic, with irrational numbers as they are known."""
+
+    def __init__(self, known: Irrationals | None = None) -> None:
+        self._known = known
 
     @staticmethod
     def rational(numerator: int, denominator: int) -> Any:
         from flint import fmpq
 
         return fmpq(numerator, denominator)
+
+    def constant(self, text: str) -> Any:
+        if self._known is None:
+            raise NotRational("an irrational number")
+        return self._known.numbers[text]
 
     def __getattr__(self, name: str) -> Any:
         raise NotRational(name)
@@ -116,6 +151,20 @@ def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tab
 
     Exact where all values are rational and the declaration takes no roots; else balls of
     the working precision, of so many bits.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+    values : sequence of Value
+        All parameters of the system.
+    bits : int
+        The working precision.
+
+    Returns
+    -------
+    Tables
+        Of fields and resets (N + 1, N + 1) and of rows (N + 1).
     """
     exactly = tuple(value.exact for value in values)
     if None not in exactly:
@@ -125,34 +174,98 @@ def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tab
 
 
 def exact_tables(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
-    """As `tables_of`, but exact in irrational parameters too: entries are functions of them."""
-    constants = tuple(dict.fromkeys(value for value in values if value.exact is None))
-    if constants:
-        with suppress(NotRational):
-            return _symbolic(kernels, tuple(values), constants)
+    """As `tables_of`, but exact in irrational numbers too: entries are functions of them.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+    values : sequence of Value
+        All parameters of the system, in their order.
+    bits : int
+        The working precision, where the declaration takes a root or a sine.
+
+    Returns
+    -------
+    Tables
+        Of fields and resets (N + 1, N + 1) and of rows (N + 1).
+    """
+    if declared_constants(kernels) or any(value.exact is None for value in values):
+        with suppress(NotRational, ArithmeticError):
+            return _symbolic(kernels, tuple(values))
     return tables_of(kernels, values, bits)
 
 
 @lru_cache(maxsize=64)
-def _symbolic(
-    kernels: SystemKernels, values: tuple[Value, ...], constants: tuple[Value, ...]
-) -> Tables:
-    found = constant_symbols((), constants)
-    place = dict(zip(constants, found, strict=True))
-    point = [rational_of(v.exact) if v.exact is not None else place[v] for v in values]
-    return tables_over(kernels, point, constants)
+def _symbolic(kernels: SystemKernels, values: tuple[Value, ...]) -> Tables:
+    known = constants_over((), irrational_texts(kernels, values))
+    point = [known.numbers[v.text] if v.exact is None else rational_of(v.exact) for v in values]
+    return tables_over(kernels, point, known)
 
 
-def constant_symbols(names: Sequence[str], constants: Sequence[Value]) -> list[RationalFunction]:
-    """Parameters that vary, and irrational ones that do not."""
-    own = [f"constant{k}" for k in range(len(constants))]
-    return symbols([*names, *own], [value.ball(_SHARP) for value in constants])
+@lru_cache(maxsize=64)
+def declared_constants(kernels: SystemKernels) -> tuple[str, ...]:
+    """The irrational numbers that a declaration holds.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+
+    Returns
+    -------
+    tuple of str
+        As `nonsmooth.runtime.core.values.parse` takes them.
+    """
+    saved = saved_of(kernels)
+    functions = [] if saved is None else [saved.functions[k] for k in ("fields", "rows", "resets")]
+    return tuple(dict.fromkeys(text for function in functions for text in function.constants))
+
+
+def irrational_texts(kernels: SystemKernels, values: Iterable[Value]) -> list[str]:
+    """Irrational numbers that a proof meets: those that are given and those of the declaration.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+    values : iterable of Value
+        What is given.
+
+    Returns
+    -------
+    list of str
+    """
+    return [*(value.text for value in values if value.exact is None), *declared_constants(kernels)]
+
+
+def constants_over(names: Sequence[str], texts: Iterable[str]) -> Irrationals:
+    """Irrational numbers beside parameters that vary.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the parameters that vary.
+    texts : iterable of str
+        The numbers, as values are given.
+
+    Returns
+    -------
+    Irrationals
+        Parameters, numbers and what these are made of.
+
+    Raises
+    ------
+    ArithmeticError
+        If a number divides by what may be zero, or a literal is enormous.
+    """
+    return irrationals(names, texts, lambda text: parse(text).ball(_SHARP))
 
 
 def tables_over(
     kernels: SystemKernels,
     values: Sequence[fmpq | RationalFunction],
-    constants: tuple[Value, ...] = (),
+    known: Irrationals | None = None,
 ) -> Tables:
     """Tables of a system where some of its parameters stand for all their values.
 
@@ -161,29 +274,60 @@ def tables_over(
     kernels : SystemKernels
     values : sequence of fmpq or RationalFunction
         Of all its parameters, in their order.
-    constants : tuple of Value
-        Those of the last parameters of the functions, which are irrational and do not vary.
+    known : Irrationals, optional
+        Irrational numbers, those of the declaration among them.
+
+    Returns
+    -------
+    Tables
+        Exact: entries are rational functions.
 
     Raises
     ------
     NotRational
+        If the declaration takes a root or a sine of its parameters.
     """
-    return replace(_tables(kernels, values, _Rationals(), exact=True), constants=constants)
+    constants = () if known is None else tuple(map(parse, known.generators))
+    return replace(_tables(kernels, values, _Rationals(known), exact=True), constants=constants)
 
 
 @lru_cache(maxsize=64)
 def rational_tables(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
     """Tables of a system whose parameters have rational values, in their order.
 
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+    fractions : tuple of Fraction
+        Of all its parameters.
+
+    Returns
+    -------
+    Tables
+        Exact: entries are rational numbers.
+
     Raises
     ------
     NotRational
+        If the declaration takes a root or a sine of its parameters.
     """
     return _tables(kernels, list(map(rational_of, fractions)), _Rationals(), exact=True)
 
 
 def rational_of(value: Fraction) -> fmpq:
-    """The same number for FLINT."""
+    """The same number for FLINT.
+
+    Parameters
+    ----------
+    value : Fraction
+        The number.
+
+    Returns
+    -------
+    fmpq
+        Exactly.
+    """
     from flint import fmpq
 
     return fmpq(value.numerator, value.denominator)
@@ -210,5 +354,18 @@ def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bo
 
 
 def numbers(rows: Sequence[Sequence[Any]], number: Number) -> Any:
-    """A matrix of balls, or of models where numbers are, at the working precision."""
+    """A matrix of balls, or of models where numbers are, at the working precision.
+
+    Parameters
+    ----------
+    rows : sequence of rows
+        Exact entries.
+    number : callable
+        Maps exact entries to numbers: balls or Taylor models.
+
+    Returns
+    -------
+    arb_mat or a matrix of TaylorModel
+        Of the same shape.
+    """
     return matrix([list(map(number, row)) for row in rows])

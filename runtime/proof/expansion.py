@@ -43,7 +43,20 @@ class Expansion:
         self._errors: list[arb] = []
 
     def at(self, order: int, u: arb) -> arb:
-        """A derivative at a place in [-1, 1], or over a ball of places."""
+        """A derivative at a place in [-1, 1], or over a ball of places.
+
+        Parameters
+        ----------
+        order : int
+            Of the derivative by the place; 0 for the function.
+        u : arb
+            The place, nondimensional.
+
+        Returns
+        -------
+        arb
+            An enclosure, with the error of the expansion.
+        """
         while len(self._derivatives) <= order:
             self._derivatives.append(self._derivatives[-1].derivative())
         value: arb = self._derivatives[order](u)
@@ -54,15 +67,48 @@ class Expansion:
         return value + self._errors[order]
 
     def over(self, places: arb) -> Window:
-        """The function over a ball of places."""
+        """The function over a ball of places.
+
+        Parameters
+        ----------
+        places : arb
+            In [-1, 1], nondimensional.
+
+        Returns
+        -------
+        Window
+            The part of the function there.
+        """
         return Window(self, places)
 
     def time(self, u: arb) -> arb:
-        """Time at a place."""
+        """Time at a place.
+
+        Parameters
+        ----------
+        u : arb
+            The place in [-1, 1].
+
+        Returns
+        -------
+        arb
+            From the start of the phase, in the system's units.
+        """
         return self.start + self.half * (1 + u)
 
     def raised(self, height: arb) -> Expansion:
-        """The function and a constant."""
+        """The function and a constant.
+
+        Parameters
+        ----------
+        height : arb
+            The constant, in the function's units.
+
+        Returns
+        -------
+        Expansion
+            On the same segment, with the same error.
+        """
         return Expansion(self.start, self.half, self._derivatives[0] + height, self._error)
 
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from nonsmooth.runtime.proof.closure import projected
+from nonsmooth.runtime.proof.exact_closure import projected
 from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["CycleInvariants", "invariants_of"]
 
@@ -27,13 +27,29 @@ class CycleInvariants(NamedTuple):
 
 def invariants_of(
     tables: Tables,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     translations: Sequence[Row] = (),
     vanishing: Sequence[Row] = (),
 ) -> CycleInvariants:
     """Invariants of a cycle that closes up to translations, of a system whose numbers are exact.
 
     What vanishes where it begins by `vanishing_along` is true of the orbit alone.
+
+    Parameters
+    ----------
+    tables : Tables
+        Of the system.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+    translations : sequence of Row, optional
+        Directions along which the system does not change.
+    vanishing : sequence of Row, optional
+        What vanishes where the orbit begins.
+
+    Returns
+    -------
+    CycleInvariants
+        Those of the starts, of the whole phases and of the ends, by phase.
     """
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)

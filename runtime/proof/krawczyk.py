@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Linearised
+from nonsmooth.runtime.proof.orbit_equations import Equations, Flows, Linearised
 
 if TYPE_CHECKING:
     from flint import arb
@@ -85,14 +85,31 @@ def newton(
 
 
 def krawczyk(equations: Equations, centre: Sequence[arb], radii: Sequence[arb]) -> Contraction:
-    """Test a box, and make the image of one that has a root as small as rounding lets it be."""
+    """Test a box, and make the image of one that has a root as small as rounding lets it be.
+
+    The test is that of Krawczyk (1969).
+
+    Parameters
+    ----------
+    equations : Equations
+        As many as unknowns.
+    centre : sequence of arb
+        Middle of the box, as for `Krawczyk`; in the system's units.
+    radii : sequence of arb
+        Half of each side of the box, in the system's units.
+
+    Returns
+    -------
+    Contraction
+        The image, and whether the box has one root or none.
+    """
     test = Krawczyk(equations, centre)
     found = test(radii)
     return test.sharpened(found) if found.unique else found
 
 
 class Krawczyk:
-    """K(X) = x - Y F(x) + (I - Y F'(X)) (X - x), with boxes X around x.
+    """K(X) = x - Y F(x) + (I - Y F'(X)) (X - x), with boxes X around x (Krawczyk, 1969).
 
     Y is an approximate inverse of F'(x), its rounding errors are forgotten: K contains all
     roots of X whatever Y is, and if K is inside X then Y and all of F'(X) are regular.
@@ -133,7 +150,18 @@ class Krawczyk:
         return Contraction(box, image, unique, empty, self.flows)
 
     def sharpened(self, found: Contraction) -> Contraction:
-        """The same with a smaller image: once more, from the middle of it."""
+        """The same with a smaller image: once more, from the middle of it.
+
+        Parameters
+        ----------
+        found : Contraction
+            With one root.
+
+        Returns
+        -------
+        Contraction
+            With an image of the same root.
+        """
         points = [x.mid() for x in found.image]
         offsets = [x - point for x, point in zip(found.image, points, strict=True)]
         at = self.equations.linearised(points, self.flows)

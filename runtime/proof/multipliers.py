@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
-from nonsmooth.runtime.proof.closure import Closing
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
 from nonsmooth.runtime.proof.invariants import CycleInvariants
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
@@ -32,7 +32,10 @@ _LEAST_SLOPE = 2.0**-72
 
 
 def reduced_map(
-    maps: Sequence[Any], invariants: CycleInvariants | None, closing: Closing, number: Number
+    maps: Sequence[Any],
+    invariants: CycleInvariants | None,
+    closing: ClosureConditions,
+    number: Number,
 ) -> Any:
     """The product of the phases' maps on the smallest section that is known.
 
@@ -42,11 +45,16 @@ def reduced_map(
     ----------
     maps : sequence of matrices (N, N)
     invariants : CycleInvariants or None
-    closing : Closing
+    closing : ClosureConditions
         Where the maps are at fixed times, only invariants that last hold for changes, and the
         states of forcings do not change from period to period.
     number : function
         From the invariants' exact entries to the maps' numbers.
+
+    Returns
+    -------
+    matrix (n, n)
+        Of the maps' numbers, n at most N.
     """
     size = maps[0].nrows()
     places: Sequence[Invariants] = [Invariants((), ())] * len(maps)
@@ -71,6 +79,16 @@ def inside_circle(mapping: Any) -> bool | None:
 
     Of two, trace and determinant tell. Else some power has a norm below 1, or a trace above
     its dimension in absolute value.
+
+    Parameters
+    ----------
+    mapping : matrix (n, n)
+        Of balls or Taylor models.
+
+    Returns
+    -------
+    bool or None
+        True or False where it is proved.
     """
     from flint import arb
 
@@ -109,6 +127,11 @@ def neutral_pairs(section: arb_mat, trace: arb) -> tuple[bool | None, tuple[acb,
     section : arb_mat (N, N)
     trace : arb
         Of it: with one pair, m + 1/m = trace - 1.
+
+    Returns
+    -------
+    tuple of (bool or None, tuple of acb or None)
+        The verdict, and both multipliers of each pair where they are known.
     """
     from flint import acb, acb_poly, arb_poly
 
@@ -150,6 +173,20 @@ def apart(multipliers: Sequence[acb], size: int, *, trivial: bool) -> tuple[acb,
 
     Its slope there is the product of the distances to the others: to the trivial 1, where there
     is one, and to zero, which is all the rest. The check cannot tell those that are too near.
+
+    Parameters
+    ----------
+    multipliers : sequence of acb
+        Nontrivial ones that are enclosed.
+    size : int
+        Dimension of the map.
+    trivial : bool
+        Whether the map has a multiplier that is exactly 1.
+
+    Returns
+    -------
+    tuple of acb
+        In their order.
     """
     from flint import acb
 
@@ -206,7 +243,18 @@ def _tangent(
 
 
 def product_of(maps: Sequence[Any]) -> Any:
-    """The maps one after the other."""
+    """The maps one after the other.
+
+    Parameters
+    ----------
+    maps : sequence of matrices (N, N)
+        In the order in which they act.
+
+    Returns
+    -------
+    matrix (N, N)
+        The last map stands first.
+    """
     product = maps[0]
     for behind in maps[1:]:
         product = behind * product
@@ -214,14 +262,36 @@ def product_of(maps: Sequence[Any]) -> Any:
 
 
 def trace_of(square: Any) -> Any:
-    """Sum of the diagonal."""
+    """Sum of the diagonal.
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+        Of balls or Taylor models.
+
+    Returns
+    -------
+    arb or TaylorModel
+        The trace.
+    """
     from flint import arb
 
     return sum((square[k, k] for k in range(square.nrows())), arb(0))
 
 
 def eigenvalues_of(square: arb_mat) -> tuple[acb, ...] | None:
-    """Eigenvalues; None if the balls do not tell them apart."""
+    """Eigenvalues; None if the balls do not tell them apart.
+
+    Parameters
+    ----------
+    square : arb_mat (n, n)
+        The matrix.
+
+    Returns
+    -------
+    tuple of acb or None
+        All n of them.
+    """
     from flint import acb, acb_mat
 
     if square.nrows() == 1:

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.proof.admissibility import Judgement, judge
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.cycle_equations import Equations
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
 from nonsmooth.runtime.proof.multipliers import (
     CORNER,
@@ -24,6 +23,7 @@ from nonsmooth.runtime.proof.multipliers import (
     reduced_map,
     trace_of,
 )
+from nonsmooth.runtime.proof.orbit_equations import Equations
 from nonsmooth.runtime.shooting.variational import Phase, Shooting
 
 if TYPE_CHECKING:
@@ -57,7 +57,18 @@ class MapClaim(NamedTuple):
     pairs: tuple[acb, ...] = ()
 
     def multipliers(self, region: Region) -> tuple[acb, ...]:
-        """Those that are clearly apart, the largest first; none where the map has a corner."""
+        """Those that are clearly apart, the largest first; none where the map has a corner.
+
+        Parameters
+        ----------
+        region : Region
+            The orbit's cycle, its tables and its closure.
+
+        Returns
+        -------
+        tuple of acb
+            Nontrivial ones.
+        """
         if self.section is None or region.cycle.one_sided:
             return ()
         closing = region.closing
@@ -69,7 +80,24 @@ class MapClaim(NamedTuple):
 
 
 def claim_of_map(region: Region, number: Number, equations: Equations, now: Shooting) -> MapClaim:
-    """Enclose trace and multipliers, and tell on which side of the unit circle they are."""
+    """Enclose trace and multipliers, and tell on which side of the unit circle they are.
+
+    Parameters
+    ----------
+    region : Region
+        The orbit's cycle, its tables and its closure.
+    number : callable
+        Maps exact entries to numbers: balls or Taylor models.
+    equations : Equations
+        Of the orbit.
+    now : Shooting
+        The cycle, passed once over the enclosures.
+
+    Returns
+    -------
+    MapClaim
+        The verdict, why it is that, and the trace.
+    """
     closing = region.closing
     maps = equations.maps(now)
     if not all(x.is_finite() for found in maps for x in range_of(found).entries()):
@@ -96,7 +124,26 @@ def claim_of_map(region: Region, number: Number, equations: Equations, now: Shoo
 def judged(
     region: Region, number: Number, phases: Sequence[Phase], now: Shooting, dwell: Sequence[Any]
 ) -> Judgement:
-    """Judge whether an orbit is a motion of the system, in the numbers of its phases."""
+    """Judge whether an orbit is a motion of the system, in the numbers of its phases.
+
+    Parameters
+    ----------
+    region : Region
+        The orbit's cycle, its tables and its closure.
+    number : callable
+        Maps exact entries to numbers: balls or Taylor models.
+    phases : sequence of Phase
+        In the numbers.
+    now : Shooting
+        The cycle, passed once over the enclosures.
+    dwell : sequence of arb or TaylorModel
+        Dwell times of the phases, in the system's units.
+
+    Returns
+    -------
+    Judgement
+        "undecided" where the cycle's invariants are not known.
+    """
     if region.invariants is None:
         reason = "the declaration takes a root or a sine: what is exactly zero is not known"
         return Judgement("undecided", reason, ())
@@ -106,7 +153,26 @@ def judged(
 def named_numbers(
     region: Region, equations: Equations, now: Shooting, dwell: Sequence[Any], trace: Any
 ) -> dict[str, Any]:
-    """Trace, period, dwell times and start by name, in the equations' numbers."""
+    """Trace, period, dwell times and start by name, in the equations' numbers.
+
+    Parameters
+    ----------
+    region : Region
+        The orbit's cycle, its tables and its closure.
+    equations : Equations
+        Of the orbit.
+    now : Shooting
+        The cycle, passed once over the enclosures.
+    dwell : sequence of arb or TaylorModel
+        Dwell times of the phases, in the system's units.
+    trace : arb, TaylorModel or None
+        Of the Poincare map's Jacobian.
+
+    Returns
+    -------
+    dict of str to arb or TaylorModel
+        In the system's units; the trace is nondimensional.
+    """
     subject, period = region.subject, equations.period
     named = {} if trace is None else {"trace": trace}
     named["period"] = sum(dwell[1:], dwell[0]) if period is None else period
@@ -116,7 +182,22 @@ def named_numbers(
 
 
 def conserved(region: Region, number: Number, now: Shooting) -> bool:
-    """Whether the energy returns the coordinate whose closure was dropped, if one was."""
+    """Whether the energy returns the coordinate whose closure was dropped, if one was.
+
+    Parameters
+    ----------
+    region : Region
+        The orbit's cycle, its tables and its closure.
+    number : callable
+        Maps exact entries to numbers: balls or Taylor models.
+    now : Shooting
+        The cycle, passed once over the enclosures.
+
+    Returns
+    -------
+    bool
+        True if that is proved, or the cycle keeps no energy.
+    """
     closing, first, last = region.closing, now.starts[0], now.starts[-1]
     if closing.form is None:
         return True

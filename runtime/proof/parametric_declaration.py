@@ -6,19 +6,24 @@ the file evaluates them at its values.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
-from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, rational_of, tables_over
-from nonsmooth.runtime.proof.orbit_cycle import NotCovered
+from nonsmooth.runtime.proof.exact_tables import (
+    NotRational,
+    Tables,
+    constants_over,
+    irrational_texts,
+    rational_of,
+    tables_over,
+)
 from nonsmooth.runtime.proof.statement import declaration_json
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["PERIOD", "orbit_declaration", "system_declaration"]
 
@@ -27,7 +32,7 @@ PERIOD = "period"  # its name among the parameters at one point
 
 def system_declaration(
     kernels: SystemKernels,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     tables: Tables,
     start: Sequence[str],
     dwell: Sequence[str],
@@ -36,11 +41,32 @@ def system_declaration(
 ) -> dict[str, Any]:
     """The declaration over all parameters of the system, and the period where that is given.
 
-    Where it takes a root or a sine there are no such functions: it is that of the tables.
+    Where it takes a root or a sine of these there are no such functions: it is that of the tables.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+    tables : Tables
+        At the orbit's parameters.
+    start : sequence of str
+        Names of the states at the start.
+    dwell : sequence of str
+        Names of the phases' dwell times.
+    timed : bool
+        Whether the period is given.
+
+    Returns
+    -------
+    dict
+        As `declaration_json` gives it.
     """
     names = tuple(table.name for table in kernels.parameters) + (PERIOD,) * timed
+    texts = tuple(irrational_texts(kernels, tables.constants if timed else ()))
     try:
-        return declaration_json(_tables(kernels, None, names), cycle, names, start, dwell)
+        return declaration_json(_tables(kernels, None, names, texts), cycle, names, start, dwell)
     except NotRational:
         return declaration_json(tables, cycle, (), start, dwell)
 
@@ -48,33 +74,62 @@ def system_declaration(
 def orbit_declaration(
     kernels: SystemKernels,
     orbit: OrbitKernels | None,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     names: Sequence[str],
     start: Sequence[str],
     dwell: Sequence[str],
+    texts: Iterable[str],
 ) -> dict[str, Any]:
     """The declaration over parameters of an orbit, from which the system's follow.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        The system's generated functions.
+    orbit : OrbitKernels or None
+        The orbit's generated functions, where its parameters are not the system's.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+    names : sequence of str
+        Parameters that the entries are functions of.
+    start : sequence of str
+        Names of the states at the start.
+    dwell : sequence of str
+        Names of the phases' dwell times.
+    texts : iterable of str
+        Irrational numbers: those of the declaration, and of the parameters.
+
+    Returns
+    -------
+    dict
+        As `declaration_json` gives it.
 
     Raises
     ------
     NotRational
+        If the declaration takes a root or a sine of its parameters.
     """
-    return declaration_json(_tables(kernels, orbit, tuple(names)), cycle, names, start, dwell)
+    tables = _tables(kernels, orbit, tuple(names), tuple(texts))
+    return declaration_json(tables, cycle, names, start, dwell)
 
 
 @lru_cache(maxsize=64)
-def _tables(kernels: SystemKernels, orbit: OrbitKernels | None, names: tuple[str, ...]) -> Tables:
-    found = dict(zip(names, symbols(names), strict=True))
+def _tables(
+    kernels: SystemKernels,
+    orbit: OrbitKernels | None,
+    names: tuple[str, ...],
+    texts: tuple[str, ...],
+) -> Tables:
+    required = {} if orbit is None else {n: parse(text) for n, text in orbit.required.items()}
+    own = [value.text for value in required.values() if value.exact is None]
+    known = constants_over(names, [*texts, *own])
+    found: dict[str, Any] = dict(zip(names, known.variables, strict=True))
     if orbit is not None:
-        found = _required(orbit) | found
+        found = {
+            name: known.numbers[v.text] if v.exact is None else rational_of(v.exact)
+            for name, v in required.items()
+        } | found
         found |= follow(orbit, found, rational_of)
         if missing := [table.name for table in kernels.parameters if table.name not in found]:
             raise InputError(f"{orbit.name}: {', '.join(missing)} left open")
-    return tables_over(kernels, [found[table.name] for table in kernels.parameters])
-
-
-def _required(orbit: OrbitKernels) -> dict[str, Any]:
-    exact = {name: parse(text).exact for name, text in orbit.required.items()}
-    if None in exact.values():
-        raise NotCovered(f"{orbit.name} takes irrational values of {', '.join(exact)}")
-    return {name: rational_of(value) for name, value in exact.items() if value is not None}
+    return tables_over(kernels, [found[table.name] for table in kernels.parameters], known)

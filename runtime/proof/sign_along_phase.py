@@ -91,7 +91,18 @@ class EventFunctions:
             self.middles.append((state, over * state))
 
     def function(self, row: arb_mat) -> list[Expansion]:
-        """Expand an affine function on each segment."""
+        """Expand an affine function on each segment.
+
+        Parameters
+        ----------
+        row : arb_mat (1, N + 1)
+            The affine function, acting on (y, 1).
+
+        Returns
+        -------
+        list of Expansion
+            One for each segment of the phase.
+        """
         from flint import arb_poly
 
         last = row * _diagonal(self.scales)
@@ -110,7 +121,18 @@ class EventFunctions:
         ]
 
     def largest(self, function: list[Expansion]) -> arb:
-        """About the largest value: of some that are looked at, nothing is proved."""
+        """About the largest value: of some that are looked at, nothing is proved.
+
+        Parameters
+        ----------
+        function : list of Expansion
+            One for each segment.
+
+        Returns
+        -------
+        arb
+            In the function's units.
+        """
         from flint import arb
 
         seen = []
@@ -122,11 +144,19 @@ class EventFunctions:
     def stays_negative(self, function: list[Expansion], zeros: ExactZeros) -> None:
         """Prove that a function is negative inside the phase.
 
+        Parameters
+        ----------
+        function : list of Expansion
+            One for each segment.
+        zeros : ExactZeros
+            Where the function is exactly zero: at the start, or at the end.
+
         Raises
         ------
         Crossed
             If it is positive somewhere.
         Undecided
+            If its sign cannot be told somewhere.
         """
         from flint import arb
 
@@ -179,7 +209,18 @@ def _diagonal(entries: Sequence[float]) -> arb_mat:
 def scales_of(field: arb_mat) -> tuple[list[float], float]:
     """Powers of two as units of the states that make the field small, and its norm in them.
 
-    They are found in floating point and only choose how time is cut.
+    They are found in floating point and only choose how time is cut: the matrix is balanced
+    (Parlett & Reinsch, 1969).
+
+    Parameters
+    ----------
+    field : arb_mat (N + 1, N + 1)
+        Acts on (y, 1).
+
+    Returns
+    -------
+    tuple of (list of float, float)
+        The N + 1 units, and the norm per unit of time.
     """
     size = field.nrows()
     entries = [[abs(float(field[i, j].mid())) for j in range(size)] for i in range(size)]

@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.rational_functions import RationalFunction
-from nonsmooth.runtime.proof.closure import Closing
 from nonsmooth.runtime.proof.contact_statement import law_json, steps_json
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import Tables, rational_of
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 if TYPE_CHECKING:
     from flint import arb, fmpq
@@ -21,7 +21,18 @@ _RADIUS = 3  # digits that a radius needs
 
 
 def rational(text: str) -> fmpq:
-    """A decimal or a fraction, exactly."""
+    """A decimal or a fraction, exactly.
+
+    Parameters
+    ----------
+    text : str
+        As in "1.25e-3" or "5/4".
+
+    Returns
+    -------
+    fmpq
+        The number itself.
+    """
     return rational_of(Fraction(text))
 
 
@@ -29,6 +40,20 @@ def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
     """Middle and radius of a decimal ball around a ball: as many digits as count.
 
     So many bits are enough of an exact number.
+
+    Parameters
+    ----------
+    ball : arb
+        What has to be enclosed.
+    bits : int
+        Precision of the enclosures.
+    digits : int, default 3
+        Of the radius.
+
+    Returns
+    -------
+    tuple of (str, str)
+        Middle and radius.
     """
     if ball.is_zero():
         return "0e0", "0e0"
@@ -47,7 +72,7 @@ def _scientific(integer: int, exponent: int) -> str:
 
 def declaration_json(
     tables: Tables,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     parameters: Sequence[str],
     start: Sequence[str],
     dwell: Sequence[str],
@@ -57,11 +82,17 @@ def declaration_json(
     Parameters
     ----------
     tables : Tables
-    cycle : Cycle
+    cycle : ItineraryShape
     parameters : sequence of str
-        What the entries of the tables are functions of, in the order of their exponents.
+        What the entries of the tables are functions of, in the order of their exponents; the
+        constants of the tables follow.
     start, dwell : sequences of str
         Names of the states at the start, and of the phases' dwell times.
+
+    Returns
+    -------
+    dict
+        Ready for JSON: numbers are texts.
     """
     structure = cycle.structure
     needed = set(cycle.configurations)
@@ -97,8 +128,10 @@ def declaration_json(
     law: dict[str, Any] = {}
     if structure.law is not None and any("steps" in entry for entry in transitions):
         law["law"] = law_json(structure.law, cycle, lambda row: _row(tables.rows[row]))
+    constants = [value.text for value in tables.constants]
     return {
         "parameters": list(parameters),
+        **({"constants": constants} if constants else {}),
         "states": list(structure.states),
         "start": list(start),
         "forcing": [list(pair) for pair in structure.forcing],
@@ -125,20 +158,29 @@ def declaration_json(
 
 
 def closing_json(
-    closing: Closing, cycle: Cycle, parameters: Sequence[str], variables: Sequence[str], period: str
+    closing: ClosureConditions,
+    cycle: ItineraryShape,
+    parameters: Sequence[str],
+    variables: Sequence[str],
+    period: str,
 ) -> dict[str, Any]:
     """How the cycle closes; the energy's form where there is one.
 
     Parameters
     ----------
-    closing : Closing
-    cycle : Cycle
+    closing : ClosureConditions
+    cycle : ItineraryShape
     parameters : sequence of str
-        As for `declaration_json`.
+        What the declaration is over, its constants too.
     variables : sequence of str
         Those of them that the form's entries are functions of, in the order of these.
     period : str
         The name among the parameters that the dwell times sum up to.
+
+    Returns
+    -------
+    dict
+        Ready for JSON: numbers are texts.
     """
     told: dict[str, Any] = {"kind": closing.kind}
     if closing.kind == "forcing":

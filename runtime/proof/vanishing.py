@@ -12,12 +12,11 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from scipy.linalg import expm
 
-from nonsmooth.runtime.proof.closure import projected
+from nonsmooth.runtime.proof.exact_closure import projected
 from nonsmooth.runtime.proof.exact_tables import Matrix, Tables, rational_of
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["vanishing_along"]
 
@@ -27,7 +26,7 @@ _LARGEST_DENOMINATOR = 1000
 
 def vanishing_along(
     tables: Tables,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     translations: Sequence[Row],
     start: Sequence[Any],
     dwell: Sequence[Any],
@@ -38,11 +37,16 @@ def vanishing_along(
     ----------
     tables : Tables
         Exact.
-    cycle : Cycle
+    cycle : ItineraryShape
     translations : sequence of Row
         Along which the cycle closes.
     start, dwell : sequences of arb
         Enclosures of the orbit.
+
+    Returns
+    -------
+    tuple of Row
+        Exact, each of length N + 1.
     """
     from flint import arb_mat, fmpq
 
@@ -60,6 +64,8 @@ def vanishing_along(
 
 def _guessed(tables: Tables, field: Matrix, start: Sequence[float], dwell: float) -> Invariants:
     """Rational functions that are about zero at instants of the first phase."""
+    from scipy.linalg import expm
+
     rates = np.array([[tables.near(x) for x in row] for row in field])
     size = len(rates)
     state = np.append(start, 1.0)[:size]
@@ -82,7 +88,7 @@ def _guessed(tables: Tables, field: Matrix, start: Sequence[float], dwell: float
 
 def _returned(
     tables: Tables,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     translations: Sequence[Row],
     invariants: Invariants,
     dwell: Sequence[Any],

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
 from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = ["linearised_closure", "with_forcing"]
@@ -21,6 +21,23 @@ def linearised_closure(
 
     Where any period is given the sum of the dwell times is one equation more; at a point
     whose period is NaN that is 0 = 0.
+
+    Parameters
+    ----------
+    now : Shooting
+        At the present start and dwell times.
+    dwell : array (..., p)
+        Dwell times. In the system's unit of time.
+    size_of : array (..., N)
+        As `sizes` gives it.
+    period : array (...), optional
+        Sum of the dwell times that is asked for, or NaN. In the system's unit of time.
+
+    Returns
+    -------
+    matrix : array (..., m, N)
+        m is N, or N + 1 with a period.
+    right : array (..., m)
     """
     size = now.starts.shape[-1]
     matrix = np.eye(size, dtype=int) - now.variational[..., :size]
@@ -42,11 +59,37 @@ def linearised_closure(
 
 
 def with_forcing(
-    cycle: Cycle, numbers: Numbers, now: Shooting, size_of: Any, matrix: Any, right: Any, lib: Any
+    cycle: ItineraryShape,
+    numbers: Numbers,
+    now: Shooting,
+    size_of: Any,
+    matrix: Any,
+    right: Any,
+    lib: Any,
 ) -> tuple[Any, Any]:
     """Linear equations, and those of the forcing: its amplitudes, and its phases at one time.
 
     A forcing c, s has the amplitude 1, and several have begun together at some time at c = 1.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of the system at its points.
+    now : Shooting
+        At the present start and dwell times.
+    size_of : array (..., N)
+        As `sizes` gives it.
+    matrix : array (..., m, N)
+    right : array (..., m)
+    lib : arithmetic
+        Its `angle` is taken.
+
+    Returns
+    -------
+    matrix : array (..., m + k, N)
+        k equations more: none without a forcing.
+    right : array (..., m + k)
     """
     rows, rests = [], []
     start = now.starts[0]

@@ -31,10 +31,10 @@ class Stability:
         Of the same Jacobian.
     rank : int
         No more multipliers differ from zero, because the map passes through a section of
-        that dimension; with rank one |trace| < 1 decides.
+        that dimension; with rank one ``|trace| < 1`` decides.
     margin : number
-        1 - the largest nontrivial |multiplier|; 1 - |trace| for rank one; 0 where the verdict
-        is "neutral".
+        1 less the largest absolute value of a nontrivial multiplier, ``1 - |trace|`` for rank
+        one; 0 where the verdict is "neutral".
     verdict : {"stable", "neutral", "unstable", "undecided"}
         "stable" is the paper's "conditionally stable": with respect to perturbations that
         keep the sequence of switches. "neutral": a conservative orbit whose nontrivial

@@ -1,276 +1,204 @@
-"""Newton's method on an orbit's equations: reduced and batched, or full and exchanged."""
+"""Newton's method: over a batch of points in doubles, or towards any number of digits.
+
+What is solved stands elsewhere: the equations of derived kernels in `kernel_newton`, those of an
+itinerary by its system's tables in `table_newton`.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
-from scipy.linalg.lapack import dgetrf, dgetri
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.kernels import OrbitKernels
+from nonsmooth.runtime.core.arithmetic import Mpmath
+from nonsmooth.runtime.core.errors import NoConvergence
 
 __all__ = [
+    "BEYOND",
     "CONVERGED",
+    "GOING",
     "INVALID",
+    "LEAST",
+    "MARGIN",
     "NEGATIVE",
     "OUTSIDE",
     "SINGULAR",
     "STALLED",
-    "Solved",
-    "solve_full",
-    "solve_reduced",
+    "TOLERANCE",
+    "UNSURE",
+    "climb",
+    "damping",
+    "iterate",
+    "lost",
+    "precisions",
 ]
 
-# the compiled solver's numbers
+# the compiled solvers' numbers
 CONVERGED, STALLED, INVALID, NEGATIVE = 0, 1, 2, 3
 OUTSIDE = 4  # only of exchanged equations
 SINGULAR = 5
+GOING = -1  # only while iterating
+UNSURE = 6  # of what has converged: rounding leaves too few digits
+BEYOND = (
+    "beyond double precision: the parameters are so far apart that rounding leaves no"
+    " sure digits; change their ratios"
+)
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
-MOST_ITERATIONS = 32
-DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
-MOST_CONDITION = 1e12  # condition number beyond which a choice of unknowns is refused
-LEAST_DETERMINANT = 1e-12  # in units of its bound; the compiled solver's number
-_EPSILON = float(np.finfo(float).eps)
+LEAST = 1e-10  # relative singular value below which equations are dependent
+MARGIN = 10  # decimals that the linear algebra of a step may lose
+_MOST_ITERATIONS = 32
+_MOST_LOST = 0.75  # of a dwell time in one step
 
 
-class Solved(NamedTuple):
-    """Result of a solver: unknowns (..., n), then arrays (...)."""
-
-    unknowns: Any
-    trace: Any
-    residual: Any
-    iterations: Any
-    status: Any
-
-
-def solve_reduced(kernels: OrbitKernels, parameters: Any, guess: Any) -> Solved:
-    """Newton's method on the reduced equations, elementwise over leading axes.
+def iterate(count: int, advance: Callable[[np.ndarray], Any]) -> tuple[np.ndarray, np.ndarray]:
+    """Take steps at many points until each has converged or is given up.
 
     Parameters
     ----------
-    kernels : OrbitKernels
-    parameters : array (..., p)
-    guess : array (..., m)
-        Start of the reduced unknowns; of none where all is explicit.
+    count : int
+    advance : function
+        Takes a step at the points of these places (k,) and gives a status (k,) for each: `GOING`,
+        or why it ends there.
 
     Returns
     -------
-    Solved
-        With the compiled solver's meaning of `status`.
+    taken, status : arrays (count,) of int32
+        Steps; `STALLED` where they were not enough.
     """
-    if kernels.solver is not None:
-        with np.errstate(all="ignore"):
-            return Solved(*kernels.solver(parameters, *([guess] if kernels.reduced else [])))
-    parameters, guess = np.asarray(parameters, float), np.asarray(guess, float)
-    lead = np.broadcast_shapes(parameters.shape[:-1], guess.shape[:-1])
-    count = math.prod(lead)
-    flat, x = (
-        np.broadcast_to(a, (*lead, a.shape[-1])).reshape(count, a.shape[-1])
-        for a in (parameters, guess)
-    )
-    with np.errstate(all="ignore"):
-        solved = _solve_flat(kernels, flat, x.copy())
-    return Solved(
-        solved.unknowns.reshape(*lead, -1), *(array.reshape(lead)[()] for array in solved[1:])
-    )
-
-
-def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) -> Solved:
-    """The compiled solver's algorithm on NumPy; converged points are left alone."""
-    spectrum, _ = kernels.spectrum(parameters)
-    timed = np.array([name in kernels.dwell_times for name in kernels.reduced])
-    taken = np.zeros(len(x), dtype=np.int32)
-    running = np.arange(len(x) if kernels.reduced else 0)
-    for _ in range(MOST_ITERATIONS):
+    taken = np.full(count, _MOST_ITERATIONS, dtype=np.int32)
+    status = np.full(count, STALLED, dtype=np.int32)
+    running = np.arange(count)
+    for number in range(1, _MOST_ITERATIONS + 1):
         if not len(running):
             break
-        here = x[running]
-        residual, jacobian = kernels.evaluate(
-            "reduced", parameters[running], spectrum[running], here
-        )
-        step = _steps(jacobian, residual)
-        wanted = here - step
-        limited = np.where(wanted < 0.25 * here, 0.25 * here, wanted)
-        limited = np.where(limited > 4.0 * here, 4.0 * here, limited)
-        following = np.where(timed, limited, wanted)
-        x[running] = following
-        taken[running] += 1
-        size = np.maximum(np.abs(following), 1.0)
-        running = running[~(np.abs(wanted - here) <= TOLERANCE * size).all(axis=-1)]
-    residual = np.zeros((len(x), 1))
-    if kernels.reduced:
-        residual, _ = kernels.evaluate("reduced", parameters, spectrum, x)
-    unknowns, determinants = kernels.expand(parameters, spectrum, x)
-    trace = kernels.evaluate("trace", parameters, spectrum, unknowns)
-    status = np.full(len(x), CONVERGED, dtype=np.int32)
-    values = dict(zip(kernels.parameter_names, parameters.T, strict=True))
-    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
-    for name, duration in durations.items():
-        if name not in kernels.table["vanishing"]:
-            status[duration <= 0] = NEGATIVE
-    status[running] = STALLED
-    status[~(np.isfinite(unknowns).all(axis=-1) & np.isfinite(trace))] = INVALID
-    status[(np.abs(determinants) <= LEAST_DETERMINANT).any(axis=-1)] = SINGULAR
-    return Solved(unknowns, trace, np.abs(residual).max(axis=-1), taken, status)
+        found = np.asarray(advance(running))
+        going = found == GOING
+        if np.count_nonzero(going) == len(running):
+            continue
+        ended = running[~going]
+        taken[ended], status[ended] = number, found[~going]
+        running = running[going]
+    return taken, status
 
 
-def _steps(jacobian: np.ndarray, residual: np.ndarray) -> np.ndarray:
-    """Newton steps; NaN where a Jacobian is singular, so that its point alone is lost."""
-    sound = np.isfinite(jacobian).all(axis=(-2, -1)) & (np.linalg.det(jacobian) != 0)
-    steps = np.full_like(residual, np.nan)
-    if sound.any():
-        steps[sound] = np.linalg.solve(jacobian[sound], residual[sound][..., None])[..., 0]
-    return steps
+def damping(dwell: np.ndarray, change: np.ndarray, growth: float = math.inf) -> Any:
+    """Largest part (...) of a step that changes dwell times (..., p) within bounds, at most 1.
 
-
-class Full(NamedTuple):
-    """Values of all parameters and unknowns, and how the full equations were solved."""
-
-    values: dict[str, float]
-    residual: float
-    iterations: int
-    status: int
-    error: float
-
-
-def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequence[str]) -> Full:
-    """Damped Newton's method on the full equations, for any choice of what is unknown.
+    None loses more than three quarters of itself, or grows by more than `growth` times itself.
 
     Parameters
     ----------
-    kernels : OrbitKernels
-    values : dict of str to float
-        All parameters and unknowns: those in `solved_for` are a guess, the rest stay.
-    solved_for : sequence of str
-        As many names as there are equations.
+    dwell : array (..., p)
+        Positive. In the system's unit of time.
+    change : array (..., p)
+        What a whole step would change them by.
+    growth : float
+
+    Returns
+    -------
+    array (...)
+    """
+    bound = np.where(change < 0, _MOST_LOST, growth) * dwell / np.abs(change)
+    return np.minimum(1.0, bound.min(axis=-1, initial=math.inf))
+
+
+def precisions(digits: int, start: int) -> list[int]:
+    """Decimals of the steps: doubling up to the last, from what doubles give.
+
+    Parameters
+    ----------
+    digits : int
+        Decimals that are wanted.
+    start : int
+        Decimals that the start has.
+
+    Returns
+    -------
+    list of int
+
+    Examples
+    --------
+    >>> precisions(50, 15)
+    [10, 16, 27, 50]
+    """
+    steps = [digits]
+    while steps[-1] > start:
+        steps.append(math.ceil(steps[-1] / 2) + 2)
+    return steps[::-1]
+
+
+def climb(
+    lib: Mpmath,
+    x: np.ndarray,
+    step_at: Callable[[np.ndarray, bool], tuple[Any, Any]],
+    digits: int,
+    start: int,
+    name: str,
+) -> tuple[np.ndarray, Any, int]:
+    """Refine a solution with growing precision; the last step corrects nothing that counts.
+
+    Parameters
+    ----------
+    lib : Mpmath
+    x : array (n,) of mpmath numbers
+    step_at : function
+        From x, and whether this step is the last, at twice the digits, to the step (n,) and what
+        was seen at x; it raises ZeroDivisionError where the equations are singular.
+    digits, start : int
+        Decimals that are wanted, and that x has.
+    name : str
+        What is refined, for the message.
+
+    Returns
+    -------
+    x : array (n,)
+    seen : object
+        By the last step, at x.
+    count : int
+        Of steps.
 
     Raises
     ------
-    InputError
-        If the equations do not determine these names: the Jacobian's condition number is
-        beyond 1e12, or no digit of a solution is sure (as where the only one is zero).
+    NoConvergence
+        If the method leaves the solution, as it does where the equations are singular.
     """
-    names = (*kernels.unknowns, *kernels.parameter_names)
-    places = [names.index(name) for name in solved_for]
-    timed = np.array([name in kernels.dwell_times for name in solved_for])
-    count = len(kernels.unknowns)
-    x = np.array([values[name] for name in names], dtype=float)
-    status, iterations, residual = STALLED, 0, np.full(count, np.nan)
-    jacobian = np.full((count, count), np.nan)
-    with np.errstate(all="ignore"):
-        while iterations < MOST_ITERATIONS:
-            iterations += 1
-            equations = equations_at(kernels, x)
-            residual, jacobian = equations.residual, equations.jacobian[:, places]
-            if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
-                status = INVALID
-                break
-            if np.linalg.det(jacobian) == 0:
-                break
-            step = np.linalg.solve(jacobian, residual)
-            here = x[places]
-            fraction = _fraction(here, step, timed)
-            x[places] = here - fraction * step
-            if fraction == 1 and (abs(step) <= TOLERANCE * np.maximum(abs(here), 1)).all():
-                status = CONVERGED
-                break
-    if status != INVALID and (condition := condition_number(jacobian)) > MOST_CONDITION:
-        raise _undetermined(solved_for, condition)
-    error = np.inf
-    if status == CONVERGED:
-        equations = equations_at(kernels, x)
-        residual, jacobian = equations.residual, equations.jacobian
-        error = error_bound(kernels, x, places, equations)
-        if not error < DETERMINED:
-            size = np.maximum(np.abs(x[places]), 1)
-            raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
-        durations = kernels.durations(dict(zip(names, x, strict=True)))
-        if any(durations[n] <= 0 for n in durations if n not in kernels.table["vanishing"]):
-            status = NEGATIVE
-    found = {name: float(value) for name, value in zip(names, x, strict=True)}
-    return Full(found, float(np.abs(residual).max()), iterations, status, error)
+    steps = [*precisions(digits, start), 2 * digits]
+    correction, seen = lib.mp.inf, None
+    for precision in steps:
+        last = precision == steps[-1]
+        with lib.working(precision + MARGIN):
+            try:
+                step, seen = step_at(x, last)
+            except ZeroDivisionError:
+                raise lost(name, precision) from None
+            correction = max(abs(s) / max(abs(v), 1) for s, v in zip(step, x, strict=True))
+            if not correction < 1e-3:
+                raise lost(name, precision)
+            if not last:
+                x = x + np.array(step, dtype=object)
+    if not correction <= lib.mp.mpf(10) ** -(digits - MARGIN):
+        raise lost(name, digits)
+    return x, seen, len(steps)
 
 
-def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
-    return InputError(
-        f"the equations do not determine {', '.join(solved_for)} here:"
-        f" condition number {condition:.1e}"
-    )
-
-
-class Equations(NamedTuple):
-    """Residual (n), Jacobian (n, n + p) by unknowns, then parameters, and the spectrum."""
-
-    residual: np.ndarray
-    jacobian: np.ndarray
-    spectrum: np.ndarray
-
-
-def equations_at(kernels: OrbitKernels, x: np.ndarray) -> Equations:
-    """Evaluate the full equations at unknowns, then parameters (n + p,)."""
-    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
-    spectrum, derivatives = kernels.spectrum(parameters)
-    residual, by_unknowns = kernels.evaluate(
-        "residual_and_jacobian", parameters, spectrum, unknowns
-    )
-    by_parameters = kernels.evaluate(
-        "parameter_jacobian", parameters, spectrum, derivatives, unknowns
-    )
-    jacobian = np.concatenate([by_unknowns, by_parameters], axis=1)
-    return Equations(residual, jacobian, spectrum)
-
-
-def error_bound(
-    kernels: OrbitKernels,
-    x: np.ndarray,
-    places: Sequence[int],
-    equations: Equations,
-) -> float:
-    """Bound on the error of the numbers at some places of x, in units of max(1, |x|).
-
-    By J^-1, from the residual and the rounding of all that enters the equations: parameters
-    and unknowns, and the states along the orbit, of which they are differences.
+def lost(name: str, digits: int) -> NoConvergence:
+    """What is raised where steps lead away from the solution.
 
     Parameters
     ----------
-    kernels : OrbitKernels
-    x : array (n + p,)
-    places : sequence of int
-    equations : Equations
-        Those at x.
+    name : str
+        What is refined.
+    digits : int
+        Decimals of the step that failed.
+
+    Returns
+    -------
+    NoConvergence
+        To be raised by the caller.
     """
-    residual, jacobian, spectrum = equations
-    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
-    states = kernels.evaluate("states", parameters, spectrum, unknowns)
-    scale, size = np.maximum(np.abs(x[places]), 1), np.abs(x)
-    size[places] = scale
-    rounding = np.abs(jacobian) @ size + np.abs(states).max()
-    noise = np.abs(residual) + 4 * _EPSILON * rounding
-    with np.errstate(all="ignore"):
-        factors, pivots, singular = dgetrf(jacobian[:, places])
-        if singular:
-            return math.inf
-        inverse, _ = dgetri(factors, pivots)
-        error = np.abs(inverse) @ noise / scale
-    worst = float(error.max())
-    return worst if math.isfinite(worst) else math.inf
-
-
-def condition_number(jacobian: np.ndarray) -> float:
-    """Condition number after scaling the rows, and then the columns, to unit size."""
-    rows = np.abs(jacobian).max(axis=1, keepdims=True)
-    scaled = jacobian / np.where(rows > 0, rows, 1)
-    columns = np.abs(scaled).max(axis=0, keepdims=True)
-    scaled = scaled / np.where(columns > 0, columns, 1)
-    if not np.isfinite(scaled).all():
-        return np.inf
-    return float(np.linalg.cond(scaled))
-
-
-def _fraction(here: np.ndarray, step: np.ndarray, timed: np.ndarray) -> float:
-    """Largest part of a step after which no dwell time has lost three quarters of itself."""
-    falling = timed & (here > 0) & (step > 0.75 * here)
-    return float(np.min(0.75 * here[falling] / step[falling], initial=1.0))
+    return NoConvergence(
+        f"{name}: Newton's method with {digits} digits leaves the orbit: the equations are"
+        " singular here, or the start is too coarse"
+    )

@@ -13,9 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.shooting.cycle_newton import LEAST, sizes
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, phases_in
+from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
+from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
 from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
 
@@ -32,24 +33,53 @@ __all__ = [
 _RANK = 1e-9  # relative length below which a direction is none
 
 
-def local_maps(cycle: Cycle, numbers: Numbers, now: Shooting) -> list[Any]:
-    """Derivative of each phase's start by that of the phase before it, on the sections."""
+def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[Any]:
+    """Derivative of each phase's start by that of the phase before it, on the sections.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+    now : Shooting
+        Of the orbit as it closes.
+
+    Returns
+    -------
+    list of array (N, N)
+        One for each phase.
+    """
     parts = zip(phases_in(cycle, numbers), now.flows, now.velocities[..., None], strict=True)
     return [section_map(ARRAYS, *part) for part in parts]
 
 
-def saltations(cycle: Cycle, numbers: Numbers, now: Shooting) -> Any:
+def saltations(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Any:
     """Saltation matrix of each transition (p, N, N): R + (f_after - R f_before) n / (n f_before).
 
     A perturbation in front of the transition, times the matrix, is that behind it, to first
     order at the same time.
+
+    The correction at a switch is that of Aizerman and Gantmakher (1958); Müller (1995) takes it
+    to Lyapunov exponents.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+    now : Shooting
+        Of the orbit as it closes.
+
+    Returns
+    -------
+    array (p, N, N)
     """
     size = now.starts.shape[-1]
     unit = np.eye(size, size + 1, dtype=int)
     return np.array(_timed(cycle, numbers, now, [unit] * len(cycle)))
 
 
-def _timed(cycle: Cycle, numbers: Numbers, now: Shooting, flows: Sequence[Any]) -> list[Any]:
+def _timed(
+    cycle: ItineraryShape, numbers: Numbers, now: Shooting, flows: Sequence[Any]
+) -> list[Any]:
     """Derivative behind each transition by that before a flow to it, at fixed times."""
     phases = phases_in(cycle, numbers)
     fields = [phase.field for phase in (*phases[1:], phases[0])]
@@ -58,11 +88,20 @@ def _timed(cycle: Cycle, numbers: Numbers, now: Shooting, flows: Sequence[Any]) 
     return [section_map(ARRAYS, *part) for part in parts]
 
 
-def mechanical_states(cycle: Cycle) -> list[int] | None:
+def mechanical_states(cycle: ItineraryShape) -> list[int] | None:
     """States that are no forcing's, where there is a forcing.
 
     A forced motion is periodic in time: its Poincare map is the stroboscopic one, at a fixed
     phase of the forcing.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+
+    Returns
+    -------
+    list of int or None
+        None without a forcing.
     """
     forcing = cycle.structure.forcing
     if not forcing:
@@ -71,14 +110,20 @@ def mechanical_states(cycle: Cycle) -> list[int] | None:
     return [k for k in range(len(cycle.structure.states)) if k not in own]
 
 
-def _timed_maps(cycle: Cycle, numbers: Numbers, now: Shooting, states: list[int]) -> list[Any]:
+def _timed_maps(
+    cycle: ItineraryShape, numbers: Numbers, now: Shooting, states: list[int]
+) -> list[Any]:
     """Derivatives of each phase's start by that of the phase before it, at fixed times."""
     found = _timed(cycle, numbers, now, now.flows)
     return [matrix[np.ix_(states, states)] for matrix in found]
 
 
 def stroboscopic_maps(
-    cycle: Cycle, fields: np.ndarray, starts: np.ndarray, maps: np.ndarray, states: list[int]
+    cycle: ItineraryShape,
+    fields: np.ndarray,
+    starts: np.ndarray,
+    maps: np.ndarray,
+    states: list[int],
 ) -> np.ndarray:
     """Stroboscopic maps (n, k, k) of forced motions from those on the section (n, N, N).
 
@@ -86,16 +131,27 @@ def stroboscopic_maps(
 
     Parameters
     ----------
+    cycle : ItineraryShape
     fields : array (n, N, N + 1)
         Of the first configuration.
     starts : array (n, N)
+        In the system's units.
+    maps : array (n, N, N)
+        On the section where the first phase starts.
+    states : list of int
+        The k states that are no forcing's.
+
+    Returns
+    -------
+    array (n, k, k)
     """
     (cosine, sine), *_ = cycle.structure.forcing
     velocity = np.einsum("nij,nj->ni", fields[..., :-1], starts) + fields[..., -1]
     turn = velocity[:, [cosine, sine]]
     turned = np.einsum("ni,nij->nj", turn, maps[:, [cosine, sine]])
-    rate = -turned / (turn * turn).sum(axis=-1, keepdims=True)
-    whole = maps + velocity[:, :, None] * rate[:, None, :]
+    with np.errstate(all="ignore"):  # of points without an orbit
+        rate = -turned / (turn * turn).sum(axis=-1, keepdims=True)
+        whole = maps + velocity[:, :, None] * rate[:, None, :]
     return np.asarray(whole[:, states][:, :, states])
 
 
@@ -120,6 +176,17 @@ def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
 
     The map from there has no more multipliers that are not zero, and zero is not a defective
     one of them.
+
+    Parameters
+    ----------
+    maps : sequence of array (N, N)
+        Of each phase, as `local_maps` gives them.
+    size_of : array (N,)
+        As `sizes` gives it.
+
+    Returns
+    -------
+    first, rank : int
     """
     ranks = []
     for first in range(len(maps)):
@@ -130,11 +197,24 @@ def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
     return ranks.index(min(ranks)), min(ranks)
 
 
-def section_dimension(cycle: Cycle, numbers: Numbers, size_of: Any, lib: Any) -> int:
+def section_dimension(cycle: ItineraryShape, numbers: Numbers, size_of: Any, lib: Any) -> int:
     """Dimension of the section where the first phase starts.
 
     It is the reset's image of where the last phase's boundary is reached, and its constraints
     hold.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+    size_of : array (N,)
+        As `sizes` gives it.
+    lib : arithmetic of single numbers
+        `numpy`, or a context of mpmath.
+
+    Returns
+    -------
+    int
     """
     size = len(size_of)
     kept = [*cycle.structure.constraints[cycle.configurations[-1]], cycle.rows[-1]]
@@ -172,7 +252,7 @@ def _orthonormal(columns: Any, lib: Any) -> Any:
 
 
 def assess(
-    cycle: Cycle,
+    cycle: ItineraryShape,
     numbers: Numbers,
     now: Shooting,
     dwell: Any,
@@ -196,6 +276,10 @@ def assess(
     error : number
         Relative error of an orbit, and of the derivative of a phase, where all is well
         conditioned.
+
+    Returns
+    -------
+    Stability
     """
     size_of = sizes(now, dwell)
     driven = mechanical_states(cycle)
@@ -280,7 +364,7 @@ def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tu
     return entries, min(condition * entries, defective)
 
 
-def _slowness(cycle: Cycle, numbers: Numbers, now: Shooting) -> float:
+def _slowness(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> float:
     """Largest ratio of the terms of a boundary's speed to their sum, where it is reached."""
     size = now.starts.shape[-1]
     terms = [
@@ -290,7 +374,7 @@ def _slowness(cycle: Cycle, numbers: Numbers, now: Shooting) -> float:
     return max((total / speed if speed else math.inf for total, speed in terms), default=1.0)
 
 
-def _keeps_area(cycle: Cycle, numbers: Numbers) -> bool:
+def _keeps_area(cycle: ItineraryShape, numbers: Numbers) -> bool:
     """Whether phases and transitions keep the volume of the states, by their numbers.
 
     A field without divergence does. The determinant of the saltation matrix of a reset R that
@@ -355,7 +439,7 @@ def _modulus(multiplier: Multiplier, lib: Any) -> Any:
     return lib.sqrt(multiplier.real**2 + multiplier.imaginary**2)
 
 
-def _grazes(cycle: Cycle, numbers: Numbers, now: Shooting, error: Any) -> bool:
+def _grazes(cycle: ItineraryShape, numbers: Numbers, now: Shooting, error: Any) -> bool:
     """Whether a boundary may be reached tangentially: there no map has a slope."""
     size = now.starts.shape[-1]
     for place, row in enumerate(cycle.rows):

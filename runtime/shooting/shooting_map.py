@@ -25,12 +25,12 @@ from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.variational import ARRAYS, Phase, Shooting, shooting_map
 
 __all__ = [
-    "Cycle",
+    "ItineraryShape",
     "Numbers",
-    "cycle_of",
     "flow_at",
     "forcing_row_of",
     "guesses",
+    "itinerary_shape",
     "numbers_in",
     "phases_in",
     "shoot",
@@ -40,7 +40,7 @@ _T = TypeVar("_T")
 
 
 @dataclass(frozen=True, eq=False)
-class Cycle:
+class ItineraryShape:
     """An itinerary of a system: phase by phase, with the transition that ends it.
 
     Attributes
@@ -88,12 +88,32 @@ class Cycle:
         pairs = [state for pair in self.structure.forcing for state in pair]
         return np.array([*self.configurations, *self.rows, *resets, *pairs], dtype=np.int32)
 
-    def at(self, structure: Structure) -> Cycle:
-        """The same cycle with the modes of a parameter point."""
+    def at(self, structure: Structure) -> ItineraryShape:
+        """The same cycle with the modes of a parameter point.
+
+        Parameters
+        ----------
+        structure : Structure
+            Of the same system, with modes.
+
+        Returns
+        -------
+        ItineraryShape
+        """
         return replace(self, structure=structure)
 
-    def rotated(self, first: int) -> Cycle:
-        """The same cycle from another of its phases."""
+    def rotated(self, first: int) -> ItineraryShape:
+        """The same cycle from another of its phases.
+
+        Parameters
+        ----------
+        first : int
+            Place of the phase that comes first.
+
+        Returns
+        -------
+        ItineraryShape
+        """
 
         def turned(part: tuple[_T, ...]) -> tuple[_T, ...]:
             return part[first:] + part[:first]
@@ -110,7 +130,7 @@ class Cycle:
         return len(self.itinerary)
 
 
-def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycle:
+def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> ItineraryShape:
     """Look an itinerary up in a system.
 
     Between two phases the first transition that is declared for the boundary and leads to the
@@ -118,6 +138,16 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
     or a sequence of names; the first one's switching condition is solved. A motion that
     reaches no boundary is one phase that ends with ``forcing-phase``: that of the first forcing
     begins anew.
+
+    Parameters
+    ----------
+    structure : Structure
+    itinerary : sequence of (str, str)
+        Configurations, and the boundaries that end their phases.
+
+    Returns
+    -------
+    ItineraryShape
 
     Raises
     ------
@@ -135,7 +165,7 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
     if [boundary for _, boundary in pairs] == [FORCING_PHASE]:
         forcing_row_of(structure)
         staying = TransitionShape(frozenset(), (), 0, configurations[0])  # reset 0: the identity
-        return Cycle(structure, pairs, configurations, (None,), (staying,))
+        return ItineraryShape(structure, pairs, configurations, (None,), (staying,))
     sets = [
         [structure.boundary(c, name) for name in joined.split("+")]
         for c, (_, joined) in zip(configurations, pairs, strict=True)
@@ -155,18 +185,51 @@ def cycle_of(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> Cycl
             )
         transitions.append(found[0])
     boundaries = tuple(reached[0] for reached in sets)
-    return Cycle(structure, pairs, configurations, boundaries, tuple(transitions))
+    return ItineraryShape(structure, pairs, configurations, boundaries, tuple(transitions))
 
 
 def forcing_row_of(structure: Structure) -> int:
-    """Row that is zero where the forcing's phase begins anew; InputError without a forcing."""
+    """Row that is zero where the forcing's phase begins anew.
+
+    Parameters
+    ----------
+    structure : Structure
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    InputError
+        If the system has no forcing.
+    """
     if structure.forcing_row is None:
         raise InputError(f"{structure.name} has no forcing whose phase could begin anew")
     return structure.forcing_row
 
 
 def guesses(name: str, given: Any, count: int, *, positive: bool = False) -> np.ndarray:
-    """Guesses (..., count) as floats; InputError if they are not finite or not as many."""
+    """Guesses (..., count) as floats.
+
+    Parameters
+    ----------
+    name : str
+        What is guessed, for the message.
+    given : array (..., count)
+    count : int
+    positive : bool
+        Whether all have to be.
+
+    Returns
+    -------
+    array (..., count)
+
+    Raises
+    ------
+    InputError
+        If they are not finite, not positive where that is asked, or not as many.
+    """
     try:
         array = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
@@ -199,7 +262,23 @@ class Numbers(NamedTuple):
 
 
 def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = None) -> Numbers:
-    """Numbers of one point, or those that `numbers_at` gives flat, for their structure."""
+    """Numbers of one point, or those that `numbers_at` gives flat, for their structure.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear or Structure
+    flat : array (..., size), optional
+        Needed for a structure.
+
+    Returns
+    -------
+    Numbers
+
+    Raises
+    ------
+    InputError
+        For a structure alone.
+    """
     if isinstance(system, PiecewiseLinear):
         return Numbers(system.fields, system.rows, system.resets, system.exponents, system.flows)
     if flat is None:
@@ -227,6 +306,19 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
     """Flow of a configuration (..., N, N + 1) at times (...): matrix, then constant.
 
     Where a structure has no modes it is the exponential of the field, at one mpmath time.
+
+    Parameters
+    ----------
+    structure : Structure
+    numbers : Numbers
+    configuration : int
+    time : number or array (...)
+        In the system's unit of time.
+    lib : arithmetic with `sin`, `cos` and `exp` of arrays
+
+    Returns
+    -------
+    array (..., N, N + 1)
     """
     if structure.modes is None:
         return exponential(numbers.fields[configuration], np.asarray(time).item(), lib)
@@ -240,8 +332,18 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
     )
 
 
-def phases_in(cycle: Cycle, numbers: Numbers) -> list[Phase]:
-    """Phases of a cycle in arrays."""
+def phases_in(cycle: ItineraryShape, numbers: Numbers) -> list[Phase]:
+    """Phases of a cycle in arrays.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+
+    Returns
+    -------
+    list of Phase
+    """
     return [
         Phase(
             numbers.fields[..., configuration, :, :],
@@ -254,15 +356,17 @@ def phases_in(cycle: Cycle, numbers: Numbers) -> list[Phase]:
     ]
 
 
-def shoot(cycle: Cycle, numbers: Numbers, dwell: Any, start: Any, lib: Any) -> Shooting:
+def shoot(cycle: ItineraryShape, numbers: Numbers, dwell: Any, start: Any, lib: Any) -> Shooting:
     """Pass through a cycle once, with dwell times that follow the start.
 
     Parameters
     ----------
-    cycle : Cycle
+    cycle : ItineraryShape
     numbers : Numbers
     dwell : array (..., p)
+        In the system's unit of time.
     start : array (..., N)
+        In the system's units.
     lib : arithmetic with `sin`, `cos` and `exp` of arrays
 
     Returns

@@ -1,43 +1,18 @@
-"""Symmetries of a system: signed permutations of the states that map motions to motions.
-
-An orbit that a symmetry maps to itself, shifted by a part of its period, is known by that part:
-its phases lead from a start to the start's image, and the symmetry leads back.
-"""
+"""Symmetries of a system: signed permutations of the states that map motions to motions."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import lru_cache
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
-from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of, numbers_in, shoot
-from nonsmooth.runtime.shooting.translations import (
-    directions_of,
-    gauges_of,
-    projection_along,
-    translations_of,
-)
 
-__all__ = [
-    "Symmetry",
-    "closed_cycle",
-    "closing",
-    "closing_matrix",
-    "images_of",
-    "matrix_of",
-    "part_of",
-    "symmetry_of",
-    "whole_cycle",
-    "whole_itinerary",
-    "whole_orbit",
-]
+__all__ = ["Symmetry", "images_of", "matrix_of", "same_maps", "seen_in_images", "symmetry_of"]
 
 _SAME = 1e-12  # of the largest entry: numbers that are equal but for rounding
 _LARGEST_ORDER = 64
@@ -70,8 +45,13 @@ def matrix_of(structure: Structure, given: Mapping[str, str] | Any) -> np.ndarra
 
     Parameters
     ----------
+    structure : Structure
     given : mapping of state to text, or array (N, N)
         ``{"x": "-x", "v": "-v"}``; states that are not named stay. A matrix P maps y to P y.
+
+    Returns
+    -------
+    array (N, N) of int
 
     Raises
     ------
@@ -108,7 +88,23 @@ def matrix_of(structure: Structure, given: Mapping[str, str] | Any) -> np.ndarra
 
 
 def images_of(matrix: np.ndarray, states: Sequence[str]) -> dict[str, str]:
-    """Images by name of a signed permutation, as `matrix_of` takes them."""
+    """Images by name of a signed permutation, as `matrix_of` takes them.
+
+    Parameters
+    ----------
+    matrix : array (N, N) of int
+    states : sequence of str
+
+    Returns
+    -------
+    dict of str to str
+        Of all states.
+
+    Examples
+    --------
+    >>> images_of(np.array([[-1, 0], [0, -1]]), ["x", "v"])
+    {'x': '-x', 'v': '-v'}
+    """
     found = {}
     for name, row in zip(states, matrix, strict=True):
         (place,) = np.flatnonzero(row).tolist()
@@ -126,6 +122,10 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
         As for `matrix_of`.
     error : number
         Relative difference of numbers that count as equal.
+
+    Returns
+    -------
+    Symmetry
 
     Raises
     ------
@@ -157,164 +157,36 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
     return Symmetry(matrix, order, tuple(found[c] for c in every), boundaries)
 
 
-def whole_itinerary(
-    structure: Structure, symmetry: Symmetry, part: Sequence[tuple[str, str]]
-) -> tuple[tuple[str, str], ...]:
-    """Itinerary of the whole orbit whose first part is given; InputError where that is malformed.
-
-    The symmetry maps the end of a part to its start: each part is the preimage of the one
-    before it.
-    """
-    try:
-        part = tuple((c, b) for c, b in part)
-    except (TypeError, ValueError):
-        raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
-    backward = {image: c for c, image in enumerate(symmetry.configurations)}
-    whole = []
-    phases = [_phase(structure, *pair) for pair in part]
-    for _ in range(symmetry.order):
-        for configuration, places in phases:
-            names = [structure.boundaries[configuration][b].name for b in places]
-            whole.append((structure.configurations[configuration], "+".join(names)))
-        phases = [
-            (backward[c], [symmetry.boundaries[backward[c]].index(b) for b in places])
-            for c, places in phases
-        ]
-    return tuple(whole)
-
-
-def closing(
-    system: PiecewiseLinear, cycle: Cycle, symmetry: Symmetry | None
-) -> tuple[PiecewiseLinear, Cycle]:
-    """The part of a cycle that the symmetry closes, in a system with one reset more.
-
-    The last reset of the part is followed by the symmetry, and by the projection along the
-    translations of the system, where it has any.
+def seen_in_images(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
+    """An affine map (N, N + 1) of states, seen in their images.
 
     Parameters
     ----------
-    system : PiecewiseLinear
-    cycle : Cycle
-        The whole one, of that system.
-    symmetry : Symmetry or None
-        Where it is None, and there is no translation, both stay as they are.
+    matrix : array (N, N) of int
+        The symmetry.
+    map_ : array (N, N + 1)
+
+    Returns
+    -------
+    array (N, N + 1)
     """
-    matrix = closing_matrix(system.structure, *system.numbers, symmetry)
-    if matrix is None:
-        return system, cycle
-    count = len(cycle) if symmetry is None else len(cycle) // symmetry.order
-    part = closed_cycle(cycle, count)
-    reset = matrix @ system.resets[cycle.transitions[count - 1].reset]
-    resets = np.concatenate([system.resets, reset[None]])
-    return replace(system, structure=part.structure, resets=resets), part
-
-
-def closing_matrix(
-    structure: Structure, fields: Any, rows: Any, resets: Any, symmetry: Symmetry | None
-) -> np.ndarray | None:
-    """What follows the last reset where an orbit closes; None for nothing."""
-    directions = directions_of(structure, fields, rows, resets)
-    matrix = None if symmetry is None else symmetry.matrix
-    if not len(directions):
-        return matrix
-    projection = projection_along(directions)
-    return projection if matrix is None else projection @ matrix
-
-
-def closed_cycle(cycle: Cycle, count: int) -> Cycle:
-    """The first phases of a cycle, the last of them followed by a reset that is added."""
-    structure = _with_one_reset_more(cycle.structure)
-    last = cycle.transitions[count - 1]
-    turned = replace(last, reset=structure.resets - 1, target=cycle.configurations[0])
-    return replace(
-        cycle,
-        structure=structure,
-        itinerary=cycle.itinerary[:count],
-        configurations=cycle.configurations[:count],
-        boundaries=cycle.boundaries[:count],
-        transitions=(*cycle.transitions[: count - 1], turned),
-    )
-
-
-@lru_cache(maxsize=1024)  # what is kept for a structure serves again
-def _with_one_reset_more(structure: Structure) -> Structure:
-    return replace(structure, resets=structure.resets + 1)
-
-
-def whole_cycle(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Cycle:
-    """The whole cycle of a part that the symmetry closes.
-
-    InputError as `cycle_of`, and where boundaries reset the state as their images do not.
-    """
-    cycle = cycle_of(system.structure, whole_itinerary(system.structure, symmetry, part))
-    for place, transition in enumerate(cycle.transitions):
-        image = place - len(part)
-        resets = system.resets[[transition.reset, cycle.transitions[image].reset]]
-        if not _close(_turned(symmetry.matrix, resets[0]), resets[1], _SAME):
-            names = " and ".join(cycle.itinerary[k][1] for k in (place, image))
-            raise InputError(f"symmetry: {names}, its image, reset the state in different ways")
-    return cycle
-
-
-def whole_orbit(
-    system: PiecewiseLinear,
-    cycle: Cycle,
-    symmetry: Symmetry | None,
-    dwell: np.ndarray,
-    states: np.ndarray,
-    lib: Any,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Dwell times and states of the whole orbit from those (p,), (p, N) of its first part.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    cycle : Cycle
-        The whole one, of that system.
-    lib : arithmetic with `sin`, `cos` and `exp` of arrays
-    """
-    if symmetry is None:
-        return dwell, states
-    directions = translations_of(system)
-    shift = np.zeros_like(states[0])
-    if len(directions):  # by how much the image of the part's end is moved from its start
-        first = len(states) - 1
-        last = replace(
-            cycle,
-            itinerary=cycle.itinerary[first : first + 1],
-            configurations=cycle.configurations[first : first + 1],
-            boundaries=cycle.boundaries[first : first + 1],
-            transitions=cycle.transitions[first : first + 1],
-        )
-        end = shoot(last, numbers_in(system), dwell[-1:], states[-1], lib).starts[-1]
-        image = symmetry.matrix @ end
-        shift = image[gauges_of(directions)] @ directions
-    parts = [states]
-    for _ in range(symmetry.order - 1):
-        parts.append((parts[-1] + shift) @ symmetry.matrix)  # its inverse from the left
-    return np.tile(dwell, symmetry.order), np.concatenate(parts)
-
-
-def part_of(period: Value, order: int) -> Value:
-    """One of so many equal parts of a given period, exactly."""
-    if period.exact is not None:
-        return as_value(period.exact / order)
-    return parse(f"({period.text})/{order}")
-
-
-def _phase(structure: Structure, name: str, boundary: Any) -> tuple[int, list[int]]:
-    configuration = structure.configuration(str(name))
-    names = boundary.split("+") if isinstance(boundary, str) else boundary
-    return configuration, [structure.boundary(configuration, str(b)) for b in names]
-
-
-def _turned(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
-    """An affine map (N, N + 1) of states, seen in their images."""
     found = matrix @ map_
     return np.concatenate([found[:, :-1] @ matrix.T, found[:, -1:]], axis=1)
 
 
-def _close(first: np.ndarray, second: np.ndarray, error: float) -> bool:
+def same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> bool:
+    """Whether two maps are the same but for an error, relative to the first one's entries.
+
+    Parameters
+    ----------
+    first, second : array
+        Of one shape.
+    error : number
+
+    Returns
+    -------
+    bool
+    """
     largest = max(abs(x) for x in first.ravel())
     return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))
 
@@ -355,7 +227,7 @@ class _Images:
         """Images of the boundaries of a configuration if another may be its image."""
         structure, system, matrix = self.structure, self.system, self.matrix
         own, other = structure.boundaries[c], structure.boundaries[image]
-        field = _turned(matrix, system.fields[c])
+        field = seen_in_images(matrix, system.fields[c])
         if len(own) != len(other) or not self._equal(field, system.fields[image]):
             return None
         constraints = list(structure.constraints[image])
@@ -395,7 +267,7 @@ class _Images:
         return np.concatenate([self.matrix @ function[:-1], function[-1:]])
 
     def _equal(self, first: np.ndarray, second: np.ndarray) -> bool:
-        return _close(first, second, self.error)
+        return same_maps(first, second, self.error)
 
     def _transitions_follow(self, source: int, chosen: Mapping[int, int]) -> bool:
         """Whether each transition has its image among those of the image, in the same order.
@@ -453,7 +325,7 @@ class _Images:
         if chosen[transition.target] != other.target:
             return False
         resets = self.system.resets[[transition.reset, other.reset]]
-        if not self._equal(_turned(self.matrix, resets[0]), resets[1]):
+        if not self._equal(seen_in_images(self.matrix, resets[0]), resets[1]):
             return False
         if len(transition.conditions) != len(other.conditions):
             return False

@@ -32,7 +32,16 @@ _APART = 1e-9  # relative singular value above which rows annihilate no vector
 
 
 def translations_of(system: PiecewiseLinear) -> np.ndarray:
-    """Directions (m, N) along which nothing changes; in any arithmetic. See `directions_of`."""
+    """Directions (m, N) along which nothing changes; in any arithmetic. See `directions_of`.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+
+    Returns
+    -------
+    array (m, N)
+    """
     return directions_of(system.structure, system.fields, system.rows, system.resets)
 
 
@@ -41,6 +50,17 @@ def directions_of(structure: Structure, fields: Any, rows: Any, resets: Any) -> 
 
     Fields, boundaries, constraints and conditions do not change along them, and resets carry
     them along: y + s d is a motion when y is. None, m = 0, is the rule.
+
+    Parameters
+    ----------
+    structure : Structure
+    fields : array (c, N, N + 1)
+    rows : array (R, N + 1)
+    resets : array (r, N, N + 1)
+
+    Returns
+    -------
+    array (m, N)
     """
     used, taken = deciding_rows(structure), taken_resets(structure)
     size = len(structure.states)
@@ -54,7 +74,17 @@ def directions_of(structure: Structure, fields: Any, rows: Any, resets: Any) -> 
 
 
 def deciding_rows(structure: Structure) -> list[int]:
-    """Rows of boundaries, constraints, conditions and a contact law: what motions depend on."""
+    """Rows of boundaries, constraints, conditions and a contact law: what motions depend on.
+
+    Parameters
+    ----------
+    structure : Structure
+
+    Returns
+    -------
+    list of int
+        Increasing.
+    """
     used = {b.row for boundaries in structure.boundaries for b in boundaries}
     used |= {row for rows in structure.constraints for row in rows}
     every = (t for each in structure.transitions for t in each)
@@ -66,7 +96,17 @@ def deciding_rows(structure: Structure) -> list[int]:
 
 
 def taken_resets(structure: Structure) -> list[int]:
-    """Resets of all transitions, and of a contact law."""
+    """Resets of all transitions, and of a contact law.
+
+    Parameters
+    ----------
+    structure : Structure
+
+    Returns
+    -------
+    list of int
+        Increasing.
+    """
     found = {t.reset for each in structure.transitions for t in each}
     if structure.law is not None:
         found |= {reset for resets in structure.law.resets.values() for reset in resets.values()}
@@ -74,7 +114,17 @@ def taken_resets(structure: Structure) -> list[int]:
 
 
 def projection_along(directions: np.ndarray) -> np.ndarray:
-    """Matrix (N, N) that sets the first coordinate of each direction to zero, moving along it."""
+    """Matrix (N, N) that sets the first coordinate of each direction to zero, moving along it.
+
+    Parameters
+    ----------
+    directions : array (m, N)
+        In reduced echelon form.
+
+    Returns
+    -------
+    array (N, N)
+    """
     found = np.eye(directions.shape[1], dtype=directions.dtype)
     for direction, place in zip(directions, gauges_of(directions), strict=True):
         found[:, place] -= direction
@@ -82,12 +132,34 @@ def projection_along(directions: np.ndarray) -> np.ndarray:
 
 
 def up_to_shift(states: np.ndarray, directions: np.ndarray) -> np.ndarray:
-    """States (..., N), each moved along the directions to where their first coordinates are 0."""
+    """States (..., N), each moved along the directions to where their first coordinates are 0.
+
+    Parameters
+    ----------
+    states : array (..., N)
+        In the system's units.
+    directions : array (m, N)
+        In reduced echelon form.
+
+    Returns
+    -------
+    array (..., N)
+    """
     return states @ projection_along(directions).T if len(directions) else states
 
 
 def gauges_of(directions: Sequence[Any] | np.ndarray) -> list[int]:
-    """First coordinate of each direction: one in it, and zero in the others."""
+    """First coordinate of each direction: one in it, and zero in the others.
+
+    Parameters
+    ----------
+    directions : array (m, N)
+
+    Returns
+    -------
+    list of int
+        One for each direction.
+    """
     return [next(k for k, x in enumerate(direction) if x) for direction in directions]
 
 

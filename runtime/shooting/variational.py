@@ -67,22 +67,85 @@ class Arithmetic(Protocol):
     """How affine maps act; a column times a row is their outer product."""
 
     def apply(self, affine: Any, state: Any) -> Any:
-        """Apply a map to a state."""
+        """Apply a map to a state.
+
+        Parameters
+        ----------
+        affine : affine map
+        state : column
+            In the system's units.
+
+        Returns
+        -------
+        column
+        """
 
     def carry(self, affine: Any, changes: Any) -> Any:
-        """Apply a map's linear part to changes of a state, one in each column."""
+        """Apply a map's linear part to changes of a state, one in each column.
+
+        Parameters
+        ----------
+        affine : affine map
+        changes : columns
+
+        Returns
+        -------
+        columns
+        """
 
     def linear(self, affine: Any) -> Any:
-        """Return a map's linear part, as changes."""
+        """Return a map's linear part, as changes.
+
+        Parameters
+        ----------
+        affine : affine map
+
+        Returns
+        -------
+        columns
+        """
 
     def number(self, entry: Any) -> Any:
-        """Return the number in what has one row and one column."""
+        """Return the number in what has one row and one column.
+
+        Parameters
+        ----------
+        entry : row of one column
+
+        Returns
+        -------
+        number
+        """
 
     def turned(self, changes: Any, velocity: Any, rate: Any) -> Any:
-        """Add what a row of changes of a time adds to changes of the state."""
+        """Add what a row of changes of a time adds to changes of the state.
+
+        Parameters
+        ----------
+        changes : columns
+            Of the state.
+        velocity : column
+            Of the state.
+        rate : row
+            Of changes of the time.
+
+        Returns
+        -------
+        columns
+        """
 
     def beside(self, row: Any, value: Any) -> Any:
-        """Add a value to the last entry of a row that nothing else has."""
+        """Add a value to the last entry of a row that nothing else has.
+
+        Parameters
+        ----------
+        row : row
+        value : number
+
+        Returns
+        -------
+        row
+        """
 
 
 class _Arrays:
@@ -205,6 +268,7 @@ def shooting_map(
     flows : iterable of affine maps
         Of each phase, over its dwell time.
     start : column
+        In the system's units.
     changes : columns
         Of the start, by each unknown.
     rates : sequence of rows, optional
@@ -214,6 +278,10 @@ def shooting_map(
     ahead : sequence of Ahead, optional
         Boundary functions by the starts of their phases, where these are sharper than those
         at the ends.
+
+    Returns
+    -------
+    Shooting
     """
     apply, carry = arithmetic.apply, arithmetic.carry
     state, starts = start, [start]
@@ -258,10 +326,18 @@ def section_map(
 
     Parameters
     ----------
+    arithmetic : Arithmetic
+    phase : Phase
+    flow : affine map
+        Of the phase, over its dwell time.
     velocity : column
         f-, at the phase's end.
     behind : column, optional
         f+; without it the map is that between sections.
+
+    Returns
+    -------
+    columns
     """
     linear = arithmetic.linear(flow)
     ahead = arithmetic.carry(phase.row, linear)

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.events.transition_choice import batch_decider
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
@@ -21,12 +22,20 @@ from nonsmooth.runtime.model.kernels import backend
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = ["Ends", "compiled_engine", "no_ends", "run_compiled", "run_motions", "store_end"]
+__all__ = [
+    "MotionEnds",
+    "compiled_engine",
+    "entry_size",
+    "no_ends",
+    "run_compiled",
+    "run_motions",
+    "store_end",
+]
 
 _FIRST_ENTRIES, _GRAZINGS = 4096, 64
 
 
-class Ends(NamedTuple):
+class MotionEnds(NamedTuple):
     """Ends and last entries of many motions.
 
     Attributes
@@ -56,7 +65,13 @@ class Ends(NamedTuple):
 
 
 def compiled_engine() -> ModuleType | None:
-    """The compiled engine, or None where Python is to be used."""
+    """The compiled engine, or None where Python is to be used.
+
+    Returns
+    -------
+    module or None
+        The extension module; None where Python runs or nothing is compiled.
+    """
     if backend() != "c":
         return None
     try:
@@ -85,6 +100,18 @@ def run_compiled(
     until : float
     transitions : int or None
         The most transitions; None where only `until` ends the motion.
+
+    Returns
+    -------
+    Run
+        The motion's entries, its grazings and why it ended.
+
+    Raises
+    ------
+    InputError
+        If the system or the state is not finite.
+    TooLarge
+        If memory does not hold the transitions.
     """
     structure = system.structure
     size = len(structure.states)
@@ -124,6 +151,9 @@ def run_compiled(
         touches = max(touches, touched)
         if done >= entries:
             entries = min(most + 1, 2 * entries)
+            # as many as there will be if it goes on like this, or as are asked for
+            expected = max(entries, min(most, done * float(until) / times[done - 1]))
+            check_memory(f"{expected:.3g} transitions", expected * entry_size(size))
     return Run(
         times[: done + 1].copy(),
         kept[: done + 1].copy(),
@@ -140,9 +170,40 @@ def run_compiled(
     )
 
 
-def no_ends(count: int, size: int, kept: int) -> Ends:
-    """Ends of motions that were not simulated."""
-    return Ends(
+def entry_size(size: int) -> int:
+    """Bytes of one entry of a motion with so many states.
+
+    Parameters
+    ----------
+    size : int
+        Number of states.
+
+    Returns
+    -------
+    int
+        Bytes.
+    """
+    return BYTES * (2 + size)
+
+
+def no_ends(count: int, size: int, kept: int) -> MotionEnds:
+    """Ends of motions that were not simulated.
+
+    Parameters
+    ----------
+    count : int
+        Number of motions.
+    size : int
+        Number of states.
+    kept : int
+        Entries that are kept of each motion.
+
+    Returns
+    -------
+    MotionEnds
+        Arrays of NaN, -1 and 0 in the shapes that the compiled engine fills.
+    """
+    return MotionEnds(
         np.full((count, size), np.nan),
         np.full(count, -1, dtype=np.int32),
         np.full(count, np.nan),
@@ -156,8 +217,20 @@ def no_ends(count: int, size: int, kept: int) -> Ends:
     )
 
 
-def store_end(ends: Ends, place: int, system: PiecewiseLinear, run: Run) -> None:
-    """Put the end and the last entries of one motion where the compiled engine puts them."""
+def store_end(ends: MotionEnds, place: int, system: PiecewiseLinear, run: Run) -> None:
+    """Put the end and the last entries of one motion where the compiled engine puts them.
+
+    Parameters
+    ----------
+    ends : MotionEnds
+        Written at one place.
+    place : int
+        Index of the motion.
+    system : PiecewiseLinear
+        In double precision.
+    run : Run
+        The motion.
+    """
     kept, last = ends.kept_times.shape[1], len(run.times) - 1
     where = int(run.configurations[-1])
     since = np.array([run.end - run.times[-1]])
@@ -183,11 +256,13 @@ def run_motions(
     until: np.ndarray,
     transitions: int | None,
     kept: int = 0,
-) -> Ends:
+) -> MotionEnds:
     """Follow many motions in the compiled engine, one after the other, without the GIL.
 
     Parameters
     ----------
+    engine : module
+    structure : Structure
     numbers : array (p, size)
         Parameter points, as `nonsmooth.runtime.model.piecewise.numbers_at` gives them.
     points : array (count,)
@@ -198,6 +273,11 @@ def run_motions(
     transitions : int or None
     kept : int
         How many of the last entries to keep of each motion.
+
+    Returns
+    -------
+    MotionEnds
+        States (count, N), times (count,) and the last `kept` entries of each motion.
     """
     count = len(states)
     ends = no_ends(count, states.shape[1], kept)

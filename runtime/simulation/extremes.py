@@ -31,7 +31,7 @@ class Extreme(NamedTuple):
     time: float
 
 
-class _Search(NamedTuple):
+class _WaitingPanels(NamedTuple):
     """Functions in waiting panels: factors of the functions of time, of g, g' and g''."""
 
     configuration: int
@@ -105,7 +105,7 @@ def _search(
     for k in range(len(best)):
         kept = np.flatnonzero(upper[:, k] > best[k] + slack[:, k])
         if kept.size:
-            waiting = _Search(
+            waiting = _WaitingPanels(
                 found.configuration,
                 (tower[0][kept, :, k], tower[1][kept, :, k], tower[2][kept, :, k]),
                 np.full(kept.size, found.constants[k]),
@@ -120,7 +120,7 @@ def _search(
 
 def _split(
     system: PiecewiseLinear,
-    search: _Search,
+    search: _WaitingPanels,
     left: np.ndarray,
     right: np.ndarray,
     k: int,
@@ -152,7 +152,7 @@ def _split(
             return
         left, right = left[:, places], right[:, places]
         half = places % len(search.begins)
-        search = _Search(
+        search = _WaitingPanels(
             search.configuration,
             (search.weights[0][half], search.weights[1][half], search.weights[2][half]),
             search.constants[half],
@@ -169,7 +169,9 @@ def _raise(
     best[which[better]], times[which[better]] = values[better], at[better]
 
 
-def _sum(system: PiecewiseLinear, search: _Search, order: int, times: np.ndarray) -> np.ndarray:
+def _sum(
+    system: PiecewiseLinear, search: _WaitingPanels, order: int, times: np.ndarray
+) -> np.ndarray:
     functions = functions_of(system, search.configuration, times)
     return np.asarray((functions * search.weights[order]).sum(axis=1))
 

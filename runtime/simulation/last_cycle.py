@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.recurrence import recurrent_lengths, scales_of
 from nonsmooth.runtime.simulation.simulate import Trajectories
@@ -36,6 +37,14 @@ class Recurrence(NamedTuple):
     itinerary: tuple[tuple[str, str], ...]
     dwell_times: np.ndarray
     start: np.ndarray
+
+    def __repr__(self) -> str:
+        text: str = registered("summary_text")(self)
+        return text
+
+    def _repr_html_(self) -> str:
+        text: str = registered("summary_html")(self)
+        return text
 
 
 def itinerary_of(

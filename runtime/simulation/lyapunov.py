@@ -9,13 +9,14 @@ fixed times are all; they stay such, and the motion's own direction is none of t
 A transition that sets a velocity (a mass that begins to stick) annihilates a direction. It
 is gone for ever, and its exponent is minus infinity.
 
-Rates of growth are averaged over time with the weight exp(-1/(u (1 - u))) on 0 < u < 1: over a
-periodic or quasi-periodic motion that converges faster than any power of the time (S. Das,
-Y. Saiki, E. Sander, J. Yorke, Quantitative quasiperiodicity, Nonlinearity 30, 2017). The
-standard error is the scatter of such averages over shorter windows that overlap (P. Welch,
-IEEE Trans. Audio Electroacoust. 15, 1967). Perturbations of a neutral motion may grow like the
-time itself: their rate, 1/age, is no exponent, and as much of it as the windows do not exclude
-is part of the error.
+Perturbations are made orthonormal again and again (G. Benettin et al., Meccanica 15, 1980).
+Their rates of growth are averaged over time with the weight exp(-1/(u (1 - u))) on 0 < u < 1: over
+a periodic or quasi-periodic motion that converges faster than any power of the time (S. Das, Y.
+Saiki, E. Sander, J. Yorke, Quantitative quasiperiodicity, Nonlinearity 30, 2017). The standard
+error is the scatter of such averages over shorter windows that overlap (P. Welch, IEEE Trans.
+Audio Electroacoust. 15, 1967). Perturbations of a neutral motion may grow like the time itself:
+their rate, 1/age, is no exponent, and as much of it as the windows do not exclude is part of the
+error.
 """
 
 from __future__ import annotations
@@ -123,10 +124,34 @@ def lyapunov(trajectory: Trajectory, since: float = 0.0) -> Exponent:
 
 
 def lyapunov_spectrum(trajectory: Trajectory, since: float = 0.0) -> tuple[Exponent, ...]:
-    """All Lyapunov exponents of a motion, the largest first.
+    """Estimate all Lyapunov exponents of a motion, the largest first.
 
     One for each position and velocity, less one for the motion's own direction where there is
-    no forcing. Parameters and errors as for `lyapunov`.
+    no forcing.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    since : float
+        Time from which on it is counted; the perturbations are carried from the start on.
+
+    Returns
+    -------
+    tuple of Exponent
+        In units of one over time; -infinity for directions that are annihilated.
+
+    Raises
+    ------
+    InputError
+        As for `lyapunov`.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
+    >>> [exponent.value for exponent in lyapunov_spectrum(motion, since=50)[1:]]
+    [-inf, -inf]
     """
     phases_of(trajectory, since)
     since = float(since)

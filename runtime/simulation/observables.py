@@ -101,6 +101,17 @@ class Observables:
     def force(self, name: str, times: Any) -> np.ndarray:
         """Force of a contact on the oscillator at times (...) of the motion.
 
+        Parameters
+        ----------
+        name : str
+            Of the contact.
+        times : array (...)
+
+        Returns
+        -------
+        array (...)
+            In the system's unit of force.
+
         Raises
         ------
         InputError
@@ -110,6 +121,17 @@ class Observables:
 
     def power(self, name: str, times: Any) -> np.ndarray:
         """Force times (oscillator's velocity - surface's velocity); what is lost is negative.
+
+        Parameters
+        ----------
+        name : str
+            Of the contact.
+        times : array (...)
+
+        Returns
+        -------
+        array (...)
+            In the system's unit of force times that of velocity.
 
         Raises
         ------

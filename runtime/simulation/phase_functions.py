@@ -43,6 +43,17 @@ class Phases:
 def phases_of(trajectory: Trajectory, since: float = 0.0) -> Phases:
     """Phases of a motion from a time on, the first of them cut there.
 
+    Parameters
+    ----------
+    trajectory : Trajectory
+    since : float
+        Time of the cut.
+
+    Returns
+    -------
+    Phases
+        Beginnings and durations (k,), configurations (k,), starts and ends (k, N).
+
     Raises
     ------
     InputError
@@ -143,13 +154,36 @@ def panels(
 
 
 def fastest(system: PiecewiseLinear, configuration: int) -> float:
-    """Largest modulus of the exponents of a configuration."""
+    """Largest modulus of the exponents of a configuration.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    configuration : int
+
+    Returns
+    -------
+    float
+        One over the unit of time; 0 without exponents.
+    """
     exponents = system.exponents[configuration]
     return float(np.hypot(*exponents.T).max()) if len(exponents) else 0.0
 
 
 def values_at(system: PiecewiseLinear, found: Panels, times: np.ndarray) -> np.ndarray:
-    """Affine functions (n, q, K) at times (n, q) since the beginnings of the panels' phases."""
+    """Affine functions (n, q, K) at times (n, q) since the beginnings of the panels' phases.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    found : Panels
+        Weights and constants of the functions on n panels.
+    times : array (n, q)
+
+    Returns
+    -------
+    array (n, q, K)
+    """
     functions = functions_of(system, found.configuration, times.ravel())
     shaped = functions.reshape(*times.shape, -1)
     return np.asarray(shaped @ found.weights + found.constants)

@@ -64,7 +64,17 @@ class _Entries(NamedTuple):
 
 
 def canonical(itinerary: Itinerary) -> int:
-    """Rotation of a cycle that comes first in the alphabet."""
+    """Rotation of a cycle that comes first in the alphabet.
+
+    Parameters
+    ----------
+    itinerary : sequence of (configuration, boundary)
+
+    Returns
+    -------
+    int
+        Number of phases to rotate by.
+    """
     return min(range(len(itinerary)), key=lambda i: itinerary[i:] + itinerary[:i])
 
 
@@ -74,6 +84,19 @@ def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: floa
     The whole last cycle repeats the configurations and boundaries of the one before and lasts as
     long, within `tolerance`, and each state comes back within that times its scale (n, N).
     Impacts that follow each other ever faster come back but for the time.
+
+    Parameters
+    ----------
+    motions : Trajectories
+        Of n motions.
+    scales : array (n, N)
+        Size of each state of each motion.
+    tolerance : float
+        Relative.
+
+    Returns
+    -------
+    array (n,) of int
     """
     count, kept = motions.last_times.shape
     configurations, sets, states = (
@@ -102,6 +125,23 @@ def candidate_at(
     """The cycle of `length` phases that ends with entry `end` of a motion of scale (N,).
 
     None where the motion has no such entries.
+
+    Parameters
+    ----------
+    motions : Trajectories
+    motion : int
+        Index of the motion.
+    end : int
+        Index of the entry that closes the cycle.
+    length : int
+        Number of phases.
+    scale : array (N,)
+        Size of each state.
+
+    Returns
+    -------
+    Candidate or None
+        Itinerary, dwell times, start and how far it misses.
     """
     entries = _Entries(
         motions.last_times[motion],
@@ -133,7 +173,24 @@ def candidate_at(
 def near_returns(
     motions: Trajectories, scales: np.ndarray, longest: int, tolerance: float
 ) -> list[Candidate]:
-    """Cycles of at most `longest` phases after which a motion of scale (n, N) nearly came back."""
+    """Cycles of at most `longest` phases after which a motion of scale (n, N) nearly came back.
+
+    Parameters
+    ----------
+    motions : Trajectories
+        Of n motions.
+    scales : array (n, N)
+        Size of each state of each motion.
+    longest : int
+        Most phases.
+    tolerance : float
+        Of the largest change of a state, in units of its scale.
+
+    Returns
+    -------
+    list of Candidate
+        A few of each itinerary, those that miss least.
+    """
     kept = motions.last_times.shape[1]
     # a phase as a number: its configuration, and the boundaries by which it is left
     phases = motions.last_configurations[:, :-1].astype(np.int64) << 32 | motions.last_sets[:, 1:]
@@ -164,7 +221,21 @@ def near_returns(
 
 
 def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[str, str] | None:
-    """Names of a phase and of the boundaries that ended it, joined; None where nothing did."""
+    """Names of a phase and of the boundaries that ended it, joined; None where nothing did.
+
+    Parameters
+    ----------
+    structure : Structure
+    configuration : int
+        Its index; negative where there is none.
+    reached : int
+        Set of boundaries as bits.
+
+    Returns
+    -------
+    tuple of str or None
+        Configuration, and boundaries joined by ``+``.
+    """
     if configuration < 0 or reached <= 0:
         return None
     shapes = structure.boundaries[configuration]
@@ -173,7 +244,19 @@ def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[
 
 
 def scales_of(system: PiecewiseLinear, motions: Trajectories) -> np.ndarray:
-    """Scale (n, N) of each state of each motion over the entries that were kept."""
+    """Scale (n, N) of each state of each motion over the entries that were kept.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    motions : Trajectories
+        Of n motions.
+
+    Returns
+    -------
+    array (n, N)
+        In the units of the states.
+    """
     states, configurations = motions.last_states, motions.last_configurations
     waits = np.diff(motions.last_times, axis=1)[..., None]
     extended = np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
@@ -192,6 +275,19 @@ def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np
     A state that is the same at all entries, as the velocity of a mass that only stops and goes,
     has the scale of its changes between them. None is so small that rounding matters, in units
     of its kind: positions, or velocities.
+
+    Parameters
+    ----------
+    structure : Structure
+    states : array (..., k, N)
+        Those that are not finite do not count.
+    moved : array (..., m, N)
+        Changes of the states between entries.
+
+    Returns
+    -------
+    array (..., N)
+        In the units of the states, positive.
     """
     known = np.isfinite(states)
     highest = np.where(known, states, -np.inf).max(axis=-2, initial=-np.inf)

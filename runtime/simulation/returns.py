@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.linalg import null_space, orth
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
@@ -37,8 +37,8 @@ class Return(NamedTuple):
     configurations: tuple[str, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class PoincareMap:
+@dataclass(frozen=True, eq=False, repr=False)
+class PoincareMap(Shown):
     """From one passage of a transition to the next: states behind it, in physical coordinates.
 
     Attributes
@@ -117,6 +117,8 @@ class PoincareMap:
     @cached_property
     def basis(self) -> np.ndarray:
         """Orthonormal directions (N, d) in which a state behind the transition can move."""
+        from scipy.linalg import null_space, orth
+
         structure, rows = self.system.structure, self.system.rows
         located = structure.boundaries[self.source][self.boundary].row
         fixed = [*structure.constraints[self.source], located]

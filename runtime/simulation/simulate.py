@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields
 from types import ModuleType
 from typing import Any
@@ -13,6 +12,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.threads import thread_pool
+from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
@@ -26,8 +28,9 @@ from nonsmooth.runtime.model.piecewise import (
 )
 from nonsmooth.runtime.model.structure import Structure, structure_of
 from nonsmooth.runtime.simulation.engines import (
-    Ends,
+    MotionEnds,
     compiled_engine,
+    entry_size,
     no_ends,
     run_compiled,
     run_motions,
@@ -42,10 +45,10 @@ from nonsmooth.runtime.simulation.starting import (
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
+__all__ = ["LARGEST_COUNT", "Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
 
 _LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time
-_MOST_TRANSITIONS = 2**62
+LARGEST_COUNT = 2**62
 
 
 def simulate(
@@ -102,6 +105,8 @@ def simulate(
     if end.ndim:
         raise InputError("until is no number")
     most = _most_transitions(end, transitions)
+    if most is not None and math.isinf(end):
+        check_memory(f"{most} transitions", most * entry_size(len(start)))
     chosen = configuration_of(pieces, start, configuration)
     return Trajectory(pieces, follow(pieces, start, chosen, float(end), most))
 
@@ -113,7 +118,24 @@ def follow(
     until: float = math.inf,
     transitions: int | None = None,
 ) -> Run:
-    """Follow one motion in the engine that is there; the start is not checked."""
+    """Follow one motion in the engine that is there; the start is not checked.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+        In double precision.
+    state : array (N,)
+    configuration : int
+    until : float
+        Time at which the motion ends.
+    transitions : int or None
+        The most transitions; None where only `until` ends the motion.
+
+    Returns
+    -------
+    Run
+        The motion's entries, its grazings and why it ended.
+    """
     engine = compiled_engine()
     if engine is not None:
         return run_compiled(engine, system, state, configuration, until, transitions)
@@ -122,8 +144,8 @@ def follow(
     return run(system, state, configuration, until, transitions)
 
 
-@dataclass(frozen=True, eq=False)
-class Trajectories:
+@dataclass(frozen=True, eq=False, repr=False)
+class Trajectories(Shown):
     """Ends of many motions; arrays have the common shape of what was given.
 
     Attributes
@@ -271,10 +293,12 @@ def simulate_many(
         if isinstance(configurations, np.ndarray)
         else (configurations, None)
     )
+    size_of_one = entry_size(size) * (1 + kept)
+    check_memory(f"{len(flat)} motions of {kept} entries", len(flat) * size_of_one)
     engine = compiled_engine()
     chunk = min(max(len(flat) // (8 * workers), _LEAST_CHUNK), _LARGEST_CHUNK)
 
-    def part(begin: int) -> Ends:
+    def part(begin: int) -> MotionEnds:
         here = slice(begin, begin + chunk)
         used, places = np.unique(which[here], return_inverse=True)
         states, limits = flat[here], until_each[here]
@@ -297,12 +321,12 @@ def simulate_many(
         return ends
 
     begins = range(0, len(flat), chunk)
-    with ThreadPoolExecutor(workers) as pool:
+    with thread_pool(workers) as pool:
         parts = list(pool.map(part, begins))
     if not parts:
         parts = [no_ends(0, size, kept)]
-    joined = _ordered(Ends(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
-    shaped = Ends(*(array.reshape((*common, *array.shape[1:])) for array in joined))
+    joined = _ordered(MotionEnds(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
+    shaped = MotionEnds(*(array.reshape((*common, *array.shape[1:])) for array in joined))
     return Trajectories(
         structure,
         times=shaped.times,
@@ -346,7 +370,7 @@ def _follow_many(
     configurations: np.ndarray,
     until: np.ndarray,
     most: int | None,
-    ends: Ends,
+    ends: MotionEnds,
 ) -> None:
     """Follow the motions `members` of a chunk, each by the numbers in its row of a group."""
     if engine is not None:
@@ -367,7 +391,7 @@ def _follow_many(
         store_end(ends, i, systems[row], run)
 
 
-def _ordered(ends: Ends) -> Ends:
+def _ordered(ends: MotionEnds) -> MotionEnds:
     """Kept entries in the order of time instead of that of the ring."""
     kept = ends.kept_times.shape[1]
     if kept == 0:
@@ -407,11 +431,31 @@ def _most_transitions(until: np.ndarray, transitions: int | None) -> int | None:
         if np.isinf(until).any():
             raise InputError("nothing ends the motion: give until, or transitions")
         return None
-    return min(checked_count("transitions", transitions, 1), _MOST_TRANSITIONS)
+    return checked_count("transitions", transitions, 1)
 
 
 def checked_count(label: str, value: object, least: int) -> int:
-    """An integer of at least so much; InputError otherwise."""
+    """An integer of at least so much; InputError otherwise.
+
+    Parameters
+    ----------
+    label : str
+        What a message calls it.
+    value : object
+    least : int
+        The smallest integer that is taken.
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    InputError
+        If it is no integer, smaller than `least`, or too large.
+    """
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
         raise InputError(f"{label} = {value!r} is not an integer from {least}")
+    if value > LARGEST_COUNT:
+        raise InputError(f"{label} is more than {LARGEST_COUNT}")
     return int(value)

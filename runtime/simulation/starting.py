@@ -37,6 +37,16 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
 
     By name, a forcing c, s that is left out starts at c = 1, s = 0.
 
+    Parameters
+    ----------
+    structure : Structure
+    given : mapping of str to number, or sequence of number
+        In the units of the system's states.
+
+    Returns
+    -------
+    array (N,)
+
     Raises
     ------
     InputError
@@ -68,7 +78,18 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
 
 
 def check_forcing(structure: Structure, states: np.ndarray) -> None:
-    """Raise InputError unless c^2 + s^2 = 1 for each forcing in each of the states (n, N)."""
+    """Raise InputError unless c^2 + s^2 = 1 for each forcing in each of the states (n, N).
+
+    Parameters
+    ----------
+    structure : Structure
+    states : array (n, N)
+
+    Raises
+    ------
+    InputError
+        If a cosine and a sine are off the unit circle.
+    """
     for cosine, sine in structure.forcing:
         square = states[:, cosine] ** 2 + states[:, sine] ** 2
         wrong = np.flatnonzero(np.abs(square - 1) > _CIRCLE)
@@ -86,6 +107,16 @@ def check_phases(system: PiecewiseLinear, start: np.ndarray) -> None:
 
     They count one time, at which c = cos(w t) and s = sin(w t) of each; phases of their own are
     part of the declaration.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    start : array (N,)
+
+    Raises
+    ------
+    InputError
+        If there is no such time.
     """
     pairs = system.structure.forcing
     speeds = [float(system.fields[0, sine, cosine]) for cosine, sine in pairs]
@@ -114,7 +145,20 @@ def _forcing_start(structure: Structure) -> dict[str, object]:
 
 
 def on_circles(system: PiecewiseLinear, states: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """States (n, N) at given angles (n,) of the first forcing, the others as time has it."""
+    """States (n, N) at given angles (n,) of the first forcing, the others as time has it.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    states : array (n, N)
+    angles : array (n,)
+        Radians.
+
+    Returns
+    -------
+    array (n, N)
+        New states; those of no forcing are as they were.
+    """
     found, first = states.copy(), None
     for cosine, sine in system.structure.forcing:
         speed = float(system.fields[0, sine, cosine])
@@ -139,6 +183,11 @@ def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | N
     state : array (N,)
     wanted : str, optional
         A configuration to be checked instead of found.
+
+    Returns
+    -------
+    int
+        Index of the configuration.
 
     Raises
     ------
@@ -181,11 +230,17 @@ def configurations_of(
 
     Parameters
     ----------
+    structure : Structure
     fields : array (n or 1, configurations, N, N + 1)
     rows : array (n or 1, R, N + 1)
     states : array (n, N)
     wanted : str, optional
         The only configuration that is tried.
+
+    Returns
+    -------
+    array (n,) of int
+        Indices of configurations.
     """
     every = range(len(structure.configurations))
     order = sorted(every, key=lambda c: -len(structure.constraints[c]))

@@ -40,7 +40,7 @@ MOST_AT_ONCE = 100  # transitions in a row without time between them
 _RESOLUTION = 2.0**-104  # of a time that is the sum of two numbers
 
 
-class _Watch(NamedTuple):
+class _WatchedFunction(NamedTuple):
     """A boundary function of a phase and how it starts."""
 
     place: int
@@ -82,7 +82,7 @@ class _Stepper:
         error: float,
         left_out: frozenset[int],
         zero: frozenset[int],
-    ) -> list[_Watch]:
+    ) -> list[_WatchedFunction]:
         """Boundary functions of a phase, each start judged; what slides along is left out.
 
         `size` has the sums of absolute values that each coordinate was added up from, `zero`
@@ -96,16 +96,16 @@ class _Stepper:
             function = table.function(boundary, state, size)
             start = _start(boundary, function, state, size, error, boundary.row in zero)
             if start.sign:
-                found.append(_Watch(index, boundary, function, start))
+                found.append(_WatchedFunction(index, boundary, function, start))
         return found
 
-    def event(self, watches: list[_Watch], window: float) -> _Event:
+    def event(self, watches: list[_WatchedFunction], window: float) -> _Event:
         """First event of a phase within a window."""
         at_once = frozenset(w.place for w in watches if w.start.sign > 0)
         if at_once:
             beyond = {w.place for w in watches if w.start.beyond}
             return _Event(0.0, at_once, at_once - beyond, 0.0, (), False)
-        best: tuple[float, float, _Watch] | None = None
+        best: tuple[float, float, _WatchedFunction] | None = None
         touched: list[tuple[float, int, float]] = []
         never, overflow, end = True, False, window
         for watch in watches:
@@ -192,7 +192,7 @@ def _start(
     return Start(-1, Series(found.order, values, sizes, function.fastest))
 
 
-def _together(watch: _Watch, time: float, error: float) -> bool:
+def _together(watch: _WatchedFunction, time: float, error: float) -> bool:
     """Whether a boundary is reached at the time of another one's event."""
     series = watch.start.series
     early = series is not None and time <= series.radius
@@ -262,6 +262,8 @@ def run(
         if remaining < 0:
             return ended(Status.UNTIL, until)
         table = stepper.configuration(configuration)
+        if not math.isfinite(table.fastest):
+            return ended(Status.OVERFLOW, clock.time)
         horizon = LONGEST_WAIT / table.fastest if table.fastest else math.inf
         if table.growth * horizon > GROWTH:
             horizon = GROWTH / table.growth

@@ -1,11 +1,7 @@
 """Derivatives of a motion by its start.
 
-Along a phase a perturbation is carried by the flow's matrix Phi; through a transition by
-
-    S = R + (f+ - R f-) n / (n f-),
-
-with the reset's matrix R, the gradient n of the boundary, and the vector fields f- in front
-and f+ behind. Both map the motion's own direction f to itself.
+Along a phase a perturbation is carried by the flow's matrix, through a transition by the
+saltation matrix, as `section_map` gives it. Both map the motion's own direction to itself.
 """
 
 from __future__ import annotations
@@ -18,6 +14,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.flows import functions_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.shooting.variational import ARRAYS, Phase, section_map
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -54,11 +51,23 @@ def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
     trajectory : Trajectory
     since : float
 
+    Returns
+    -------
+    array (N, N)
+
     Raises
     ------
     InputError
         If `since` is not between the start and the end of the motion, or the motion has no
         derivative there: two boundaries are reached at once, or one tangentially.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.simulation.simulate import simulate
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    >>> motion = simulate("rigid-stop", data, [0, 0, 1.5, 0], until=5)
+    >>> round(float(np.linalg.det(tangent_map(motion))), 6)  # no energy is lost
+    1.0
     """
     phases_of(trajectory, since)
     found = np.eye(len(trajectory.names))
@@ -72,6 +81,19 @@ def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
 
 def tangent_phases(trajectory: Trajectory, first: int, since: float) -> Iterator[TangentPhase]:
     """The phases of a motion from an entry on.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    first : int
+        Index of the entry to begin with.
+    since : float
+        Grazings up to this time do not matter.
+
+    Yields
+    ------
+    TangentPhase
+        Each phase with the saltation matrix of the transition at its end.
 
     Raises
     ------
@@ -97,7 +119,19 @@ def tangent_phases(trajectory: Trajectory, first: int, since: float) -> Iterator
 
 
 def earliest_entry(trajectory: Trajectory, since: float) -> int:
-    """The earliest entry from which on the motion has a derivative up to `since`."""
+    """The earliest entry from which on the motion has a derivative up to `since`.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    since : float
+        Time up to which the derivative is taken.
+
+    Returns
+    -------
+    int
+        Index of the entry.
+    """
     sets = trajectory.run.sets
     times = [
         0.0,
@@ -113,13 +147,36 @@ def _latest_entry(trajectory: Trajectory, since: float) -> int:
 
 
 def flow_matrix(system: PiecewiseLinear, configuration: int, duration: float) -> np.ndarray:
-    """Derivative (N, N) of the state after a duration by that at its beginning."""
+    """Derivative (N, N) of the state after a duration by that at its beginning.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    configuration : int
+    duration : float
+
+    Returns
+    -------
+    array (N, N)
+    """
     functions = functions_of(system, configuration, np.array([duration]))
     return np.asarray(np.tensordot(functions[0], system.flows[configuration][:, :, :-1], axes=1))
 
 
 def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) -> np.ndarray:
-    """Vector field (..., N) at states (..., N)."""
+    """Vector field (..., N) at states (..., N).
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    configuration : int
+    states : array (..., N)
+
+    Returns
+    -------
+    array (..., N)
+        Rates of the states.
+    """
     return np.asarray(_extended(states) @ system.fields[configuration].T)
 
 
@@ -141,24 +198,26 @@ def _saltation_matrices(trajectory: Trajectory, first: int) -> np.ndarray:
             )
         row = system.rows[system.structure.boundaries[source][reached.bit_length() - 1].row]
         before, behind = run.before[entries], run.states[entries]
-        resets = _resets(system, source, target, reached, before, behind)
+        reset = _resets(system, source, target, reached, before, behind)
+        phase = Phase(system.fields[source], row[None], reset)
         fields = field_at(system, source, before), field_at(system, target, behind)
-        jumps = fields[1] - np.einsum("nij,nj->ni", resets, fields[0])
+        linear, velocities, after = ARRAYS.linear(reset), fields[0][..., None], fields[1][..., None]
+        jumps = (after - linear @ velocities)[..., 0]
         error = _ERROR * (
             np.abs(system.fields[source]).sum(axis=0) @ _extended(np.abs(before)).T
             + np.abs(system.fields[target]).sum(axis=0) @ _extended(np.abs(behind)).T
         )
         smooth = np.abs(jumps).max(axis=1) <= error
-        rates = fields[0] @ row[:-1]
-        tangential = ~smooth & (np.abs(rates) <= error * np.abs(row[:-1]).max())
+        tangential = ~smooth & (np.abs(fields[0] @ row[:-1]) <= error * np.abs(row[:-1]).max())
         if tangential.any():
             time = float(run.times[entries[np.argmax(tangential)]])
             raise InputError(
                 f"a boundary is reached tangentially at t = {time!r}:"
                 " the motion has no derivative there"
             )
-        factors = np.where(smooth[:, None], 0.0, jumps) / np.where(smooth, 1.0, rates)[:, None]
-        found[here] = resets + factors[:, :, None] * row[:-1]
+        with np.errstate(divide="ignore", invalid="ignore"):  # of what is smooth
+            sudden = section_map(ARRAYS, phase, np.eye(size, size + 1), velocities, after)
+        found[here] = np.where(smooth[:, None, None], linear, sudden)
     return found
 
 
@@ -170,13 +229,13 @@ def _resets(
     before: np.ndarray,
     behind: np.ndarray,
 ) -> np.ndarray:
-    """Linear parts (n, N, N) of the resets that the transitions took: those that fit best."""
+    """Resets (n, N, N + 1) that the transitions took: those that fit best."""
     boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
     known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})
-    matrices = system.resets[known]
-    images = np.einsum("rij,nj->rni", matrices, _extended(before))
+    resets = system.resets[known]
+    images = np.einsum("rij,nj->rni", resets, _extended(before))
     best = np.argmin(np.abs(images - behind).max(axis=2), axis=0)
-    return np.asarray(matrices[best, :, :-1])
+    return np.asarray(resets[best])
 
 
 def _extended(states: np.ndarray) -> np.ndarray:

@@ -13,6 +13,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
@@ -25,8 +26,8 @@ if TYPE_CHECKING:
 __all__ = ["Trajectory"]
 
 
-@dataclass(frozen=True, eq=False)
-class Trajectory:
+@dataclass(frozen=True, eq=False, repr=False)
+class Trajectory(Shown):
     """A motion from event to event, in physical coordinates.
 
     Calling it gives the state at any times between its start and its end, from the flows in

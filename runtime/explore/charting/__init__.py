@@ -7,13 +7,11 @@
 `orbits`         what is charted of an orbit: existence, admissibility and its limits, stability
 `attractors`     what is charted by brute force: where the motions from one start settle
 `store`          a chart in files: a Zarr group whose chunks carry a CRC
+`bounded_store`  reading its objects: none that claims to be larger than a chunk is read
 `anchors`        orbits from those near by: anchors first, then the points between
 `classes`        the parts of a chart for people: stable, unstable, what fails, none found
 `cluster`        chunks on a Dask cluster
-`kernel_orbits`  orbits with kernels: solved, judged, their limits named
 `lock`           one process at a time
-`phases`         which limit of admissibility an orbit without kernels fails first
-`table_orbits`   orbits without kernels: solved, judged, their limits named
 `threads`        chunks in threads of this machine, or one after the other into memory
 ===============  ===============================================================================
 """

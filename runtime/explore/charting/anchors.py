@@ -18,11 +18,11 @@ from itertools import product
 import numpy as np
 
 from nonsmooth.runtime.explore.charting.grid import Block, Grid
+from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
-__all__ = ["Columns", "Solver", "anchor_starts", "solve_block"]
+__all__ = ["Solver", "anchor_starts", "solve_block"]
 
-Columns = dict[str, np.ndarray]  # what is known of some points, by the name of the variable
 _SAME = 1e-6  # difference of one orbit found twice, in units of max(1, |x|)
 _NEAR = 0.05  # relative difference of orbits of one branch at points next to each other
 _BRANCH = 0.3  # relative range of an unknown over the corners of a cell on one branch
@@ -82,7 +82,19 @@ class _Field:
 
 
 def anchor_starts(grid: Grid, solver: Solver) -> np.ndarray:
-    """Starts (..., m) at all anchors of a grid; NaN where there is no orbit."""
+    """Starts (..., m) at all anchors of a grid; NaN where there is no orbit.
+
+    Parameters
+    ----------
+    grid : Grid
+    solver : Solver
+        Finds orbits at points, from given starts or from none.
+
+    Returns
+    -------
+    array (..., m)
+        Leading axes are those of the anchors; m is 0 for explicit equations.
+    """
     field = _field(grid.anchor_values, solver, None)
     if field.starts.shape[-1] == 0:
         return field.starts.reshape(*field.shape, 0)
@@ -106,6 +118,11 @@ def solve_block(block: Block, anchors: np.ndarray, solver: Solver) -> Columns:
     anchors : array (..., m)
         As `anchor_starts` gives them.
     solver : Solver
+
+    Returns
+    -------
+    dict of str to array
+        By the columns' names.
     """
     if anchors.shape[-1] == 0:  # explicit equations, which start from nothing
         found = _field(block.values, solver, None)

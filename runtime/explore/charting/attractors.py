@@ -9,18 +9,21 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.workload import SECONDS
 from nonsmooth.runtime.explore.charting.grid import Block, Grid
 from nonsmooth.runtime.explore.charting.problem import MISSING, Variable, fixed_values, table_hash
 from nonsmooth.runtime.explore.finding.settled import settled, settled_texts
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
+from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 
-__all__ = ["LONGEST", "AttractorProblem", "attractor_problem"]
+__all__ = ["LONGEST", "AttractorProblem", "attractor_problem", "held_attractor_problem"]
 
 LONGEST = 32  # phases of a cycle that is looked for
 _POINTS = 1 << 11  # of a chunk: about a second
@@ -37,41 +40,69 @@ class AttractorProblem:
     start : tuple of float
     transitions : int
         After which the motions are looked at.
+    data : str or None
+        The system as `held_text` writes it, where a store holds it.
     """
 
     system: str
     fixed: tuple[tuple[str, float], ...]
     start: tuple[float, ...]
     transitions: int
+    data: str | None = None
 
     @property
     def kernels(self) -> SystemKernels:
         """Tables and kernels of the system."""
-        return load_system(self.system)
+        return load_system(self.system) if self.data is None else kernels_held(self.data).system
 
     @property
     def points(self) -> int:
         """Points of a chunk, unless a user says otherwise."""
         return _POINTS
 
+    @property
+    def seconds(self) -> float:
+        """Of one processor for one point, at least."""
+        return self.transitions * SECONDS["transition"]
+
     def identity(self) -> dict[str, Any]:
-        """All that the numbers depend on but the grid."""
+        """All that the numbers depend on but the grid.
+
+        Returns
+        -------
+        dict of str to number, text, list or dict
+            As JSON takes it.
+        """
         kernels = self.kernels
         compiled = kernels.compiled is not None and compiled_engine() is not None
         return {
             "kind": "attractors",
-            "version": 3,
-            "system": str(kernels.table["name"]),
+            "method": 3,
+            "system": named(kernels)[0],  # of a user's own the hash of its table, too
             "derivation": str(kernels.module.DERIVATION),
-            "table": table_hash(kernels.table),
+            "table": table_hash(kernels.table) if kernels.built_in else "",
             "kernels": "c" if compiled else "numpy",
             "parameters": {name: repr(value) for name, value in self.fixed},
             "start": [repr(value) for value in self.start],
             "transitions": self.transitions,
         }
 
+    def held(self) -> dict[str, Any]:
+        """What a store holds beside: the system as data.
+
+        Returns
+        -------
+        dict of str to str
+        """
+        return {"of": held_text(self.kernels)}
+
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed."""
+        """What is computed.
+
+        Returns
+        -------
+        tuple of Variable
+        """
         told = {str(status.value): status.message for status in Status}
         status = {
             "long_name": "why the simulation ended",
@@ -111,18 +142,51 @@ class AttractorProblem:
         )
 
     def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter, where the system states it."""
+        """Unit of a parameter, where the system states it.
+
+        Parameters
+        ----------
+        name : str
+            Of the parameter.
+
+        Returns
+        -------
+        dict of str to str
+            Empty where no unit is stated.
+        """
         return units_of(self.kernels).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
-        """Nothing: each point is on its own."""
+        """Nothing: each point is on its own.
+
+        Parameters
+        ----------
+        grid : Grid
+            Not looked at.
+
+        Returns
+        -------
+        array (0,)
+        """
         return np.empty(0)
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
-        """All variables at the points of a chunk."""
+        """All variables at the points of a chunk.
+
+        Parameters
+        ----------
+        block : Block
+        prepared : array
+            Not looked at.
+
+        Returns
+        -------
+        dict of str to array
+            In the shape of the chunk, by the variables' names.
+        """
         parameters = {**dict(self.fixed), **block.values}
         motions = simulate_many(
-            self.system,
+            self.kernels,
             parameters,
             np.array(self.start),
             transitions=self.transitions,
@@ -148,6 +212,23 @@ def attractor_problem(
 ) -> AttractorProblem:
     """Check names and values.
 
+    Parameters
+    ----------
+    system : str
+        Its name, or the file that declares it.
+    given : mapping of str to number, text or Value
+        Values of the parameters that are not swept.
+    swept : sequence of str
+        Names of the others.
+    start : mapping of str to number, or sequence of number
+        In the units of the states.
+    transitions : int
+        After which the motions are looked at.
+
+    Returns
+    -------
+    AttractorProblem
+
     Raises
     ------
     InputError
@@ -164,3 +245,30 @@ def attractor_problem(
     fixed = fixed_values(kernels.parameters, given, swept, {}, kernels.name)
     begin = start_state(structure_of(kernels), start)
     return AttractorProblem(kernels.name, fixed, tuple(begin.tolist()), most)
+
+
+def held_attractor_problem(
+    identity: Mapping[str, Any], held: Mapping[str, Any]
+) -> AttractorProblem:
+    """The problem of a store, from what it holds.
+
+    Parameters
+    ----------
+    identity : mapping of str to object
+        As `AttractorProblem.identity` gave it, with the dimensions.
+    held : mapping of str to object
+        As `AttractorProblem.held` gave it.
+
+    Returns
+    -------
+    AttractorProblem
+
+    Raises
+    ------
+    InputError
+        If they are not in order.
+    """
+    kernels, swept = kernels_held(held["of"]).system, identity["dimensions"]
+    fixed = fixed_values(kernels.parameters, identity["parameters"], swept, {}, kernels.name)
+    start = tuple(map(float, identity["start"]))
+    return AttractorProblem(kernels.name, fixed, start, int(identity["transitions"]), held["of"])

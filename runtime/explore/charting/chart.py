@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from numbers import Integral
 from pathlib import Path
@@ -10,21 +12,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import check_folder
-from nonsmooth.runtime.explore.charting.attractors import attractor_problem
-from nonsmooth.runtime.explore.charting.cluster import check_scheduler, run_cluster
+from nonsmooth.runtime.core.errors import InputError, NonsmoothError
+from nonsmooth.runtime.core.files import check_folder, folder_made
+from nonsmooth.runtime.core.workload import BYTES, check_memory
+from nonsmooth.runtime.explore.charting.attractors import attractor_problem, held_attractor_problem
+from nonsmooth.runtime.explore.charting.cluster import connected, run_cluster
 from nonsmooth.runtime.explore.charting.grid import Axis, Grid, axis_of, chunk_shape
 from nonsmooth.runtime.explore.charting.lock import locked
-from nonsmooth.runtime.explore.charting.orbits import orbit_problem
-from nonsmooth.runtime.explore.charting.problem import Problem
+from nonsmooth.runtime.explore.charting.orbits import held_orbit_chart, orbit_chart
+from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import (
     ATTRIBUTE,
     FORMAT,
     check_zarr,
     open_arrays,
     open_store,
+    read_axes,
     read_identity,
+    reader,
     write_chunk,
 )
 from nonsmooth.runtime.explore.charting.threads import run_threads
@@ -32,9 +37,20 @@ from nonsmooth.runtime.explore.charting.threads import run_threads
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["Progress", "Work", "chart", "chart_problem", "load_chart", "work_on"]
+__all__ = [
+    "Progress",
+    "Work",
+    "begun_problem",
+    "chart",
+    "chart_problem",
+    "is_begun",
+    "load_chart",
+    "reading",
+    "work_on",
+]
 
 TRANSITIONS = 2000
+MOST_THREADS = 1024
 LARGEST_IN_MEMORY = 1 << 24  # points
 
 Progress = Callable[[int, int], None]
@@ -88,7 +104,8 @@ def chart(
     Parameters
     ----------
     orbit : str
-        As for `solve_many`; with `simulate` the name of a system.
+        As for `solve_many`; with `simulate` the name of a system. The folder F.zarr of a chart
+        that is begun, alone, goes on with it: it holds its orbit, and no other file is read.
     store : path, optional
         A folder F.zarr, begun or gone on with; memory does not grow with the number of
         points. None keeps the chart in memory.
@@ -138,6 +155,11 @@ def chart(
     ({'V': 3, 'eta': 2}, True)
     """
     check_zarr()
+    if isinstance(orbit, str | Path) and is_begun(str(orbit)):
+        if parameters or simulate or start is not None or store is not None:
+            raise InputError(f"{orbit} is a chart that is begun: it holds all that it is of")
+        work_on(Path(orbit), *begun_problem(Path(orbit)), scheduler, chunk, threads, progress)
+        return load_chart(orbit)
     problem, axes = chart_problem(orbit, parameters, simulate, start, transitions)
     if store is not None:
         work_on(Path(store), problem, axes, scheduler, chunk, threads, progress)
@@ -165,7 +187,7 @@ def load_chart(path: str | Path) -> Dataset:
     Raises
     ------
     InputError
-        If there is no chart.
+        If there is no chart, or its metadata is damaged or edited.
     MissingExtra
         If Zarr or xarray are not installed.
 
@@ -180,15 +202,44 @@ def load_chart(path: str | Path) -> Dataset:
     import xarray
 
     folder = Path(path)
-    read_identity(folder)
+    store = reader(folder)
     try:
         # chunks=None: no Dask; mask_and_scale would read the flags as floats
         found: Dataset = xarray.open_zarr(
-            str(folder), consolidated=False, chunks=None, mask_and_scale=False
+            store, consolidated=False, chunks=None, mask_and_scale=False, zarr_format=3
         )
-    except (OSError, ValueError, KeyError) as problem:
+    except Exception as problem:  # what a store raises that is no chart is not one kind
         raise InputError(f"{folder} cannot be read: {problem}") from None
+    found.attrs[ATTRIBUTE] = {n: x for n, x in found.attrs[ATTRIBUTE].items() if n != "held"}
     return found[sorted(map(str, found.data_vars))]  # a folder lists its files in no order
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[None]:
+    """Read numbers of a chart; InputError where they are damaged.
+
+    Parameters
+    ----------
+    path : Path
+        What a message names.
+
+    Yields
+    ------
+    None
+
+    Raises
+    ------
+    InputError
+        If the numbers are damaged.
+    """
+    try:
+        yield
+    except NonsmoothError:
+        raise
+    except (ArithmeticError, LookupError, OSError, TypeError, ValueError) as problem:
+        raise InputError(
+            f"{path} is damaged: {problem}: `nonsmooth chart` computes it again"
+        ) from problem
 
 
 def chart_problem(
@@ -197,8 +248,25 @@ def chart_problem(
     simulate: bool,
     start: Mapping[str, object] | Sequence[object] | None,
     transitions: int,
-) -> tuple[Problem, tuple[Axis, ...]]:
-    """What is to be computed, checked at one corner of the grid.
+) -> tuple[ChartProblem, tuple[Axis, ...]]:
+    """What is to be computed, its names checked.
+
+    Parameters
+    ----------
+    name : str
+        Of an orbit; of a system where it is to be simulated.
+    parameters : mapping of str to number, array or Axis
+        Arrays and axes are swept.
+    simulate : bool
+        Whether motions are simulated in place of an orbit.
+    start : mapping of str to number, sequence of number, or None
+        Of the motions.
+    transitions : int
+        After which the motions are looked at.
+
+    Returns
+    -------
+    tuple of ChartProblem, tuple of Axis
 
     Raises
     ------
@@ -210,7 +278,7 @@ def chart_problem(
         raise InputError("no parameter is given as a row of values: there is nothing to chart")
     axes = tuple(axis_of(n, v) for n, v in swept.items())
     fixed = {n: v for n, v in parameters.items() if n not in swept}
-    problem: Problem
+    problem: ChartProblem
     if simulate:
         if start is None:
             raise InputError("the start of the motions is missing")
@@ -218,32 +286,112 @@ def chart_problem(
     elif start is not None:
         raise InputError("a start is for motions that are simulated")
     else:
-        problem = orbit_problem(name, fixed, list(swept))
+        points = math.prod(axis.count for axis in axes)
+        problem = orbit_chart(name, fixed, list(swept), points)
     for variable in problem.variables():
         if variable.name in swept:
             raise InputError(f"{variable.name} is computed: it cannot be swept")
+    return problem, axes
+
+
+def begun_problem(path: Path) -> tuple[ChartProblem, tuple[Axis, ...]]:
+    """What a chart in a store computes, from what the store holds: no other file is read.
+
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+
+    Returns
+    -------
+    tuple of ChartProblem, tuple of Axis
+
+    Raises
+    ------
+    InputError
+        If it is no chart, damaged or edited, or its kernels were compiled elsewhere.
+    """
+    identity, held = read_identity(path)
+    make = held_orbit_chart if identity.get("kind") == "orbit" else held_attractor_problem
+    problem: ChartProblem
+    try:
+        problem = make(identity, held)
+        here = problem.identity()["kernels"]
+    except InputError as failure:
+        raise InputError(f"{path}: {failure}") from None
+    except (ArithmeticError, LookupError, TypeError, ValueError) as failure:
+        raise InputError(f"{path} does not hold what it is of: {failure}") from None
+    if identity.get("kernels") != here:
+        raise InputError(
+            f"{path} was computed by kernels in {identity.get('kernels')}, here they are in {here}:"
+            " name its orbit as it was named first"
+        )
+    return problem, read_axes(path)
+
+
+def is_begun(name: str) -> bool:
+    """Whether a name is that of a folder with a chart that is begun.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    bool
+    """
+    return Path(name, "zarr.json").is_file()
+
+
+def _check_corner(problem: ChartProblem, axes: tuple[Axis, ...]) -> None:
+    """Compute one corner of the grid: what is wrong there is wrong everywhere."""
     corner = Grid(axes, (1,) * len(axes)).corner()
     problem.compute(corner.block(0), problem.prepare(corner))
-    return problem, axes
 
 
 def work_on(
     path: Path,
-    problem: Problem,
+    problem: ChartProblem,
     axes: tuple[Axis, ...],
     scheduler: str | None,
     chunk: int | None,
     threads: int | None,
     progress: Progress = lambda done, total: None,
 ) -> Work:
-    """Compute what is missing in a store; errors as for `chart`."""
+    """Compute what is missing in a store.
+
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+    problem : ChartProblem
+    axes : tuple of Axis
+    scheduler : str or None
+        Address of a Dask scheduler; None computes here.
+    chunk : int or None
+        Points of a chunk, about; None takes what is there, or what is usual.
+    threads : int or None
+        As many as processors when None.
+    progress : callable
+        Told how many chunks are done, and of how many.
+
+    Returns
+    -------
+    Work
+
+    Raises
+    ------
+    InputError
+        As for `chart`.
+    MissingExtra
+        If Dask is asked for and not installed.
+    """
+    _check_corner(problem, axes)
     usual = _usual(problem, axes, chunk)
     _check_threads(threads)
-    if scheduler is not None:
-        check_scheduler()
+    check_folder(path)
     folder = path.absolute()
-    check_folder(folder)
-    with locked(folder):
+    with connected(scheduler) as client, folder_made(folder.parent), locked(folder):
         store = open_store(folder, problem, axes, None if chunk is None else usual, usual)
         leftovers = store.purge()
         store.repair_axes()
@@ -264,20 +412,23 @@ def work_on(
 
         if not missing:
             pass
-        elif scheduler is not None:
-            run_cluster(scheduler, store, missing, prepared, told)
+        elif client is not None:
+            run_cluster(client, store, missing, prepared, told)
             leftovers += store.purge()  # what lost workers had begun
         else:
             run_threads(work, missing, threads, told)
     return Work(grid.chunks, len(missing), damaged, leftovers)
 
 
-def _in_memory(problem: Problem, grid: Grid, threads: int | None, progress: Progress) -> Dataset:
+def _in_memory(
+    problem: ChartProblem, grid: Grid, threads: int | None, progress: Progress
+) -> Dataset:
     from xarray import Dataset
 
     _check_threads(threads)
     if grid.points > LARGEST_IN_MEMORY:
         raise InputError(f"{grid.points} points are for a store, not for memory")
+    _check_corner(problem, grid.axes)
     arrays = {v.name: np.full(grid.shape, v.fill, v.dtype) for v in problem.variables()}
 
     prepared = problem.prepare(grid)
@@ -297,15 +448,20 @@ def _in_memory(problem: Problem, grid: Grid, threads: int | None, progress: Prog
     )  # fmt: skip
 
 
-def _usual(problem: Problem, axes: tuple[Axis, ...], chunk: int | None) -> tuple[int, ...]:
+def _usual(problem: ChartProblem, axes: tuple[Axis, ...], chunk: int | None) -> tuple[int, ...]:
     if chunk is not None and not _positive(chunk):
         raise InputError(f"chunk = {chunk} is not a positive integer")
-    return chunk_shape([axis.count for axis in axes], chunk or problem.points)
+    found = chunk_shape([axis.count for axis in axes], chunk or problem.points)
+    chunks = Grid(axes, found).chunks
+    check_memory(f"the numbers of {chunks} chunks", 5 * BYTES * chunks)
+    return found
 
 
 def _check_threads(threads: int | None) -> None:
     if threads is not None and not _positive(threads):
         raise InputError(f"threads = {threads} is not a positive integer")
+    if threads is not None and threads > MOST_THREADS:
+        raise InputError(f"threads = {threads} is more than {MOST_THREADS}")
 
 
 def _positive(number: object) -> bool:

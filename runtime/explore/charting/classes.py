@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.charting.problem import MISSING, NEITHER
+from nonsmooth.runtime.explore.charting.problem import MISSING
 from nonsmooth.runtime.explore.charting.store import ATTRIBUTE
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.settled import (
@@ -21,6 +21,7 @@ from nonsmooth.runtime.explore.finding.settled import (
     settled_texts,
 )
 from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:
@@ -54,6 +55,15 @@ class Part:
 def parts_of(chart: Dataset) -> list[Part]:
     """Cut a chart into parts: every point is in one of them.
 
+    Parameters
+    ----------
+    chart : Dataset
+
+    Returns
+    -------
+    list of Part
+        The last one holds the points that are not computed yet.
+
     Raises
     ------
     InputError
@@ -66,7 +76,22 @@ def parts_of(chart: Dataset) -> list[Part]:
 
 
 def counts_of(chart: Dataset) -> dict[str, int]:
-    """Points of each kind of part, counted with little memory."""
+    """Points of each kind of part, counted with little memory.
+
+    Parameters
+    ----------
+    chart : Dataset
+
+    Returns
+    -------
+    dict of str to int
+        By the kinds of the parts.
+
+    Raises
+    ------
+    InputError
+        If the Dataset is no chart.
+    """
     counts: dict[str, int] = {}
     steps = [max(1, n) for n in chart.sizes.values()]
     while np.prod(steps, dtype=float) > _BLOCK:
@@ -80,7 +105,22 @@ def counts_of(chart: Dataset) -> dict[str, int]:
 
 
 def title_of(chart: Dataset) -> str:
-    """What the chart is of."""
+    """What the chart is of.
+
+    Parameters
+    ----------
+    chart : Dataset
+
+    Returns
+    -------
+    str
+        Name of the orbit or the system.
+
+    Raises
+    ------
+    InputError
+        If the Dataset is no chart.
+    """
     identity = _identity(chart)
     return shown_name(str(identity.get("orbit") or identity.get("system")))
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import CancelledError
+from contextlib import contextmanager
 from importlib import import_module
 from itertools import islice
 from pathlib import Path
@@ -13,23 +14,51 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError, missing_extra
 from nonsmooth.runtime.explore.charting.grid import Block
-from nonsmooth.runtime.explore.charting.problem import Problem
+from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import Store, open_arrays, write_chunk
 
-__all__ = ["check_scheduler", "run_cluster"]
+__all__ = ["connected", "run_cluster"]
 
 _PATIENCE = "15s"  # for a scheduler that does not answer
 _UNSEEN = "the workers do not see {}: it has to be in a folder that all of them share"
 _AHEAD = 3  # chunks in the queue for each thread of the workers
 
 
-def check_scheduler() -> None:
-    """Say so if Dask is not installed."""
-    _distributed()
+@contextmanager
+def connected(address: str | None) -> Iterator[Any]:
+    """Give a client of a Dask scheduler; None without an address.
+
+    Parameters
+    ----------
+    address : str or None
+        ``tcp://host:port``.
+
+    Yields
+    ------
+    distributed.Client or None
+
+    Raises
+    ------
+    InputError
+        If the scheduler does not answer.
+    MissingExtra
+        If Dask is not installed.
+    """
+    if address is None:
+        yield None
+        return
+    distributed = _distributed()
+    try:  # first: a client that never began to connect takes 30 s to be closed
+        distributed.comm.get_address_host_port(address)
+        client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, ValueError) as problem:
+        raise InputError(f"no Dask scheduler answers at {address}: {problem}") from None
+    with client:
+        yield client
 
 
 def run_cluster(
-    address: str,
+    client: Any,
     store: Store,
     chunks: Iterable[int],
     prepared: np.ndarray,
@@ -39,8 +68,8 @@ def run_cluster(
 
     Parameters
     ----------
-    address : str
-        ``tcp://host:port`` of a scheduler whose workers see the store under the same path.
+    client : distributed.Client
+        Of a scheduler whose workers see the store under the same path.
     store : Store
     chunks : iterable of int
     prepared : array
@@ -51,42 +80,35 @@ def run_cluster(
     Raises
     ------
     InputError
-        If the scheduler does not answer, the workers have another version of the equations,
-        cannot write the store, or see another one.
+        If the workers have another version of the equations, cannot write the store, or see
+        another one.
     NoConvergence
         If workers die again and again at one chunk, or the scheduler is lost.
     """
-    distributed = _distributed()
-    try:
-        client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
-    except (OSError, ValueError) as problem:
-        raise InputError(f"no Dask scheduler answers at {address}: {problem}") from None
-    queue, done, told = iter(chunks), 0, store.problem.identity()
+    queue, told, address = iter(chunks), store.problem.identity(), client.scheduler.address
 
     def submit(number: int) -> Any:
         grid = store.grid
         place = (str(store.path), store.problem, told, grid.region(number))
         return client.submit(_work, number, *place, grid.block(number), prepared, pure=False)
 
-    with client:
-        workers = max(1, sum(client.nthreads().values()))
-        running = distributed.as_completed(
-            [submit(n) for n in islice(queue, _AHEAD * workers)], loop=client.loop
-        )
-        for future in running:
-            number = _result(future, address)
-            if not store.holds(number):
-                raise InputError(_UNSEEN.format(store.path))
-            done += 1
-            progress(done)
-            for following in islice(queue, 1):
-                running.add(submit(following))
+    workers = max(1, sum(client.nthreads().values()))
+    running = _distributed().as_completed(
+        [submit(n) for n in islice(queue, _AHEAD * workers)], loop=client.loop
+    )
+    for done, future in enumerate(running, 1):
+        number = _result(future, address)
+        if not store.holds(number):
+            raise InputError(_UNSEEN.format(store.path))
+        progress(done)
+        for following in islice(queue, 1):
+            running.add(submit(following))
 
 
 def _work(
     number: int,
     path: str,
-    problem: Problem,
+    problem: ChartProblem,
     told: Mapping[str, Any],
     region: tuple[slice, ...],
     block: Block,

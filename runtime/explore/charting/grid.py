@@ -44,7 +44,19 @@ class Axis:
     values: np.ndarray | None = None
 
     def part(self, begin: int, end: int) -> np.ndarray:
-        """Values from one place up to another."""
+        """Values from one place up to another.
+
+        Parameters
+        ----------
+        begin : int
+            The first place.
+        end : int
+            One behind the last place.
+
+        Returns
+        -------
+        array (n,)
+        """
         if self.values is not None:
             return self.values[begin:end]
         if self.count == 1:
@@ -56,12 +68,24 @@ class Axis:
         return found
 
     def blocks(self) -> Iterator[tuple[int, np.ndarray]]:
-        """All values, so many at a time, each with the place where they begin."""
+        """All values, so many at a time, each with the place where they begin.
+
+        Yields
+        ------
+        int, array (n,)
+            Where a part begins, and its values.
+        """
         for begin in range(0, self.count, BLOCK):
             yield begin, self.part(begin, min(begin + BLOCK, self.count))
 
     def fingerprint(self) -> str:
-        """A hash of the values."""
+        """A hash of the values.
+
+        Returns
+        -------
+        str
+            SHA-256 in hexadecimal digits.
+        """
         found = hashlib.sha256()
         for _, part in self.blocks():
             found.update(part.astype("<f8").tobytes())
@@ -70,6 +94,21 @@ class Axis:
 
 def linear_axis(name: str, first: float, last: float, count: int) -> Axis:
     """Evenly spaced values that are never held all at once.
+
+    Parameters
+    ----------
+    name : str
+        Of the parameter.
+    first : float
+        In the unit of the parameter.
+    last : float
+        Larger than `first` where there are several.
+    count : int
+        Number of values.
+
+    Returns
+    -------
+    Axis
 
     Raises
     ------
@@ -87,6 +126,17 @@ def linear_axis(name: str, first: float, last: float, count: int) -> Axis:
 
 def axis_of(name: str, values: Any) -> Axis:
     """An axis of given values.
+
+    Parameters
+    ----------
+    name : str
+        Of the parameter.
+    values : array (n,) or Axis
+        In the unit of the parameter, increasing.
+
+    Returns
+    -------
+    Axis
 
     Raises
     ------
@@ -191,11 +241,32 @@ class Grid:
         return int(np.prod(self.chunk_counts, dtype=np.int64))
 
     def place(self, number: int) -> tuple[int, ...]:
-        """Place of a chunk along each axis."""
+        """Place of a chunk along each axis.
+
+        Parameters
+        ----------
+        number : int
+            Of the chunk.
+
+        Returns
+        -------
+        tuple of int
+        """
         return tuple(int(i) for i in np.unravel_index(number, self.chunk_counts))
 
     def region(self, number: int) -> tuple[slice, ...]:
-        """Points of a chunk."""
+        """Points of a chunk.
+
+        Parameters
+        ----------
+        number : int
+            Of the chunk.
+
+        Returns
+        -------
+        tuple of slice
+            One for each axis.
+        """
         return tuple(
             slice(i * c, min((i + 1) * c, n))
             for i, c, n in zip(self.place(number), self.chunk, self.shape, strict=True)
@@ -220,7 +291,17 @@ class Grid:
         return dict(zip(self.names, np.ix_(*rows), strict=True))
 
     def block(self, number: int) -> Block:
-        """A chunk with the points next to it."""
+        """A chunk with the points next to it.
+
+        Parameters
+        ----------
+        number : int
+            Of the chunk.
+
+        Returns
+        -------
+        Block
+        """
         points, margins, cells, fractions = [], [], [], []
         region = self.region(number)
         for axis, here, anchors in zip(self.axes, region, self.anchors, strict=True):
@@ -238,7 +319,13 @@ class Grid:
         return Block(self.names, tuple(points), tuple(margins), tuple(cells), tuple(fractions))
 
     def corner(self) -> Grid:
-        """One corner as a grid of its own."""
+        """One corner as a grid of its own.
+
+        Returns
+        -------
+        Grid
+            One point: the first value of each axis.
+        """
         axes = tuple(linear_axis(axis.name, axis.first, axis.first, 1) for axis in self.axes)
         return Grid(axes, (1,) * len(axes))
 
@@ -250,7 +337,20 @@ def _values_at(axis: Axis, places: np.ndarray) -> np.ndarray:
 
 
 def chunk_shape(counts: Sequence[int], points: int) -> tuple[int, ...]:
-    """About as many points along each axis as along the others, and no more than so many."""
+    """About as many points along each axis as along the others, and no more than so many.
+
+    Parameters
+    ----------
+    counts : sequence of int
+        Points along each axis.
+    points : int
+        The most points of a chunk.
+
+    Returns
+    -------
+    tuple of int
+        Points of a chunk along each axis.
+    """
     shape, left = [0] * len(counts), points
     order = sorted(range(len(counts)), key=lambda k: counts[k])
     for done, place in enumerate(order):

@@ -22,6 +22,15 @@ _FAR = 1 << 20  # a byte behind the text: what is locked cannot be read on some 
 def locked(path: Path) -> Iterator[None]:
     """Hold the file PATH.lock beside a store; what a killed process left is taken over.
 
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+
+    Yields
+    ------
+    None
+
     Raises
     ------
     InputError
@@ -41,7 +50,8 @@ def locked(path: Path) -> Iterator[None]:
         yield
     finally:
         with suppress(OSError):  # some systems keep files that are open
-            file.unlink()
+            if os.path.samestat(os.fstat(descriptor), os.stat(file)):  # it may be lost
+                file.unlink()
         os.close(descriptor)
 
 

@@ -4,73 +4,96 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.explore.charting.anchors import Columns, Solver, anchor_starts, solve_block
+from nonsmooth.runtime.core.workload import SECONDS
+from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts, solve_block
 from nonsmooth.runtime.explore.charting.grid import LATTICE, Block, Grid
-from nonsmooth.runtime.explore.charting.kernel_orbits import DerivedPoints, derived_orbits
 from nonsmooth.runtime.explore.charting.problem import (
     MISSING,
-    NEITHER,
-    NO_ORBIT,
-    UNTOLD,
     Variable,
     fixed_values,
     table_hash,
 )
-from nonsmooth.runtime.explore.charting.table_orbits import ComposedPoints, composed_orbits
 from nonsmooth.runtime.model.completion import default_parameters
-from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, load_orbit
+from nonsmooth.runtime.model.kernels import (
+    OrbitKernels,
+    compiled_for,
+    load_orbit,
+    uncompiled,
+)
+from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
+from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
+from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
+from nonsmooth.runtime.orbits.orbit_arrays import Columns
+from nonsmooth.runtime.orbits.points import OrbitPoints, points_of
 
-__all__ = ["OrbitProblem", "orbit_problem"]
-
-_DERIVED, _COMPOSED = 1 << 16, 1 << 11  # points of a chunk: tenths of a second each
+__all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 
 
 @dataclass(frozen=True)
-class OrbitProblem:
+class OrbitChart:
     """An orbit over a grid of parameters.
 
     Attributes
     ----------
     orbit : str
-        As `solve_many` takes it.
+        As `solve_many` takes it; of a chart that goes on from its store what that calls it.
     fixed : tuple of (name, value)
         All parameters that are not swept.
     given : tuple of str
         Names of those that were fixed or swept by the user.
+    compiled : bool
+        Whether compiled kernels were there when the chart began.
+    data : str or None
+        The orbit as `held_text` writes it, where a store holds it.
     """
 
     orbit: str
     fixed: tuple[tuple[str, float], ...]
     given: tuple[str, ...]
+    compiled: bool
+    data: str | None = None
 
     @property
     def kernels(self) -> OrbitKernels:
-        """Tables and kernels of the orbit."""
-        return load_orbit(self.orbit)
+        """Tables and kernels of the orbit: the same ones from the first chunk to the last."""
+        found = load_orbit(self.orbit) if self.data is None else kernels_held(self.data)
+        return found if self.compiled else uncompiled(found)
 
     @property
-    def orbits(self) -> DerivedPoints | ComposedPoints:
+    def orbits(self) -> OrbitPoints:
         """How they are solved."""
-        return _orbits(self.kernels, self.given)[0]
+        return points_of(self.kernels, self.given)
 
     @property
     def points(self) -> int:
         """Points of a chunk, unless a user says otherwise."""
-        return _DERIVED if self.kernels.derived else _COMPOSED
+        return self.orbits.chunk
+
+    @property
+    def seconds(self) -> float:
+        """Of one processor for one point, at least."""
+        return SECONDS["orbit" if self.kernels.derived else "composed orbit"]
 
     def identity(self) -> dict[str, Any]:
-        """All that the numbers depend on but the grid."""
+        """All that the numbers depend on but the grid.
+
+        Returns
+        -------
+        dict of str to number, text, list or dict
+            As JSON takes it.
+        """
         kernels = self.kernels
         return {
             "kind": "orbit",
             "orbit": "/".join(filter(None, (kernels.system.table["name"], kernels.orbit))),
+            "system": named(kernels.system, kernels.orbit)[0],
             "derivation": str(kernels.system.module.DERIVATION),
             "table": table_hash(kernels.table),
             "kernels": "numpy" if kernels.system.compiled is None else "c",
@@ -78,8 +101,23 @@ class OrbitProblem:
             "parameters": {name: repr(value) for name, value in self.fixed},
         }
 
+    def held(self) -> dict[str, Any]:
+        """What a store holds beside: the orbit as data, and what was given.
+
+        Returns
+        -------
+        dict of str to str or list
+        """
+        kernels = self.kernels
+        return {"of": held_text(kernels.system, kernels), "given": list(self.given)}
+
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed."""
+        """What is computed.
+
+        Returns
+        -------
+        tuple of Variable
+        """
         orbits, units = self.orbits, units_of(self.kernels.system)
         told = "" if not set(orbits.bounded) - set(self.given) else ", for large enough open ones"
         limits = {NEITHER: "none fails", NO_ORBIT: "none found", UNTOLD: "not told"}
@@ -100,15 +138,47 @@ class OrbitProblem:
         )
 
     def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter, where the system states it."""
+        """Unit of a parameter, where the system states it.
+
+        Parameters
+        ----------
+        name : str
+            Of the parameter.
+
+        Returns
+        -------
+        dict of str to str
+            Empty where no unit is stated.
+        """
         return units_of(self.kernels.system).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
-        """Starts (..., m) at the anchors of a grid."""
+        """Starts (..., m) at the anchors of a grid.
+
+        Parameters
+        ----------
+        grid : Grid
+
+        Returns
+        -------
+        array (..., m)
+        """
         return anchor_starts(grid, self._solver)
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
-        """All variables at the points of a chunk."""
+        """All variables at the points of a chunk.
+
+        Parameters
+        ----------
+        block : Block
+        prepared : array (..., m)
+            As `prepare` gives it.
+
+        Returns
+        -------
+        dict of str to array
+            In the shape of the chunk, by the variables' names.
+        """
         found = solve_block(block, prepared, self._solver)
         shape = found["status"].shape
         flat = {name: column.ravel() for name, column in found.items()}
@@ -131,8 +201,25 @@ class OrbitProblem:
         return {name: np.broadcast_to(value, shape) for name, value in self.fixed} | dict(values)
 
 
-def orbit_problem(orbit: str, given: Mapping[str, object], swept: Sequence[str]) -> OrbitProblem:
+def orbit_chart(
+    orbit: str, given: Mapping[str, object], swept: Sequence[str], points: int
+) -> OrbitChart:
     """Check names and values; parameters that are not given take the reference point's.
+
+    Parameters
+    ----------
+    orbit : str
+        ``system/orbit``, or the file that declares it.
+    given : mapping of str to number, text or Value
+        Values of parameters that are not swept.
+    swept : sequence of str
+        Names of those that are.
+    points : int
+        Of the whole grid.
+
+    Returns
+    -------
+    OrbitChart
 
     Raises
     ------
@@ -142,18 +229,36 @@ def orbit_problem(orbit: str, given: Mapping[str, object], swept: Sequence[str])
     """
     kernels = load_orbit(orbit)
     names = (*given, *swept)
-    _, tables = _orbits(kernels, names)
+    tables = points_of(kernels, names).parameters
     fixed = fixed_values(tables, given, swept, default_parameters(kernels), kernels.name)
-    return OrbitProblem(kernels.address, fixed, names)
+    kernels = compiled_for(kernels, points * NUMPY_JUDGED, at_once=True)
+    return OrbitChart(kernels.address, fixed, names, kernels.system.compiled is not None)
 
 
-@cache
-def _orbits(
-    kernels: OrbitKernels, given: tuple[str, ...]
-) -> tuple[DerivedPoints | ComposedPoints, list[ParameterTable]]:
-    if kernels.derived:
-        return derived_orbits(kernels, given)
-    return composed_orbits(kernels)
+def held_orbit_chart(identity: Mapping[str, Any], held: Mapping[str, Any]) -> OrbitChart:
+    """The problem of a store, from what it holds.
+
+    Parameters
+    ----------
+    identity : mapping of str to object
+        As `OrbitChart.identity` gave it, with the dimensions.
+    held : mapping of str to object
+        As `OrbitChart.held` gave it.
+
+    Returns
+    -------
+    OrbitChart
+
+    Raises
+    ------
+    InputError
+        If they are not in order.
+    """
+    kernels, names = kernels_held(held["of"]), tuple(held["given"])
+    swept, tables = identity["dimensions"], points_of(kernels, names).parameters
+    fixed = fixed_values(tables, identity["parameters"], swept, {}, kernels.name)
+    compiled = kernels.system.compiled is not None
+    return OrbitChart(kernels.address, fixed, names, compiled, held["of"])
 
 
 def _number(name: str, meaning: str, **attributes: str) -> Variable:

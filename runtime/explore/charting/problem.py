@@ -17,16 +17,12 @@ from nonsmooth.runtime.model.parameters import value_of
 
 __all__ = [
     "MISSING",
-    "NEITHER",
-    "NO_ORBIT",
-    "UNTOLD",
-    "Problem",
+    "ChartProblem",
     "Variable",
     "fixed_values",
     "table_hash",
 ]
 
-NEITHER, NO_ORBIT, UNTOLD = -1, -2, -3  # limits: none fails, there is no orbit, it is not told
 MISSING = -128  # status of a point that is not computed yet
 
 
@@ -50,27 +46,82 @@ class Variable:
     attributes: dict[str, Any] = field(default_factory=dict)
 
 
-class Problem(Protocol):
+class ChartProblem(Protocol):
     """What is computed at each point, from nothing but the grid and the fixed parameters."""
 
     @property
     def points(self) -> int:
         """Points of a chunk, unless a user says otherwise."""
 
+    @property
+    def seconds(self) -> float:
+        """Of one processor for one point, at least."""
+
     def identity(self) -> dict[str, Any]:
-        """All that the numbers depend on but the grid, as JSON."""
+        """All that the numbers depend on but the grid, as JSON.
+
+        Returns
+        -------
+        dict of str to number, text, list or dict
+        """
+
+    def held(self) -> dict[str, Any]:
+        """What a store holds beside, from which the problem is made again without any file.
+
+        Returns
+        -------
+        dict of str to number, text, list or dict
+        """
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed."""
+        """What is computed.
+
+        Returns
+        -------
+        tuple of Variable
+        """
 
     def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter, where the system states it."""
+        """Unit of a parameter, where the system states it.
+
+        Parameters
+        ----------
+        name : str
+            Of the parameter.
+
+        Returns
+        -------
+        dict of str to str
+            Empty where no unit is stated.
+        """
 
     def prepare(self, grid: Grid) -> np.ndarray:
-        """What all chunks need to know of the whole grid."""
+        """What all chunks need to know of the whole grid.
+
+        Parameters
+        ----------
+        grid : Grid
+
+        Returns
+        -------
+        array
+            Handed to `compute`.
+        """
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
-        """All variables at the points of a chunk."""
+        """All variables at the points of a chunk.
+
+        Parameters
+        ----------
+        block : Block
+        prepared : array
+            As `prepare` gives it.
+
+        Returns
+        -------
+        dict of str to array
+            In the shape of the chunk, by the variables' names.
+        """
 
 
 def fixed_values(
@@ -81,6 +132,22 @@ def fixed_values(
     name: str,
 ) -> tuple[tuple[str, float], ...]:
     """All parameters but those that are swept, checked; defaults where they are not given.
+
+    Parameters
+    ----------
+    tables : sequence of ParameterTable
+        Of all parameters.
+    given : mapping of str to number, text or Value
+    swept : sequence of str
+        Names that are left out.
+    defaults : mapping of str to number, text or Value
+    name : str
+        What a message calls the system or orbit.
+
+    Returns
+    -------
+    tuple of (str, float)
+        Names and values in the order of the tables.
 
     Raises
     ------
@@ -106,6 +173,17 @@ def fixed_values(
 
 
 def table_hash(table: Mapping[str, Any]) -> str:
-    """A hash of a table of the kernels."""
+    """A hash of a table of the kernels.
+
+    Parameters
+    ----------
+    table : mapping
+        As JSON takes it.
+
+    Returns
+    -------
+    str
+        16 hexadecimal digits.
+    """
     text = json.dumps(table, sort_keys=True, default=str)
     return hashlib.sha256(text.encode()).hexdigest()[:16]

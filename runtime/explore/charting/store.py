@@ -1,4 +1,8 @@
-"""A chart in files: a Zarr group whose chunks carry a CRC.
+"""A chart in files: a Zarr group whose chunks carry a CRC, and whose metadata has checksums.
+
+The group's metadata says what the chart is of, and has checksums of the metadata of each array
+and of itself; who opens a chart compares them. It holds the orbit as data, so that the chart
+goes on without any other file.
 
 A chunk of the grid is done when the objects of all variables are there and pass their CRC.
 There is no other record of it, so that a process may be killed at any instant. Objects are
@@ -14,6 +18,8 @@ import shutil
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from glob import escape
+from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -21,9 +27,10 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra
-from nonsmooth.runtime.core.files import unwritable
-from nonsmooth.runtime.explore.charting.grid import BLOCK, Axis, Grid
-from nonsmooth.runtime.explore.charting.problem import Problem, Variable
+from nonsmooth.runtime.core.files import PARTIAL, fill_file, read_file, unwritable
+from nonsmooth.runtime.core.result_files import checksum_of, parsed
+from nonsmooth.runtime.explore.charting.grid import BLOCK, Axis, Grid, axis_of
+from nonsmooth.runtime.explore.charting.problem import ChartProblem, Variable
 
 __all__ = [
     "ATTRIBUTE",
@@ -32,18 +39,27 @@ __all__ = [
     "check_zarr",
     "open_arrays",
     "open_store",
+    "read_axes",
     "read_identity",
+    "reader",
     "write_chunk",
 ]
 
-ATTRIBUTE, FORMAT = "nonsmooth", "nonsmooth chart 1"
-_PARTIAL = ".partial"
+ATTRIBUTE, FORMAT = "nonsmooth", "nonsmooth chart 3"
 _METADATA = "zarr.json"
+_LARGEST = 50_000_000  # bytes of metadata
 _CRC = 4  # bytes behind the content
+_MOST_OBJECT = (1 << 31) + _LARGEST  # bytes of an object: what Blosc compresses at once, and more
 
 
 def check_zarr() -> None:
-    """Say so if Zarr or xarray are not installed."""
+    """Say so if Zarr or xarray are not installed.
+
+    Raises
+    ------
+    MissingExtra
+        If one of them cannot be imported.
+    """
     for name in ("zarr", "xarray"):
         try:
             __import__(name)
@@ -58,26 +74,51 @@ class Store:
     Attributes
     ----------
     path : Path
-    problem : Problem
+    problem : ChartProblem
     grid : Grid
         With the store's own chunks.
     """
 
     path: Path
-    problem: Problem
+    problem: ChartProblem
     grid: Grid
 
     def objects(self, number: int) -> list[Path]:
-        """Files of a chunk of the grid, one for each variable."""
+        """Files of a chunk of the grid, one for each variable.
+
+        Parameters
+        ----------
+        number : int
+            Of the chunk.
+
+        Returns
+        -------
+        list of Path
+        """
         place = [str(i) for i in self.grid.place(number)]
         return [self.path.joinpath(v.name, "c", *place) for v in self.problem.variables()]
 
     def holds(self, number: int) -> bool:
-        """Whether all objects of a chunk are there."""
+        """Whether all objects of a chunk are there.
+
+        Parameters
+        ----------
+        number : int
+            Of the chunk.
+
+        Returns
+        -------
+        bool
+        """
         return all(file.is_file() for file in self.objects(number))
 
     def missing(self) -> tuple[list[int], int]:
-        """Chunks that are not done, and how many of these are damaged."""
+        """Chunks that are not done, and how many of these are damaged.
+
+        Returns
+        -------
+        tuple of list of int, int
+        """
         there = self._present() == len(self.problem.variables())
         done = there.copy()
         complete = np.flatnonzero(there)
@@ -110,12 +151,17 @@ class Store:
         return found
 
     def purge(self) -> int:
-        """Remove what a killed writer left; give how many files."""
+        """Remove what a killed writer left; give how many files.
+
+        Returns
+        -------
+        int
+        """
         found = [
             Path(folder, name)
             for folder, _, names in os.walk(self.path)
             for name in names
-            if name.endswith(_PARTIAL)
+            if name.endswith(PARTIAL)
         ]
         for file in found:
             file.unlink(missing_ok=True)
@@ -123,19 +169,17 @@ class Store:
 
     def repair_axes(self) -> None:
         """Write coordinates again whose objects are gone or damaged."""
-        import zarr
-
         for axis in self.grid.axes:
             objects = (self.path / axis.name / "c" / str(i) for i in range(-(-axis.count // BLOCK)))
             if all(_passes(file) for file in objects):
                 continue
             shutil.rmtree(self.path / axis.name / "c", ignore_errors=True)
-            _write_axis(zarr.open_group(str(self.path), mode="r+"), axis)
+            _write_axis(self.path, axis)
 
 
 def open_store(
     path: Path,
-    problem: Problem,
+    problem: ChartProblem,
     axes: tuple[Axis, ...],
     chunk: tuple[int, ...] | None,
     usual: tuple[int, ...],
@@ -145,11 +189,15 @@ def open_store(
     Parameters
     ----------
     path : Path
-    problem : Problem
+    problem : ChartProblem
     axes : tuple of Axis
     chunk : tuple of int or None
         Points of a chunk along each axis; None takes what is there, or what is usual.
     usual : tuple of int
+
+    Returns
+    -------
+    Store
 
     Raises
     ------
@@ -161,47 +209,171 @@ def open_store(
         grid = Grid(axes, chunk or usual)
         _begin(path, problem, grid, identity)
         return Store(path, problem, grid)
-    found = read_identity(path)
+    found, _ = read_identity(path)
     own = tuple(found.pop("chunk"))
     if found != json.loads(json.dumps(identity)):
         raise InputError(f"{path} holds another chart: {_difference(found, identity)}")
     if chunk is not None and chunk != own:
         raise InputError(f"{path} has chunks of {_product(own)} points, not {_product(chunk)}")
-    for name in (*(axis.name for axis in axes), *(v.name for v in problem.variables())):
-        if not _readable(path / name / _METADATA):
-            raise InputError(f"{path}: {name}/{_METADATA} is gone or damaged: begin the chart anew")
     return Store(path, problem, Grid(axes, own))
 
 
-def read_identity(path: Path) -> dict[str, Any]:
-    """What the store says of itself.
+def read_identity(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What the store says of itself, its metadata checked.
+
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+
+    Returns
+    -------
+    identity : dict of str to number, text, list or dict
+        What its problem and its grid are told from others by.
+    held : dict of str to number, text, list or dict
+        What its problem is made again from.
 
     Raises
     ------
     InputError
-        If it is no chart.
+        If it is no chart, or its metadata is damaged or edited.
     """
     try:
-        record = json.loads((path / _METADATA).read_text(encoding="utf-8"))
-        found = dict(record["attributes"][ATTRIBUTE])
-    except (OSError, ValueError, KeyError, TypeError):
+        document = parsed(_metadata(path))
+        found = dict(document["attributes"][ATTRIBUTE])
+    except (InputError, KeyError, TypeError, ValueError):
         raise InputError(
             f"{path}: cannot be read: no chart of this package, or its beginning is damaged"
         ) from None
     if found.get("format") != FORMAT or not isinstance(found.get("chunk"), list):
-        raise InputError(f"{path} is no {FORMAT}")
-    found.pop("version", None)
-    return found
+        raise InputError(
+            f"{path} holds {found.get('format')!r}, where {FORMAT!r} is known:"
+            " use the release that wrote it"
+        )
+    if found.pop("sha256", None) != _checksum(document):
+        raise InputError(f"{path}: {_METADATA} is damaged or edited: its checksum differs")
+    arrays = found.pop("arrays")
+    for name in {*arrays, *(file.parent.name for file in path.glob(f"*/{_METADATA}"))}:
+        _check_array(path, name, arrays.get(name))
+    found.pop("version")
+    return found, dict(found.pop("held"))
 
 
-def open_arrays(path: Path, problem: Problem) -> dict[str, Any]:
-    """Open the arrays of all variables for writing."""
+def reader(path: Path) -> Any:
+    """The store for reading: no object that is larger than a chunk is read.
+
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+
+    Returns
+    -------
+    zarr.storage.LocalStore
+
+    Raises
+    ------
+    InputError
+        As `read_identity`, or if a chunk is larger than the memory.
+    """
+    from nonsmooth.runtime.explore.charting.bounded_store import BoundedStore, chunk_bytes
+
+    read_identity(path)
+    sizes = {}
+    for file in path.glob(f"*/{_METADATA}"):
+        try:
+            sizes[file.parent.name] = chunk_bytes(_metadata(file.parent))
+        except InputError as problem:
+            raise InputError(f"{path}: {file.parent.name}/{_METADATA} {problem}") from None
+    return BoundedStore.of(path, sizes)
+
+
+def read_axes(path: Path) -> tuple[Axis, ...]:
+    """Axes of a chart from its own coordinates.
+
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+
+    Returns
+    -------
+    tuple of Axis
+
+    Raises
+    ------
+    InputError
+        If a coordinate is damaged.
+    """
     import zarr
 
-    group: Any = zarr.open_group(str(path), mode="r+")
-    # a chunk that looks empty is written too: that it is there says that it is done
-    whole = {"write_empty_chunks": True}
-    return {v.name: group[v.name].with_config(whole) for v in problem.variables()}
+    identity, _ = read_identity(path)
+    group: Any = zarr.open_group(reader(path), mode="r", zarr_format=3)
+    found = []
+    for name in identity["dimensions"]:
+        try:
+            axis = axis_of(name, group[name][:])
+            if axis.fingerprint() != identity["grid"][name]["sha256"]:
+                raise InputError("they are others than the chart was begun with")
+        except (ArithmeticError, LookupError, OSError, TypeError, ValueError) as problem:
+            raise InputError(
+                f"{path}: values of {name} are damaged: {problem}: chart the orbit by its name and"
+                " ranges, which writes them again"
+            ) from None
+        found.append(axis)
+    return tuple(found)
+
+
+def _metadata(folder: Path) -> bytes:
+    """Metadata of a group or an array."""
+    return read_file(folder / _METADATA, _LARGEST, "chart")
+
+
+def _check_array(path: Path, name: str, expected: str | None) -> None:
+    """Refuse an array whose metadata is not what the chart was begun with."""
+    if expected is None:
+        raise InputError(f"{path}: {name} is no array of this chart")
+    try:
+        content = _metadata(path / name)
+    except InputError as problem:
+        raise InputError(f"{path}: {name}/{_METADATA} {problem}") from None
+    if sha256(content).hexdigest() != expected:
+        raise InputError(f"{path}: {name}/{_METADATA} is damaged or edited: its checksum differs")
+
+
+def _checksum(document: Mapping[str, Any]) -> str:
+    """Checksum of the metadata of a group, without the entry that it is kept in."""
+    attributes = document["attributes"]
+    told = {n: entry for n, entry in attributes[ATTRIBUTE].items() if n != "sha256"}
+    return checksum_of({**document, "attributes": {**attributes, ATTRIBUTE: told}})
+
+
+def _seal(folder: Path) -> None:
+    """Write the checksums of all metadata into that of a group that is not in its place yet."""
+    document = parsed(_metadata(folder))
+    told = document["attributes"][ATTRIBUTE]
+    files = sorted(folder.glob(f"*/{_METADATA}"))
+    told["arrays"] = {file.parent.name: sha256(file.read_bytes()).hexdigest() for file in files}
+    told["sha256"] = _checksum(document)
+    (folder / _METADATA).unlink()
+    fill_file(folder / _METADATA, json.dumps(document, indent=2, allow_nan=False).encode())
+
+
+def open_arrays(path: Path, problem: ChartProblem) -> dict[str, Any]:
+    """Open the arrays of all variables for writing.
+
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+    problem : ChartProblem
+
+    Returns
+    -------
+    dict of str to zarr.Array
+        By the variables' names.
+    """
+    return {v.name: _open_array(path / v.name) for v in problem.variables()}
 
 
 def write_chunk(
@@ -211,6 +383,17 @@ def write_chunk(
     values: Mapping[str, np.ndarray],
 ) -> None:
     """Write all variables of a chunk.
+
+    Parameters
+    ----------
+    path : Path
+        Of the store.
+    arrays : mapping of str to zarr.Array
+        As `open_arrays` gives them.
+    region : tuple of slice
+        Points of the chunk along each axis.
+    values : mapping of str to array
+        In the shape of the chunk.
 
     Raises
     ------
@@ -224,7 +407,7 @@ def write_chunk(
         raise unwritable(path, problem) from None
 
 
-def _identity(problem: Problem, axes: Iterable[Axis]) -> dict[str, Any]:
+def _identity(problem: ChartProblem, axes: Iterable[Axis]) -> dict[str, Any]:
     grid = {axis.name: {"count": axis.count, "sha256": axis.fingerprint()} for axis in axes}
     return {"format": FORMAT, **problem.identity(), "dimensions": list(grid), "grid": grid}
 
@@ -254,15 +437,16 @@ def _words(value: Any) -> str:
     return ", ".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
-def _begin(path: Path, problem: Problem, grid: Grid, identity: Mapping[str, Any]) -> None:
+def _begin(path: Path, problem: ChartProblem, grid: Grid, identity: Mapping[str, Any]) -> None:
     """Lay out the whole group beside its place, then move it there."""
     import zarr
 
-    temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{_PARTIAL}")
+    temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{PARTIAL}")
     try:
-        for left in path.parent.glob(f".{path.name}.*{_PARTIAL}"):
+        for left in path.parent.glob(f".{escape(path.name)}.*{PARTIAL}"):
             shutil.rmtree(left, ignore_errors=True)
-        told = {**identity, "chunk": list(grid.chunk), "version": version("nonsmooth")}
+        beside = {"version": version("nonsmooth"), "held": problem.held()}
+        told = {**identity, "chunk": list(grid.chunk), **beside}
         group = zarr.create_group(str(temporary), attributes={ATTRIBUTE: told}, zarr_format=3)
         for axis in grid.axes:
             _create(
@@ -270,9 +454,10 @@ def _begin(path: Path, problem: Problem, grid: Grid, identity: Mapping[str, Any]
                 Variable(axis.name, "<f8", float("nan"), problem.axis_attributes(axis.name)),
                 (axis.count,), (min(axis.count, BLOCK),), (axis.name,),
             )  # fmt: skip
-            _write_axis(group, axis)
+            _write_axis(temporary, axis)
         for variable in problem.variables():
             _create(group, variable, grid.shape, grid.chunk, grid.names)
+        _seal(temporary)
         os.replace(temporary, path)
     except OSError as failure:
         raise unwritable(path, failure) from None
@@ -287,7 +472,7 @@ def _create(
     chunk: tuple[int, ...],
     names: tuple[str, ...],
 ) -> None:
-    from zarr.codecs import BloscCodec, BloscShuffle, Crc32cCodec
+    from zarr.codecs import BloscCodec, Crc32cCodec
 
     group.create_array(
         variable.name,
@@ -296,7 +481,7 @@ def _create(
         dtype=variable.dtype,
         # the CRC comes last: it covers the bytes of the object itself
         compressors=[
-            BloscCodec(cname="lz4", clevel=5, shuffle=BloscShuffle.bitshuffle), Crc32cCodec()
+            BloscCodec(cname="lz4", clevel=5, shuffle="bitshuffle"), Crc32cCodec()
         ],
         fill_value=variable.fill,
         attributes=variable.attributes,
@@ -304,10 +489,19 @@ def _create(
     )  # fmt: skip
 
 
-def _write_axis(group: Any, axis: Axis) -> None:
-    array = group[axis.name].with_config({"write_empty_chunks": True})
+def _write_axis(path: Path, axis: Axis) -> None:
+    array = _open_array(path / axis.name)
     for begin, part in axis.blocks():
         array[begin : begin + len(part)] = part
+
+
+def _open_array(path: Path) -> Any:
+    """Open an array for writing."""
+    import zarr
+
+    # a chunk that looks empty is written too: that it is there says that it is done
+    whole = {"write_empty_chunks": True}
+    return zarr.open(str(path), mode="r+", zarr_format=3, config=whole)
 
 
 def _passes(file: Path) -> bool | None:
@@ -315,6 +509,8 @@ def _passes(file: Path) -> bool | None:
     from google_crc32c import value
 
     try:
+        if file.stat().st_size > _MOST_OBJECT:
+            return False
         content = file.read_bytes()
     except FileNotFoundError:
         return None
@@ -323,13 +519,6 @@ def _passes(file: Path) -> bool | None:
     if len(content) < _CRC:
         return False
     return bool(value(content[:-_CRC]) == int.from_bytes(content[-_CRC:], "little"))
-
-
-def _readable(file: Path) -> bool:
-    try:
-        return isinstance(json.loads(file.read_text(encoding="utf-8")), dict)
-    except (OSError, ValueError):
-        return False
 
 
 def _product(shape: tuple[int, ...]) -> str:

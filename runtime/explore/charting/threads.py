@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from itertools import islice
+
+from nonsmooth.runtime.core.threads import thread_pool
 
 __all__ = ["run_threads"]
 
@@ -29,17 +31,12 @@ def run_threads(
         Told how many chunks are done.
     """
     workers, queue, done = threads or os.cpu_count() or 1, iter(chunks), 0
-    with ThreadPoolExecutor(workers) as pool:
+    with thread_pool(workers) as pool:
         running: set[Future[None]] = {pool.submit(work, n) for n in islice(queue, 2 * workers)}
-        try:
-            while running:
-                ended, running = wait(running, return_when=FIRST_COMPLETED)
-                for future in ended:
-                    future.result()
-                    done += 1
-                running |= {pool.submit(work, n) for n in islice(queue, len(ended))}
-                progress(done)
-        except BaseException:
-            for future in running:
-                future.cancel()
-            raise
+        while running:
+            ended, running = wait(running, return_when=FIRST_COMPLETED)
+            for future in ended:
+                future.result()
+                done += 1
+            running |= {pool.submit(work, n) for n in islice(queue, len(ended))}
+            progress(done)

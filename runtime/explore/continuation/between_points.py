@@ -7,17 +7,17 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.explore.continuation.monitors import Monitors
-from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.stepping import correct, tangent_at
 
-__all__ = ["Samples", "Track"]
+__all__ = ["BranchSamples", "Track"]
 
 _PARTS = 3  # of a step: looked at one by one
 _LEAST_COSINE = 0.99  # between the tangent and that of the interpolation
 _BESIDE = 1e-3  # of a chord: where the branch is still determined beside a singular point
 
 
-class Samples(NamedTuple):
+class BranchSamples(NamedTuple):
     """Points along a branch: places (k,), points (k, n + 1) and unit tangents (k, n + 1).
 
     A place counts steps; between two points of the branch it is the part of their chord.
@@ -37,20 +37,25 @@ class Track:
         self._known: dict[tuple[int, float], np.ndarray | None] = {}
 
     @property
-    def curve(self) -> Curve:
+    def curve(self) -> OrbitFamily:
         """The family of orbits."""
         return self.monitors.curve
 
-    def samples(self) -> Samples:
+    def samples(self) -> BranchSamples:
         """The branch's points, and between two of them their cubic interpolation.
 
         It misses the branch by the fourth power of a step.
+
+        Returns
+        -------
+        BranchSamples
+            Several for each step, and the last point.
         """
         count = len(self._points) - 1
         steps = np.repeat(np.arange(count), _PARTS)
         found, part, ahead = self._interpolated(steps, np.tile(np.arange(_PARTS) / _PARTS, count))
         found[::_PARTS], ahead[::_PARTS] = self._points[:-1], self._tangents[:-1]
-        return Samples(
+        return BranchSamples(
             np.append(steps + part, count),
             np.concatenate([found, self._points[-1:]]),
             np.concatenate([ahead, self._tangents[-1:]]),
@@ -73,7 +78,19 @@ class Track:
         return (first + along) * sizes, part, ahead
 
     def point(self, step: int, part: float) -> np.ndarray | None:
-        """The branch's point across from a part of a step's chord; None where there is none."""
+        """The branch's point across from a part of a step's chord; None where there is none.
+
+        Parameters
+        ----------
+        step : int
+            Number of the step.
+        part : float
+            Of the step's chord, from 0 to 1.
+
+        Returns
+        -------
+        array (n + 1,) or None
+        """
         if part in (0.0, 1.0):
             return np.asarray(self._points[step + int(part)])
         key = step, part
@@ -95,12 +112,38 @@ class Track:
         return None if found is None else found[0]
 
     def at(self, place: float) -> tuple[int, float]:
-        """Step and part of a place."""
+        """Step and part of a place.
+
+        Parameters
+        ----------
+        place : float
+            As `BranchSamples` counts it.
+
+        Returns
+        -------
+        (int, float)
+        """
         step = min(int(place), len(self._points) - 2)
         return step, place - step
 
     def value(self, column: int, step: int, part: float, *, border: bool) -> float:
-        """One of the numbers; NaN where there is no point."""
+        """One of the numbers; NaN where there is no point.
+
+        Parameters
+        ----------
+        column : int
+            Of the smooth numbers, or of those of boundaries.
+        step : int
+            Number of the step.
+        part : float
+            Of the step's chord, from 0 to 1.
+        border : bool
+            Whether it is one of boundaries and conditions.
+
+        Returns
+        -------
+        float
+        """
         point = self.point(step, part)
         if point is None:
             return float("nan")

@@ -11,22 +11,23 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.explore.continuation.amplitudes import amplitude_of
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
 from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.switching import other_branch
-from nonsmooth.runtime.explore.continuation.table_family import ComposedCurve
+from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Branch"]
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Branch:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Branch(Shown):
     """Orbits of one itinerary along one parameter, in the order in which they follow.
 
     Attributes
@@ -98,15 +99,12 @@ class Branch:
             z = np.append(self.unknowns[place], self.parameter_values[place])
         else:
             raise InputError(f"the branch has {len(self)} points, no point {place}")
-        orbit: Orbit = curve_of(self.orbit, self.parameter, 1.0).at(z)
-        return orbit
+        return OrbitFamily(self.orbit, self.parameter).at(z)
 
-    def _motion_at(self, place: int) -> Orbit | Trajectory:
-        """The orbit at a point, or its motion, which needs no phase to last."""
-        curve = curve_of(self.orbit, self.parameter, 1.0)
-        if isinstance(curve, ComposedCurve):
-            return curve.motion(np.append(self.unknowns[place], self.parameter_values[place]))
-        return self.orbit_at(place)
+    def _motion_at(self, place: int) -> Motion | Trajectory:
+        """The motion at a point, where a phase may take no time."""
+        z = np.append(self.unknowns[place], self.parameter_values[place])
+        return OrbitFamily(self.orbit, self.parameter).motion(z)
 
     def next_itineraries(
         self, event: Event, parameters: Mapping[str, Any] | None = None

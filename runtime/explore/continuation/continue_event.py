@@ -1,15 +1,15 @@
 """An event of a branch, followed in two parameters: where in the plane folds, flips, grazings lie.
 
 The orbit's equations are joined by one that holds at the event: for a fold and a branch point
-that their Jacobian is singular (the last entry of the solution of a bordered system), else
-that the event's monitor is zero. Its gradient and the derivatives by the second parameter
-are central differences, which slow Newton's method down but do not limit what it converges to.
+that their Jacobian is singular (the last entry of the solution of a bordered system: A. Griewank
+and G. Reddien, SIAM J. Numer. Anal. 21, 1984), else that the event's monitor is zero. Its gradient
+and the derivatives by the second parameter are central differences, which slow Newton's method
+down but do not limit what it converges to.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -17,10 +17,9 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import STEP, check_steps
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.family_of_orbit import check_interval, curve_of
 from nonsmooth.runtime.explore.continuation.locus import Locus
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
-from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import INTERRUPTED, trace_both_ways
 
 __all__ = ["MOST_POINTS", "continue_event"]
@@ -33,7 +32,7 @@ class _EventCurve:
     """The points z = (unknowns, first parameter, second parameter) at which an event happens."""
 
     def __init__(
-        self, curve: Curve, monitors: Monitors, event: Event, second: str, length: float
+        self, curve: OrbitFamily, monitors: Monitors, event: Event, second: str, length: float
     ) -> None:
         self._curve, self._second = curve, second
         self.names = (*curve.names, curve.parameter)
@@ -70,6 +69,10 @@ class _EventCurve:
             np.concatenate([whole, np.array(slopes)[None]]),
         )
 
+    def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
+        """See `Curve`: no other one is looked out for."""
+        return False
+
     def dwell(self, z: np.ndarray) -> np.ndarray:
         """See `Curve`; the one that vanishes along the locus is none."""
         found = np.array(self._curve.dwell(z[:, :-1]))
@@ -77,15 +80,15 @@ class _EventCurve:
             found[:, self._vanishing] = 1.0
         return found
 
-    def _at(self, second: float) -> Curve:
+    def _at(self, second: float) -> OrbitFamily:
         return self._curve.moved(self._second, float(second))
 
-    def _scaled(self, curve: Curve, z: np.ndarray) -> np.ndarray:
+    def _scaled(self, curve: OrbitFamily, z: np.ndarray) -> np.ndarray:
         jacobian = curve.equations(z)[1] * self.sizes[:-1]
         units = np.abs(jacobian).max(axis=1, keepdims=True)
         return np.asarray(jacobian[:, :-1] / units)
 
-    def _value(self, curve: Curve, z: np.ndarray) -> float:
+    def _value(self, curve: OrbitFamily, z: np.ndarray) -> float:
         """What is zero at the event, in units of its change nearby."""
         if self._vanishing is not None:
             return float(curve.dwell(z[None])[0, self._vanishing] / self.sizes[self._vanishing])
@@ -165,13 +168,11 @@ def continue_event(
     limits = check_interval(branch.orbit, parameter, interval)
     check_steps(step, points)
     length = float(np.ptp(branch.parameter_values)) or 1.0
-    curve = curve_of(branch.orbit, branch.parameter, length)
+    curve = OrbitFamily(branch.orbit, branch.parameter, length)
     if curve.equations(curve.first)[1].shape[0] != len(curve.names):
         raise InputError(f"{branch.name} is one of a family: its events are not followed")
     known = np.column_stack([branch.unknowns, branch.parameter_values])
-    locus: Any = _EventCurve(
-        curve, monitors_of(curve, known), event, parameter, limits[1] - limits[0]
-    )
+    locus = _EventCurve(curve, monitors_of(curve, known), event, parameter, limits[1] - limits[0])
     told = 0
 
     def go_on(*_: np.ndarray) -> None:

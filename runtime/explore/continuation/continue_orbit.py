@@ -12,21 +12,21 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.family_of_orbit import check_interval, curve_of
 from nonsmooth.runtime.explore.continuation.locating import (
-    Found,
+    LocatedEvent,
     describe,
     locate_all,
     locate_limits,
 )
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, monitors_of
-from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
     INTERRUPTED,
     Path,
     tangent_at,
     trace_both_ways,
 )
+from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
@@ -102,7 +102,7 @@ def continue_orbit(
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
-    curve = curve_of(orbit, parameter, limits[1] - limits[0])
+    curve = OrbitFamily(orbit, parameter, limits[1] - limits[0])
     known = None if resume is None else _path_of(curve, resume)
     told = 0
 
@@ -128,8 +128,11 @@ def continue_orbit(
 
 def _check_same(orbit: Orbit, parameter: str, limits: tuple[float, float], known: Branch) -> None:
     """Refuse to go on with a branch of another orbit, parameter or value."""
-    if (known.name, known.parameter) != (orbit.name, parameter):
+    own, other = (x.name.removeprefix(x.system.name) for x in (orbit, known.orbit))
+    if (other, known.parameter) != (own, parameter):
         raise InputError(f"the branch to resume is of {known.name} over {known.parameter}")
+    if not same_system(known.orbit.system, orbit.system):
+        raise InputError(f"the declaration of {orbit.name} has changed since the branch was saved")
     asked = {name: value for name, value in orbit.given.items() if name != parameter}
     check_same_question("branch", asked, known.orbit.given)
     values = known.parameter_values
@@ -137,7 +140,7 @@ def _check_same(orbit: Orbit, parameter: str, limits: tuple[float, float], known
         raise InputError("the branch to resume leaves the interval")
 
 
-def _path_of(curve: Curve, branch: Branch) -> Path:
+def _path_of(curve: OrbitFamily, branch: Branch) -> Path:
     """A branch as the path that it was made from."""
     points = np.column_stack([branch.unknowns, branch.parameter_values])
     chords = np.gradient(points / curve.sizes, axis=0)
@@ -145,7 +148,7 @@ def _path_of(curve: Curve, branch: Branch) -> Path:
     return Path(points, np.array(tangents), branch.ends, branch.start)
 
 
-def _branch(curve: Curve, path: Path) -> Branch:
+def _branch(curve: OrbitFamily, path: Path) -> Branch:
     """A path as a branch, with its events."""
     points, ends = path.points, path.ends
     found = locate_all(monitors_of(curve, points), points, path.tangents)
@@ -182,11 +185,11 @@ def _branch(curve: Curve, path: Path) -> Branch:
     )
 
 
-def _period(curve: Curve, points: np.ndarray) -> np.ndarray:
+def _period(curve: OrbitFamily, points: np.ndarray) -> np.ndarray:
     return np.asarray(curve.dwell(points).sum(axis=-1))
 
 
-def _with_meetings(curve: Curve, found: list[Found], path: Path) -> list[Found]:
+def _with_meetings(curve: OrbitFamily, found: list[LocatedEvent], path: Path) -> list[LocatedEvent]:
     """With one branch point where the branch turns to come back with its parts exchanged."""
     for step, reason in zip((0, len(path.points) - 2), path.ends, strict=True):
         names = [
@@ -204,7 +207,7 @@ def _with_meetings(curve: Curve, found: list[Found], path: Path) -> list[Found]:
     return found
 
 
-def _vanished(curve: Curve, points: np.ndarray, ends: tuple[str, str]) -> list[Found]:
+def _vanished(curve: OrbitFamily, points: np.ndarray, ends: tuple[str, str]) -> list[LocatedEvent]:
     """Events at the ends where a dwell time has gone to zero."""
     found = []
     for place, reason in zip((0, len(points) - 1), ends, strict=True):
@@ -212,7 +215,7 @@ def _vanished(curve: Curve, points: np.ndarray, ends: tuple[str, str]) -> list[F
             phase = curve.dwell_names.index(reason.removesuffix(" goes to zero"))
             monitor = Monitor("vanishing-phase", phase, curve.phases[phase][1])
             event = describe(curve, monitor, points[place], float(place), None)
-            found.append(Found(float(place), points[place], event))
+            found.append(LocatedEvent(float(place), points[place], event))
     return found
 
 
@@ -246,7 +249,20 @@ def _checked(
 
 
 def check_steps(step: float, points: int) -> None:
-    """Refuse a step or a number of points that is not positive."""
+    """Refuse a step or a number of points that is not positive.
+
+    Parameters
+    ----------
+    step : float
+        The largest step, in the curve's units.
+    points : int
+        The most points.
+
+    Raises
+    ------
+    InputError
+        If one of them is not positive.
+    """
     if not (math.isfinite(step) and step > 0):
         raise InputError(f"step = {step} is not positive")
     if isinstance(points, bool) or not isinstance(points, int) or points < 1:

@@ -15,7 +15,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers, numbers_in
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in
 
 __all__ = ["energy_of"]
 
@@ -29,6 +29,15 @@ def energy_of(orbit: Orbit) -> float:
     Its unit is that in which the first coordinate has the mass 1 (divide energies in other
     units by that mass), and it is zero at the lowest of the equilibria of the configurations
     that the orbit passes.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+
+    Returns
+    -------
+    float
 
     Raises
     ------
@@ -57,7 +66,7 @@ class _Guess(NamedTuple):
     constants: dict[int, float]
 
 
-def _forms(cycle: Cycle, numbers: Numbers, size: int) -> dict[int, np.ndarray] | None:
+def _forms(cycle: ItineraryShape, numbers: Numbers, size: int) -> dict[int, np.ndarray] | None:
     """Symmetric matrices H of the energies (y, 1) H (y, 1) / 2, by configuration."""
     visited, count = sorted(set(cycle.configurations)), size // 2
     if size % 2 or not all(_undamped(numbers.fields[c], count) for c in visited):
@@ -104,7 +113,7 @@ def _form(field: np.ndarray, guess: _Guess, configuration: int) -> np.ndarray:
     return form
 
 
-def _missed(cycle: Cycle, numbers: Numbers, guess: _Guess) -> np.ndarray:
+def _missed(cycle: ItineraryShape, numbers: Numbers, guess: _Guess) -> np.ndarray:
     """What a guess misses of being an energy that is kept: linear in it."""
     count, missed = len(guess.mass), []
     forms = {c: _form(numbers.fields[c], guess, c) for c in guess.constants}

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
 __all__ = ["Event"]
 
 
-@dataclass(frozen=True, kw_only=True)
-class Event:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Event(Shown):
     """A point of a branch where something happens.
 
     Attributes

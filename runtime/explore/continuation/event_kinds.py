@@ -2,6 +2,8 @@
 
 A new kind is one entry of `KINDS`. Kinds that the multipliers and the tangent show have a test
 function here; those of boundaries and conditions are watched phase by phase, by `monitors`.
+Functions of folds, flips and Neimark-Sacker bifurcations are the usual ones (Y. Kuznetsov, Elements
+of Applied Bifurcation Theory, 1995).
 """
 
 from __future__ import annotations

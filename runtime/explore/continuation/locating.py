@@ -17,16 +17,15 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from scipy.optimize import brentq, minimize_scalar
 
-from nonsmooth.runtime.explore.continuation.between_points import Samples, Track
+from nonsmooth.runtime.explore.continuation.between_points import BranchSamples, Track
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors
-from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.stepping import on_chord
 
-__all__ = ["Found", "describe", "locate_all", "locate_limits"]
+__all__ = ["LocatedEvent", "describe", "locate_all", "locate_limits"]
 
 _SAME = 1e-9  # of a chord: two names of one event
 _TOUCHING = 1e-6  # of a chord: two crossings of one number that are one touch
@@ -44,7 +43,7 @@ _TOUCHES = ", touched and not passed"
 _PRECEDENCE = ("simultaneous", "tangent", "grazing", "entry", "condition")
 
 
-class Found(NamedTuple):
+class LocatedEvent(NamedTuple):
     """An event with its point, and its place between the points of the branch."""
 
     place: float
@@ -52,8 +51,20 @@ class Found(NamedTuple):
     event: Event
 
 
-def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> list[Found]:
-    """All events between the points (k, n + 1) of a branch, in their order."""
+def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> list[LocatedEvent]:
+    """All events between the points (k, n + 1) of a branch, in their order.
+
+    Parameters
+    ----------
+    monitors : Monitors
+    points : array (k, n + 1)
+    tangents : array (k, n + 1)
+        In the curve's units, of length 1.
+
+    Returns
+    -------
+    list of LocatedEvent
+    """
     if len(points) < 2:
         return []
     track = Track(monitors, points, tangents)
@@ -61,7 +72,7 @@ def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> 
     with np.errstate(all="ignore"):  # infinite where a boundary is touched
         smooth = monitors.smooth_values(samples.points, samples.tangents)
         border, _ = monitors.border_values(samples.points)
-    found: list[Found] = []
+    found: list[LocatedEvent] = []
     for watched, values in ((monitors.smooth, smooth), (monitors.borders, border)):
         for column, monitor in enumerate(watched):
             events = _located(_Watch(track, samples, monitor, column), values[:, column])
@@ -74,7 +85,7 @@ class _Watch(NamedTuple):
     """One of the numbers along a branch."""
 
     track: Track
-    samples: Samples
+    samples: BranchSamples
     monitor: Monitor
     column: int
 
@@ -90,7 +101,7 @@ class _Watch(NamedTuple):
         return self.value(*self.track.at(float(self.samples.places[number])))
 
 
-def _located(watch: _Watch, values: np.ndarray) -> Iterator[Found]:
+def _located(watch: _Watch, values: np.ndarray) -> Iterator[LocatedEvent]:
     """Events of one number, from its values at the samples."""
     signs, last = _signs(values), len(values) - 1
     usual = float(np.nanmedian(abs(values))) if np.isfinite(values).any() else 0.0
@@ -138,8 +149,12 @@ class _BeyondZero(Exception):
         self.place = place
 
 
-def _around_extremum(watch: _Watch, window: range, sign: float, usual: float) -> Iterator[Found]:
+def _around_extremum(
+    watch: _Watch, window: range, sign: float, usual: float
+) -> Iterator[LocatedEvent]:
     """Events around an extremum near zero: two crossings, one touch, or none."""
+    from scipy.optimize import minimize_scalar
+
     if watch.monitor.kind == "condition":
         return  # what is touched and not crossed leads where it did
     low, middle, high = watch.samples.places[list(window)].tolist()
@@ -165,7 +180,7 @@ def _around_extremum(watch: _Watch, window: range, sign: float, usual: float) ->
         yield from _event(watch, step, part)
 
 
-def _crossings(watch: _Watch, first: float, last: float) -> Iterator[Found]:
+def _crossings(watch: _Watch, first: float, last: float) -> Iterator[LocatedEvent]:
     """Events where the number changes its sign between two places, step by step."""
     nodes = [float(k) for k in range(math.floor(first) + 1, math.ceil(last))]
     for begin, end in pairwise([first, *nodes, last]):
@@ -188,7 +203,7 @@ def _crossings(watch: _Watch, first: float, last: float) -> Iterator[Found]:
 
 def _event(
     watch: _Watch, step: int, part: float, around: tuple[float, float] | None = None
-) -> Iterator[Found]:
+) -> Iterator[LocatedEvent]:
     """The event at a place, if it is one; without places around it the number touches zero."""
     track, monitor = watch.track, watch.monitor
     curve, point = track.curve, track.point(step, part)
@@ -203,16 +218,16 @@ def _event(
     if watch.border:
         time = float(track.monitors.border_values(point[None])[1][0, watch.column])
     event = describe(curve, monitor, point, step + part, time)
-    yield Found(step + part, point, event if around else _touching(event))
+    yield LocatedEvent(step + part, point, event if around else _touching(event))
 
 
 def _touching(event: Event) -> Event:
     return replace(event, touching=True, text=event.text.removesuffix(_TOUCHES) + _TOUCHES)
 
 
-def _touches_merged(found: list[Found]) -> list[Found]:
+def _touches_merged(found: list[LocatedEvent]) -> list[LocatedEvent]:
     """Two crossings of one number that cannot be told apart are one touch."""
-    kept: list[Found] = []
+    kept: list[LocatedEvent] = []
     for each in found:
         if kept and each.place - kept[-1].place < _TOUCHING:
             kept[-1] = kept[-1]._replace(event=_touching(kept[-1].event))
@@ -266,6 +281,7 @@ def _root(
     value_at: Callable[[float], float], low: float, high: float, before: float, after: float
 ) -> float | None:
     """Where a function changes its sign; None where it is not defined in between."""
+    from scipy.optimize import brentq
 
     def value(part: float) -> float:
         if part in (low, high):
@@ -281,10 +297,10 @@ def _root(
         return None
 
 
-def _at_meetings(found: list[Found]) -> list[Found]:
+def _at_meetings(found: list[LocatedEvent]) -> list[LocatedEvent]:
     """With one name only where a branch meets another one; it may turn there."""
     folds = [each.place for each in found if each.event.kind == "fold"]
-    meetings: list[Found] = []
+    meetings: list[LocatedEvent] = []
     for each in found:
         if each.event.kind == "branch-point" and not _near(each.place, meetings):
             turns = any(abs(each.place - place) < _MEETING for place in folds)
@@ -298,18 +314,18 @@ def _at_meetings(found: list[Found]) -> list[Found]:
     return sorted([*others, *meetings], key=lambda each: each.place)
 
 
-def _near(place: float, found: list[Found]) -> bool:
+def _near(place: float, found: list[LocatedEvent]) -> bool:
     return any(abs(place - other.place) < _MEETING for other in found)
 
 
-def _passed(found: Found) -> Found:
+def _passed(found: LocatedEvent) -> LocatedEvent:
     text = found.event.text.removesuffix(_TOUCHES)
     return found._replace(event=replace(found.event, touching=False, text=text))
 
 
-def _distinct(found: list[Found]) -> list[Found]:
+def _distinct(found: list[LocatedEvent]) -> list[LocatedEvent]:
     """Without further names of one border collision."""
-    kept: list[Found] = []
+    kept: list[LocatedEvent] = []
     for each in found:
         kind, place = each.event.kind, each.place
         others = [
@@ -327,9 +343,24 @@ def _distinct(found: list[Found]) -> list[Found]:
 
 
 def locate_limits(
-    curve: Curve, points: np.ndarray, admissible: np.ndarray, found: list[Found]
-) -> list[Found]:
-    """Where admissibility changes between points and no border collision says why."""
+    curve: OrbitFamily, points: np.ndarray, admissible: np.ndarray, found: list[LocatedEvent]
+) -> list[LocatedEvent]:
+    """Where admissibility changes between points and no border collision says why.
+
+    Parameters
+    ----------
+    curve : OrbitFamily
+    points : array (k, n + 1)
+    admissible : array (k,) of bool
+        At the points.
+    found : list of LocatedEvent
+        Events that were located already.
+
+    Returns
+    -------
+    list of LocatedEvent
+        Only those that are new.
+    """
     limits = []
     for row in np.flatnonzero(admissible[1:] != admissible[:-1]).tolist():
         if any(row <= each.place <= row + 1 and each.event.border_collision for each in found):
@@ -352,15 +383,30 @@ def locate_limits(
         if violations:
             monitor = Monitor("admissibility", violations[0].phase, violations[0].boundary)
         limits.append(
-            Found(row + inside, point, describe(curve, monitor, point, row + inside, None))
+            LocatedEvent(row + inside, point, describe(curve, monitor, point, row + inside, None))
         )
     return limits
 
 
 def describe(
-    curve: Curve, monitor: Monitor, point: np.ndarray, place: float, time: float | None
+    curve: OrbitFamily, monitor: Monitor, point: np.ndarray, place: float, time: float | None
 ) -> Event:
-    """The event of a monitor at a point of the branch."""
+    """The event of a monitor at a point of the branch.
+
+    Parameters
+    ----------
+    curve : OrbitFamily
+    monitor : Monitor
+    point : array (n + 1,)
+    place : float
+        As `BranchSamples` counts it.
+    time : float or None
+        Since the start of the phase; None where there is none.
+
+    Returns
+    -------
+    Event
+    """
     phase: int | None = None
     configuration = where = ""
     if monitor.phase >= 0:

@@ -10,14 +10,15 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
+from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["Locus"]
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Locus:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Locus(Shown):
     """A curve in the plane of two parameters along which an event happens.
 
     Attributes
@@ -81,9 +82,8 @@ class Locus:
         if not -len(self) <= place < len(self):
             raise InputError(f"the curve has {len(self)} points, no point {place}")
         first, second = self.values[place].tolist()
-        curve = curve_of(self.orbit, self.parameters[0], 1.0).moved(self.parameters[1], second)
-        orbit: Orbit = curve.at(np.append(self.unknowns[place], first))
-        return orbit
+        family = OrbitFamily(self.orbit, self.parameters[0]).moved(self.parameters[1], second)
+        return family.at(np.append(self.unknowns[place], first))
 
     def plot(self, axes: Any = None) -> Any:
         """Draw the curve in the plane of its parameters.

@@ -8,7 +8,7 @@ import numpy as np
 
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, ends_of, interior_maxima
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, OrbitKind
-from nonsmooth.runtime.explore.continuation.orbit_family import Curve
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 
 __all__ = ["Monitor", "Monitors", "monitors_of"]
 
@@ -33,19 +33,30 @@ class Monitors:
 
     Attributes
     ----------
-    curve : Curve
+    curve : OrbitFamily
     smooth : tuple of Monitor
         Of multipliers and the tangent.
     borders : tuple of Monitor
         Of boundaries and conditions.
     """
 
-    curve: Curve
+    curve: OrbitFamily
     smooth: tuple[Monitor, ...]
     borders: tuple[Monitor, ...]
 
     def smooth_values(self, z: np.ndarray, tangents: np.ndarray) -> np.ndarray:
-        """Values (k, m) at points (k, n + 1) with their tangents."""
+        """Values (k, m) at points (k, n + 1) with their tangents.
+
+        Parameters
+        ----------
+        z : array (k, n + 1)
+        tangents : array (k, n + 1)
+            In the curve's units, of length 1.
+
+        Returns
+        -------
+        array (k, m)
+        """
         multipliers, slopes = self.curve.multipliers(z), tangents[:, -1]
         here = _orbit_kind(self.curve, multipliers)
         tests = [KINDS[monitor.kind].test for monitor in self.smooth]
@@ -54,7 +65,16 @@ class Monitors:
         return np.stack(values, axis=-1)
 
     def border_values(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Values (k, m), and times since the start of the phase; NaN where there is none."""
+        """Values (k, m), and times since the start of the phase; NaN where there is none.
+
+        Parameters
+        ----------
+        z : array (k, n + 1)
+
+        Returns
+        -------
+        tuple of array (k, m), array (k, m)
+        """
         values = np.full((len(z), len(self.borders)), np.nan)
         times = np.full((len(z), len(self.borders)), np.nan)
         conditions = self.curve.conditions(z)
@@ -72,12 +92,23 @@ class Monitors:
         return values, times
 
     def confirmed(self, monitor: Monitor, z: np.ndarray) -> bool:
-        """Whether a change of sign is that of the event, and not a pole or a neutral saddle."""
+        """Whether a change of sign is that of the event, and not a pole or a neutral saddle.
+
+        Parameters
+        ----------
+        monitor : Monitor
+        z : array (n + 1,)
+            Where its number is zero.
+
+        Returns
+        -------
+        bool
+        """
         kind = KINDS[monitor.kind]
         return kind.test is None or kind.holds(self.curve.multipliers(z[None])[0])
 
 
-def _orbit_kind(curve: Curve, multipliers: np.ndarray) -> OrbitKind:
+def _orbit_kind(curve: OrbitFamily, multipliers: np.ndarray) -> OrbitKind:
     return OrbitKind(multipliers.shape[-1], curve.order == 2, curve.conservative)
 
 
@@ -95,11 +126,20 @@ def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     }
 
 
-def monitors_of(curve: Curve, points: np.ndarray) -> Monitors:
+def monitors_of(curve: OrbitFamily, points: np.ndarray) -> Monitors:
     """What is watched along a branch (k, n + 1).
 
     A boundary function that is zero at an end of a phase all along the branch is one that the
     phase begins or ends with: its rate is watched in its place.
+
+    Parameters
+    ----------
+    curve : OrbitFamily
+    points : array (k, n + 1)
+
+    Returns
+    -------
+    Monitors
     """
     some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
     here = _orbit_kind(curve, curve.multipliers(some))

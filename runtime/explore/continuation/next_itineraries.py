@@ -22,10 +22,10 @@ from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.shooting.cycle_newton import solve_cycle
 from nonsmooth.runtime.shooting.newton import CONVERGED
-from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of
-from nonsmooth.runtime.shooting.symmetry import closing, whole_cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
+from nonsmooth.runtime.shooting.symmetric_orbit import closing, whole_shape
+from nonsmooth.runtime.shooting.table_newton import solve_shape
 from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 from nonsmooth.runtime.simulation.simulate import simulate
 
@@ -170,9 +170,9 @@ def _composed(
     for way in ways:
         try:
             cycle = (
-                cycle_of(point.structure, way.itinerary)
+                itinerary_shape(point.structure, way.itinerary)
                 if symmetry is None
-                else whole_cycle(point, symmetry, way.itinerary)
+                else whole_shape(point, symmetry, way.itinerary)
             )
         except InputError:  # leads nowhere
             continue
@@ -199,7 +199,7 @@ def _composed(
 
 
 def _solved(
-    part: Cycle, flat: np.ndarray, dwell: np.ndarray, state: np.ndarray, length: float
+    part: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, state: np.ndarray, length: float
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """The first of several guesses that converges, from a start or the one that fits best."""
     count = len(dwell)
@@ -207,7 +207,7 @@ def _solved(
     for start in (np.repeat(state[None], count, axis=0), None):
         with np.errstate(all="ignore"):
             try:
-                found = solve_cycle(part, numbers, dwell, start, np.full(count, length))
+                found = solve_shape(part, numbers, dwell, start, np.full(count, length))
             except np.linalg.LinAlgError:
                 continue
         least = _SHORTEST * found.dwell.sum(axis=-1)

@@ -20,12 +20,30 @@ __all__ = ["forcing_frequencies", "is_forced", "system_of", "usual_quantities"]
 
 
 def is_forced(branch: Branch) -> bool:
-    """Whether the system of a branch is under harmonic forcing."""
+    """Whether the system of a branch is under harmonic forcing.
+
+    Parameters
+    ----------
+    branch : Branch
+
+    Returns
+    -------
+    bool
+    """
     return bool(structure_of(system_of(branch.orbit)).forcing)
 
 
 def system_of(orbit: Orbit) -> SystemKernels:
-    """Tables and kernels of an orbit's system."""
+    """Tables and kernels of an orbit's system.
+
+    Parameters
+    ----------
+    orbit : Orbit
+
+    Returns
+    -------
+    SystemKernels
+    """
     return orbit.system
 
 
@@ -33,6 +51,16 @@ def forcing_frequencies(branch: Branch) -> np.ndarray | None:
     """Angular frequency (k,) of the first forcing, if the branch's parameter is its measure.
 
     It is where it is proportional to the parameter; None elsewhere.
+
+    Parameters
+    ----------
+    branch : Branch
+        Of k points.
+
+    Returns
+    -------
+    array (k,) or None
+        Radians over the unit of time.
     """
     if not is_forced(branch):
         return None
@@ -57,6 +85,15 @@ def usual_quantities(branch: Branch) -> tuple[str, ...]:
     """The amplitude of each coordinate of a forced system, whose period is given; else the period.
 
     Over the frequency of the forcing that is the frequency response.
+
+    Parameters
+    ----------
+    branch : Branch
+
+    Returns
+    -------
+    tuple of str
+        Names of what a picture of the branch draws.
     """
     if not is_forced(branch):
         return ("period",)

@@ -1,17 +1,16 @@
 """Pseudo-arclength continuation: tangent predictor, Newton corrector, step control.
 
-Lengths are measured in the curve's own units: unknowns in those of their size, the parameter
-in that of its interval.
+The method is H. Keller's (Numerical solution of bifurcation and nonlinear eigenvalue problems, in
+Applications of Bifurcation Theory, 1977). Lengths are measured in the curve's own units: unknowns
+in those of their size, the parameter in that of its interval.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
-
-from nonsmooth.runtime.explore.continuation.orbit_family import Curve
 
 __all__ = [
     "INTERRUPTED",
@@ -39,6 +38,52 @@ INTERRUPTED = "interrupted"
 LOST = "the branch is lost: no smaller step leads on"
 
 
+class Curve(Protocol):
+    """Points z = (unknowns, parameter) that solve n equations or more; see `OrbitFamily`."""
+
+    names: tuple[str, ...]
+    dwell_names: tuple[str, ...]
+    first: np.ndarray
+    sizes: np.ndarray
+
+    def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Left-hand sides (m,) at one point, and their Jacobian (m, n + 1).
+
+        Parameters
+        ----------
+        z : array (n + 1,)
+
+        Returns
+        -------
+        tuple of array (m,), array (m, n + 1)
+        """
+
+    def dwell(self, z: np.ndarray) -> np.ndarray:
+        """Dwell times (k, p), affine in z: where one goes to zero the curve ends.
+
+        Parameters
+        ----------
+        z : array (k, n + 1)
+
+        Returns
+        -------
+        array (k, p)
+            In the unit of time.
+        """
+
+    def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
+        """Whether a step has gone over to another branch: a shorter one is tried.
+
+        Parameters
+        ----------
+        z, following : array (n + 1,)
+
+        Returns
+        -------
+        bool
+        """
+
+
 class Path(NamedTuple):
     """Points (k, n + 1) of a branch in their order, and their tangents, one direction all along.
 
@@ -52,7 +97,19 @@ class Path(NamedTuple):
 
 
 def tangent_at(curve: Curve, z: np.ndarray, like: np.ndarray) -> np.ndarray:
-    """Unit tangent (n + 1,) in the curve's units, turned to another one."""
+    """Unit tangent (n + 1,) in the curve's units, turned to another one.
+
+    Parameters
+    ----------
+    curve : Curve
+    z : array (n + 1,)
+    like : array (n + 1,)
+        The tangent makes no obtuse angle with it.
+
+    Returns
+    -------
+    array (n + 1,)
+    """
     _, jacobian = curve.equations(z)
     scaled = scaled_rows(jacobian * curve.sizes)[0]
     direction = np.linalg.svd(scaled)[2][-1]
@@ -68,6 +125,7 @@ def correct(
 
     Parameters
     ----------
+    curve : Curve
     guess : array (n + 1,)
     normal : array (n + 1,)
         Of the plane, in the curve's units.
@@ -106,7 +164,21 @@ def correct(
 
 
 def on_chord(curve: Curve, first: np.ndarray, last: np.ndarray, part: float) -> np.ndarray | None:
-    """The point of the branch across from a part of the chord between two of its points."""
+    """The point of the branch across from a part of the chord between two of its points.
+
+    Parameters
+    ----------
+    curve : Curve
+    first : array (n + 1,)
+    last : array (n + 1,)
+    part : float
+        Of the chord, from 0 to 1.
+
+    Returns
+    -------
+    array (n + 1,) or None
+        None where Newton's method fails.
+    """
     chord = (last - first) / curve.sizes
     found = correct(curve, first + part * (last - first), chord / np.linalg.norm(chord))
     return None if found is None else found[0]
@@ -124,6 +196,24 @@ def trace_both_ways(
 
     The parameter increases at first. Neighbouring points are not the same. Ctrl-C ends the
     path where it is: such an end is INTERRUPTED. A path that is known goes on at these ends.
+
+    Parameters
+    ----------
+    curve : Curve
+    limits : (float, float)
+        Of the parameter.
+    step : float
+        The largest one, in the curve's units.
+    most : int
+        The most steps on either side.
+    go_on : callable
+        From two neighbouring points, why the path ends behind them; None where it goes on.
+    known : Path or None
+        A path to go on with.
+
+    Returns
+    -------
+    Path
     """
     if known is None:
         direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])
@@ -179,6 +269,7 @@ def trace_path(
 
     Parameters
     ----------
+    curve : Curve
     begin : (array (n + 1,), array (n + 1,))
         The point, and its tangent in the curve's units.
     limits : tuple of float
@@ -200,7 +291,7 @@ def trace_path(
     for _ in range(most):
         while True:
             found = _step(curve, z, tangent, length)
-            if found is not None:
+            if found is not None and not curve.leaps(z, found[0]):
                 break
             length /= 2
             if length < LEAST_STEP * step:
@@ -302,7 +393,16 @@ def _before(
 
 
 def scaled_rows(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Rows in units of their largest entry, and these units; rows of rounding errors stay small."""
+    """Rows in units of their largest entry, and these units; rows of rounding errors stay small.
+
+    Parameters
+    ----------
+    matrix : array (m, n)
+
+    Returns
+    -------
+    tuple of array (m, n), array (m,)
+    """
     units = np.abs(matrix).max(axis=1)
     largest = float(units.max(initial=0.0))
     units = np.maximum(units, _NO_ROW * largest) if largest > 0 else np.ones_like(units)

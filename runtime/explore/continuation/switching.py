@@ -16,9 +16,9 @@ from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, composed_family
 from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
-from nonsmooth.runtime.explore.continuation.table_family import PERIOD, ComposedCurve
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 
@@ -70,14 +70,14 @@ def other_branch(
         raise InputError(
             f"{branch.parameter} is no parameter of {base.system.name}: follow one that is"
         )
-    curve = ComposedCurve(base, parameter, float(np.ptp(branch.parameter_values)) or 1.0)
-    meeting = _meeting(branch, event, base, system_at)
+    curve = OrbitFamily(base, parameter, float(np.ptp(branch.parameter_values)) or 1.0)
+    meeting = _meeting(branch, event, curve, system_at)
     if event.kind == "branch-point":
         other, copies = curve, 1
     else:
         copies = curve.order * (2 if event.kind == "flip" else 1)
         unfolded = _unfolded(base, copies // curve.order)
-        other = ComposedCurve(unfolded, parameter, float(curve.sizes[-1]))
+        other = OrbitFamily(unfolded, parameter, float(curve.sizes[-1]))
     times = copies // curve.order if parameter == PERIOD else 1
     start = _repeated(curve, meeting, copies, times)
     along = _repeated(curve, curve.first - meeting, copies, times)
@@ -104,11 +104,11 @@ def _away(event: Event) -> int:
     return before if event.place - before > 0.5 else before + 1
 
 
-def _meeting(branch: Branch, event: Event, base: Orbit, system_at: SystemAt) -> np.ndarray:
-    """Where the branches meet, as an orbit composed at all physical parameters."""
-    orbit = branch.orbit_at(event)
-    if orbit.problem.kernels is None:
+def _meeting(branch: Branch, event: Event, curve: OrbitFamily, system_at: SystemAt) -> np.ndarray:
+    """Where the branches meet, as a point of the family at all physical parameters."""
+    if branch.unknown_names == curve.names:
         return np.array([*event.unknowns.values(), event.value])
+    base, orbit = curve.orbit, branch.orbit_at(event)
     parameters, period = system_at(event.value)
     dwell = [float(time) for time in orbit.dwell_times if time > 0]
     found = solve_itinerary(base.system, parameters, base.itinerary, dwell, period=period)
@@ -138,13 +138,13 @@ def _times(period: Value, count: int) -> Value:
     return parse(f"{count}*({period.text})")
 
 
-def _repeated(curve: ComposedCurve, z: np.ndarray, copies: int, times: int) -> np.ndarray:
+def _repeated(curve: OrbitFamily, z: np.ndarray, copies: int, times: int) -> np.ndarray:
     """Unknowns of a part as those of so many parts one after the other."""
     count = len(curve.dwell_names)
     return np.concatenate([np.tile(z[:count], copies), z[count:-1], times * z[-1:]])
 
 
-def _open_direction(curve: ComposedCurve, z: np.ndarray, along: np.ndarray) -> np.ndarray:
+def _open_direction(curve: OrbitFamily, z: np.ndarray, along: np.ndarray) -> np.ndarray:
     """Unit vector, in the curve's units, of what is open across the branch that is known."""
     rows, _ = scaled_rows(curve.equations(z)[1] * curve.sizes)
     _, values, right = np.linalg.svd(rows)
@@ -157,7 +157,7 @@ def _open_direction(curve: ComposedCurve, z: np.ndarray, along: np.ndarray) -> n
 
 
 def _beside(
-    curve: ComposedCurve, start: np.ndarray, direction: np.ndarray, length: float
+    curve: OrbitFamily, start: np.ndarray, direction: np.ndarray, length: float
 ) -> Orbit | None:
     """An orbit so far from the meeting point along a direction, if there is one."""
     guess = start + length * direction * curve.sizes

@@ -2,7 +2,9 @@
 
 =============  ===================================================================================
 `find`         `find_orbits`: attractors by simulation, others by Newton's method
-`sweep`        `sweep`: attractors over a parameter, or over a plane of starts
+`sweep`        `sweep`: attractors over a parameter
+`basins`       `basins`: attractors over a plane of starts
+`found`        `Found`: what was found to live in a system
 `settled`      what motions settle on, one at each of many parameter points, for charts and sweeps
 `outcomes`     where motions lead, each by its name
 `escape`       motions followed on until it is decided whether they escape

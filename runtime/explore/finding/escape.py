@@ -49,9 +49,16 @@ def pursue(
 
     Parameters
     ----------
+    kernels : SystemKernels
     systems : sequence (n,) of PiecewiseLinear
     motions : Trajectories
         That ended after a number of transitions, the same for all.
+    threads : int or None
+        As many as processors when None.
+
+    Returns
+    -------
+    Pursued
     """
     count, kept = motions.last_times.shape
     values, far = (
@@ -90,7 +97,16 @@ def pursue(
 
 
 def numbers_of(systems: Sequence[PiecewiseLinear]) -> dict[str, float | np.ndarray]:
-    """Parameters of systems (n,) as arrays (n,), or as numbers where all are the same system."""
+    """Parameters of systems (n,) as arrays (n,), or as numbers where all are the same system.
+
+    Parameters
+    ----------
+    systems : sequence (n,) of PiecewiseLinear
+
+    Returns
+    -------
+    dict of str to float or array (n,)
+    """
     first = systems[0]
     if all(system is first for system in systems):
         return {name: float(value) for name, value in first.parameters.items()}
@@ -104,6 +120,15 @@ def natural_size(system: PiecewiseLinear) -> float:
     """How far out a system's boundaries, its equilibria and responses to the forcing reach.
 
     Over all configurations, admissible or not; zero for a system that is homogeneous.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+
+    Returns
+    -------
+    float
+        In the unit of velocities; positions count times the fastest exponent.
     """
     structure, weights = system.structure, _weights(system)
     own = np.flatnonzero(weights)

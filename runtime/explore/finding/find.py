@@ -8,15 +8,14 @@ and short cycles of the transitions that were seen, are tried too.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.core.workload import check_memory
+from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.mirrors import mirror_places, mirrors
 from nonsmooth.runtime.explore.finding.neighbours import short_cycles
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
@@ -28,13 +27,13 @@ from nonsmooth.runtime.explore.finding.primitive import (
     primitive_orbit,
     same_orbit,
 )
-from nonsmooth.runtime.explore.finding.steady import Equilibrium
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.simulation.engines import entry_size
 from nonsmooth.runtime.simulation.recurrence import (
     Candidate,
     candidate_at,
@@ -45,162 +44,12 @@ from nonsmooth.runtime.simulation.recurrence import (
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
-__all__ = [
-    "Found",
-    "FoundEquilibrium",
-    "FoundOrbit",
-    "find_orbits",
-    "label_names",
-    "start_box",
-]
+__all__ = ["find_orbits", "start_box"]
 
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _EXACT = 1e-7  # of a return: of a motion that has settled
 _KEPT = 129  # entries: cycles of at most 64 phases
 _NEAR, _LONGEST = 0.3, 12  # a near return, and the longest cycle that is tried for one
-
-
-@dataclass(frozen=True, eq=False)
-class FoundOrbit:
-    """A periodic orbit and how many of the starts led to it.
-
-    Attributes
-    ----------
-    orbit : Orbit
-        Over its primitive period; of one phase that ends with ``forcing-phase`` where it
-        reaches no boundary.
-    starts : int
-    share : float
-        Of all starts; 0 for an orbit that no start led to.
-    mirror : int or None
-        Place of the orbit before it whose mirror image it is; its own where it is its own.
-    """
-
-    orbit: Orbit
-    starts: int
-    share: float
-    mirror: int | None = None
-
-    @property
-    def itinerary(self) -> tuple[tuple[str, str], ...]:
-        """Phases: configuration, and boundary by which it is left."""
-        return self.orbit.itinerary
-
-    @property
-    def period(self) -> float:
-        """Sum of the dwell times."""
-        return float(self.orbit.period)
-
-    @property
-    def forcing_periods(self) -> tuple[int, ...]:
-        """How many periods of each forcing it lasts; none without a forcing."""
-        system = self.orbit.tables.piecewise
-        speeds = [abs(float(system.fields[0, s, c])) for c, s in system.structure.forcing]
-        return tuple(round(self.period * speed / (2 * np.pi)) for speed in speeds)
-
-    @property
-    def verdict(self) -> str:
-        """Stable, unstable, neutral or undecided."""
-        return str(self.orbit.stability.verdict)
-
-
-@dataclass(frozen=True, eq=False)
-class FoundEquilibrium:
-    """An equilibrium and how many of the starts led to it.
-
-    Attributes
-    ----------
-    equilibrium : Equilibrium
-    starts : int
-    share : float
-    mirror : int or None
-        Place of the equilibrium before it whose mirror image it is, or its own.
-    """
-
-    equilibrium: Equilibrium
-    starts: int
-    share: float
-    mirror: int | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Found:
-    """What was found to live in a system, with the largest basins first.
-
-    Attributes
-    ----------
-    system : str
-    parameters : dict of str to Value
-    names : tuple of str
-        Of the states.
-    orbits : tuple of FoundOrbit
-    equilibria : tuple of FoundEquilibrium
-    starts : array (n, N)
-    labels : array (n,) of int
-        Where each start led: the place of an orbit, then of an equilibrium, or an `Outcome`.
-    box : array (N, 2)
-        From where the starts were drawn.
-    transitions : int
-        How many each start was followed.
-    complete : bool
-        Whether the search was not interrupted.
-    """
-
-    system: str
-    parameters: dict[str, Value]
-    names: tuple[str, ...]
-    orbits: tuple[FoundOrbit, ...]
-    equilibria: tuple[FoundEquilibrium, ...]
-    starts: np.ndarray
-    labels: np.ndarray
-    box: np.ndarray
-    transitions: int
-    complete: bool = True
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write everything as JSON that `nonsmooth.load_found` reads.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-        """
-        registered("save_found")(self, path)
-
-    def _repr_html_(self) -> str:
-        text: str = registered("found_html")(self)
-        return text
-
-    def share(self, outcome: Outcome) -> float:
-        """Give the share of the starts that end in one way.
-
-        Parameters
-        ----------
-        outcome : Outcome
-            One of `outcomes`.
-
-        Returns
-        -------
-        float
-            Between 0 and 1.
-        """
-        return float(np.mean(self.labels == outcome)) if self.labels.size else 0.0
-
-    @property
-    def outcomes(self) -> dict[Outcome, float]:
-        """Shares of the starts that lead to nothing that is listed, by how they end."""
-        shares = {outcome: self.share(outcome) for outcome in Outcome}
-        return {outcome: share for outcome, share in shares.items() if share}
-
-    @property
-    def unclassified(self) -> float:
-        """Share of the starts whose motion was not recognised."""
-        return self.share(Outcome.UNCLASSIFIED)
-
-    @property
-    def resting(self) -> float:
-        """Share of the starts that came to rest, at any of the places where that is possible."""
-        return self.share(Outcome.RESTING)
 
 
 def find_orbits(
@@ -258,6 +107,7 @@ def find_orbits(
     count = checked_count("n", n, 1)
     length = checked_count("transitions", transitions, 2)
     limits = start_box(point, box)
+    check_memory(f"{count} starts", count * _KEPT * entry_size(len(limits)))
     checked_count("seed", seed, 0)
     values = {name: float(value) for name, value in point.parameters.items()}
 
@@ -390,6 +240,16 @@ def start_box(
     For each state twice the largest size at which a boundary or a constraint lies, on both
     sides; the mean of the others' for a state in which none does.
 
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    given : mapping of str to (float, float), optional
+        Bounds of some states, in their units.
+
+    Returns
+    -------
+    array (N, 2)
+
     Raises
     ------
     InputError
@@ -475,15 +335,3 @@ def _tried(
     yield from near_returns(early, early_scales, _LONGEST, _NEAR)
     yield from near_returns(motions, scales, _LONGEST, _NEAR)
     yield from short_cycles(kernels, early)
-
-
-def label_names(found: Found) -> dict[int, str]:
-    """What the labels stand for, for pictures: the orbits that attract, and the rest."""
-    names = {
-        i: f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(found.orbits) if o.starts
-    }
-    count = len(found.orbits)
-    for i, entry in enumerate(found.equilibria):
-        if entry.starts:
-            names[count + i] = f"equilibrium {count + i + 1}, {entry.equilibrium.configuration}"
-    return {**names, **{int(outcome): outcome.text for outcome in Outcome}}

@@ -23,6 +23,14 @@ def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
     """Symmetries that take positions to positions and velocities likewise, without the identity.
 
     A forcing stays, or is turned by half a period.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+
+    Returns
+    -------
+    list of Symmetry
     """
     found = []
     for matrix in _candidates(system):
@@ -39,7 +47,17 @@ def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
 def mirror_places(
     entries: Sequence[Orbit | Equilibrium], symmetries: Sequence[Symmetry]
 ) -> list[int | None]:
-    """For each the place of the first one of which it is an image; None where there is none."""
+    """For each the place of the first one of which it is an image; None where there is none.
+
+    Parameters
+    ----------
+    entries : sequence of Orbit or Equilibrium
+    symmetries : sequence of Symmetry
+
+    Returns
+    -------
+    list of int or None
+    """
     return [
         next(
             (

@@ -102,6 +102,14 @@ class Attractors:
 
         Motions that go on from boundary to boundary without an orbit are UNCLASSIFIED. The last
         two entries of the motions have to be kept.
+
+        Parameters
+        ----------
+        motions : Trajectories
+
+        Returns
+        -------
+        array (n,) of int
         """
         labels = _arrivals(motions, self.orbits)
         quiet = motions.status == Status.QUIET
@@ -119,7 +127,20 @@ class Attractors:
     def measured(
         self, motions: Trajectories, labels: np.ndarray, threads: int | None = None
     ) -> np.ndarray:
-        """The same labels, where motions that are not classified are followed further on."""
+        """The same labels, where motions that are not classified are followed further on.
+
+        Parameters
+        ----------
+        motions : Trajectories
+        labels : array (n,) of int
+            As `labels` gives them.
+        threads : int or None
+            As many as processors when None.
+
+        Returns
+        -------
+        array (n,) of int
+        """
         places = np.flatnonzero(
             (labels == Outcome.UNCLASSIFIED) & (motions.status == Status.TRANSITIONS)
         )
@@ -149,7 +170,20 @@ class Attractors:
 def attractors_of(
     kernels: SystemKernels, system: PiecewiseLinear, orbits: Sequence[Orbit]
 ) -> Attractors:
-    """Orbits that were found, with what stays in one configuration."""
+    """Orbits that were found, with what stays in one configuration.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    system : PiecewiseLinear
+        At its parameters.
+    orbits : sequence of Orbit
+        Converged and admissible.
+
+    Returns
+    -------
+    Attractors
+    """
     forced = responses(kernels, system)
     staying = [orbit for orbit in forced if orbit is not None and orbit.converged]
     known = [orbit for orbit in orbits if not orbit.tables.cycle.uninterrupted]
@@ -172,6 +206,20 @@ def pursued_outcomes(
     """Labels (n,) of motions of as many systems that were followed further on.
 
     Those that are not classified there escape, or are told by their largest exponents.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    systems : sequence (n,) of PiecewiseLinear
+    pursued : Pursued
+    labels : array (n,) of int
+        Of the motions further on.
+    threads : int or None
+        As many as processors when None.
+
+    Returns
+    -------
+    array (n,) of int
     """
     found, motions = labels.copy(), pursued.motions
     found[pursued.escapes] = Outcome.DIVERGENT
@@ -208,6 +256,14 @@ def labels_of_ends(motions: Trajectories) -> np.ndarray:
 
     They are ILLEGAL where nothing was simulated, and DIVERGENT where they grew until nothing can
     be computed. The last entry of the motions has to be kept.
+
+    Parameters
+    ----------
+    motions : Trajectories
+
+    Returns
+    -------
+    array (n,) of int
     """
     labels = np.where(motions.status < 0, int(Outcome.ILLEGAL), int(Outcome.UNCLASSIFIED))
     now, before = motions.states, motions.last_states[:, -1]
@@ -264,12 +320,19 @@ def quiet_outcomes(
 
     Parameters
     ----------
+    system : PiecewiseLinear
+    configuration : int
+        Its index.
     states : array (n, N)
         In which they entered it.
     response : Orbit or None
         What the forcing makes of the configuration.
     steady : int or None
         Label of the equilibrium or orbit in it, where one is listed.
+
+    Returns
+    -------
+    array (n,) of int
     """
     structure = system.structure
     forced = [state for pair in structure.forcing for state in pair]

@@ -37,7 +37,19 @@ _TURNS, _MOST = 1e-9, 1e-4  # of the turns of one orbit: at least, or what its d
 def primitive_orbit(
     kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate
 ) -> Orbit | None:
-    """The admissible orbit near a candidate, over its primitive period; None if there is none."""
+    """The admissible orbit near a candidate, over its primitive period; None if there is none.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    point : PiecewiseLinear
+        The system at its parameters.
+    candidate : Candidate
+
+    Returns
+    -------
+    Orbit or None
+    """
     orbit = _composed(kernels, point, candidate)
     if orbit is None or not orbit.converged or not (orbit.dwell_times > 0).all():
         return None
@@ -48,13 +60,34 @@ def primitive_orbit(
 
 
 def in_a_family(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate) -> bool:
-    """Whether the orbit near a candidate is one of a family, as there are where energy is kept."""
+    """Whether the orbit near a candidate is one of a family, as there are where energy is kept.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    point : PiecewiseLinear
+        The system at its parameters.
+    candidate : Candidate
+
+    Returns
+    -------
+    bool
+    """
     orbit = _composed(kernels, point, candidate)
     return orbit is not None and orbit.status == SINGULAR and bool((orbit.dwell_times > 0).all())
 
 
 def admissible(orbit: Orbit) -> bool:
-    """Whether an orbit is a motion of the system, and this can be told."""
+    """Whether an orbit is a motion of the system, and this can be told.
+
+    Parameters
+    ----------
+    orbit : Orbit
+
+    Returns
+    -------
+    bool
+    """
     try:
         return orbit.admissibility.verdict is True
     except InputError:  # a phase that lasts too long for a guarantee
@@ -62,7 +95,18 @@ def admissible(orbit: Orbit) -> bool:
 
 
 def orbit_scale(orbit: Orbit) -> np.ndarray:
-    """Scale (N,) of each state along an orbit."""
+    """Scale (N,) of each state along an orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        By tables.
+
+    Returns
+    -------
+    array (N,)
+        In the units of the states.
+    """
     now = orbit.tables.shooting
     states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.tables.translations)
     before = [
@@ -78,7 +122,18 @@ def orbit_scale(orbit: Orbit) -> np.ndarray:
 
 
 def same_orbit(orbit: Orbit, other: Candidate | Orbit) -> bool:
-    """Whether two cycles are one orbit; a doubled one begins at either of its turns."""
+    """Whether two cycles are one orbit; a doubled one begins at either of its turns.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        By tables.
+    other : Candidate or Orbit
+
+    Returns
+    -------
+    bool
+    """
     start = other.state if isinstance(other, Candidate) else other.states[0]
     if orbit.tables.cycle.uninterrupted:  # one in each configuration, at whatever phase it begins
         return orbit.itinerary == other.itinerary
@@ -94,7 +149,14 @@ def same_orbit(orbit: Orbit, other: Candidate | Orbit) -> bool:
 
 
 def add_orbit(orbits: list[Orbit], orbit: Orbit) -> None:
-    """Add an orbit that is not there yet."""
+    """Add an orbit that is not there yet.
+
+    Parameters
+    ----------
+    orbits : list of Orbit
+        Added to.
+    orbit : Orbit
+    """
     if not any(same_orbit(known, orbit) for known in orbits):
         orbits.append(orbit)
 
@@ -105,7 +167,21 @@ def converging(
     candidates: Iterable[Candidate],
     threads: int | None = 1,
 ) -> Iterator[Candidate]:
-    """Candidates from which Newton's method converges, moved to where it does, each once."""
+    """Candidates from which Newton's method converges, moved to where it does, each once.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    point : PiecewiseLinear
+        The system at its parameters.
+    candidates : iterable of Candidate
+    threads : int or None
+        As many as processors when None.
+
+    Yields
+    ------
+    Candidate
+    """
     groups: dict[Itinerary, list[Candidate]] = defaultdict(list)
     for candidate in candidates:
         if (candidate.dwell_times > 0).all():
@@ -136,7 +212,18 @@ def converging(
 
 
 def image_of(orbit: Orbit, symmetry: Symmetry) -> Candidate:
-    """The image of an orbit under a symmetry of its system."""
+    """The image of an orbit under a symmetry of its system.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        By tables.
+    symmetry : Symmetry
+
+    Returns
+    -------
+    Candidate
+    """
     structure = orbit.tables.cycle.structure
     phases = []
     for configuration, transition in zip(

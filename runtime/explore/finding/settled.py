@@ -63,6 +63,20 @@ def settled(
 
     Nothing depends on other motions than the one at a point. Cycles of half of the entries that
     are kept are looked for.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    parameters : mapping of str to array
+        All physical parameters.
+    motions : Trajectories
+        Their last entries have to be kept.
+    threads : int or None
+        As many as processors when None.
+
+    Returns
+    -------
+    Settled
     """
     shape, count = motions.status.shape, motions.status.size
     points, given = parameter_points(kernels, parameters)
@@ -92,7 +106,12 @@ def settled(
 
 
 def settled_texts() -> dict[int, str]:
-    """The outcomes in words, by their numbers."""
+    """The outcomes in words, by their numbers.
+
+    Returns
+    -------
+    dict of int to str
+    """
     return {
         PERIODIC: "periodic",
         UNINTERRUPTED: "periodic without a transition",

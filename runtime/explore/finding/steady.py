@@ -59,7 +59,25 @@ class Equilibrium:
 
 
 def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
-    """Isolated equilibria that are motions of a system without forcing, each once."""
+    """Isolated equilibria that are motions of a system without forcing, each once.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+
+    Returns
+    -------
+    list of Equilibrium
+        Empty for a system with forcing.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    >>> motion = ns.simulate("rigid-stop", data, [0, 0, 1.5, 0], until=1)
+    >>> [found.configuration for found in equilibria(motion.system)]
+    ['free']
+    """
     structure = system.structure
     if structure.forcing:
         return []
@@ -83,7 +101,17 @@ def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
 
 
 def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
-    """How often each forcing turns until all begin anew; None if they never do."""
+    """How often each forcing turns until all begin anew; None if they never do.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+
+    Returns
+    -------
+    tuple of int or None
+        Empty without a forcing.
+    """
     speeds = np.abs([system.fields[0, sine, cosine] for cosine, sine in system.structure.forcing])
     if not speeds.size:
         return ()
@@ -98,6 +126,17 @@ def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | N
     """What the forcing makes of each configuration that is not left, as orbits to be judged.
 
     None throughout without a forcing, or where forcings have no common period.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    system : PiecewiseLinear
+        At its parameters.
+
+    Returns
+    -------
+    list of Orbit or None
+        One for each configuration.
     """
     structure, turns = system.structure, forcing_turns(system)
     if not turns:

@@ -51,10 +51,18 @@ def stretching(
 
     Parameters
     ----------
+    kernels : SystemKernels
     parameters : mapping of str to float or array (n,)
     motions : Trajectories
         Their last three entries and more have to be kept.
     scales : array (n, N)
+    threads : int or None
+        As many as processors when None.
+
+    Returns
+    -------
+    Stretching
+        In units of one over time.
     """
     count = len(motions.times)
     growths, lengths = np.full((_BLOCKS, count), np.nan), np.zeros((_BLOCKS, count))

@@ -45,8 +45,17 @@ def stroboscopic_returns(
 
     Parameters
     ----------
+    kernels : SystemKernels
+    systems : sequence (n,) of PiecewiseLinear
     motions : Trajectories
         Their last entries have to be kept.
+    threads : int or None
+        As many as processors when None.
+
+    Returns
+    -------
+    found : Returns
+        Of n motions.
     """
     values, periods = numbers_of(systems).items(), np.array([_period(each) for each in systems])
     directions = [translations_of(system) for system in systems]

@@ -1,4 +1,4 @@
-"""Attractors by brute force: over one parameter, or over a plane of starts."""
+"""Attractors over one parameter, by brute force: bifurcation diagrams."""
 
 from __future__ import annotations
 
@@ -13,30 +13,30 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyTable, BlankDigits, BlankText, Integers, Row
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.explore.finding.find import Found
-from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
+from nonsmooth.runtime.core.workload import BYTES, check_memory
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.settled import settled
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.simulate import follow as follow_motion
 from nonsmooth.runtime.simulation.starting import configuration_of, start_state
 
-__all__ = ["Basins", "Sweep", "basins", "sweep"]
+__all__ = ["Sweep", "check_sweep", "sweep"]
 
 _CHUNK = 64  # values of the parameter between two reports of progress
-_FIRST_LOOK = 60  # transitions, about
 _KEPT = 65  # entries at the end of a motion that is classified
-_LARGEST_PLANE = 4_000_000  # starts
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Sweep:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Sweep(Shown):
     """Samples of a state over a parameter, after transients: a bifurcation diagram.
 
     Attributes
@@ -96,32 +96,6 @@ class Sweep:
             File to write.
         """
         registered("save_sweep")(self, path)
-
-
-@dataclass(frozen=True, eq=False)
-class Basins:
-    """Where the starts of a plane lead.
-
-    Attributes
-    ----------
-    found : Found
-        The attractors.
-    x, y : str
-        States along the axes; the others are those of `start`.
-    x_values : array (n,)
-    y_values : array (m,)
-    labels : array (m, n) of int
-        As `Found.labels`; `Outcome.ILLEGAL` where a start belongs to no configuration.
-    start : array (N,)
-    """
-
-    found: Found
-    x: str
-    y: str
-    x_values: np.ndarray
-    y_values: np.ndarray
-    labels: np.ndarray
-    start: np.ndarray
 
 
 def sweep(
@@ -217,6 +191,7 @@ def sweep(
     if name in parameters:
         raise InputError(f"parameter {name} is both given and swept")
     first = start_state(structure, start)
+    check_sweep(grid.size, checked_count("samples", samples, 1))
     question = Sweep(
         system=kernels.name,
         parameters={key: as_value(value) for key, value in parameters.items()},
@@ -225,7 +200,7 @@ def sweep(
         configuration=configuration,
         phase=None if phase is None else float(phase),
         values=grid,
-        samples=np.full((grid.size, checked_count("samples", samples, 1)), np.nan),
+        samples=np.full((grid.size, samples), np.nan),
         outcomes=np.full(grid.size, int(Outcome.UNCLASSIFIED)),
         start=first,
         transient=checked_count("transient", transient, 0),
@@ -257,9 +232,30 @@ def sweep(
     return diagram
 
 
+def check_sweep(count: int, samples: int) -> None:
+    """Refuse a diagram that memory does not hold; it is copied once for each report.
+
+    Parameters
+    ----------
+    count : int
+        Number of values.
+    samples : int
+        At each value.
+
+    Raises
+    ------
+    TooLarge
+        If memory does not hold it.
+    """
+    what = f"{samples} samples at each of {count} values"
+    check_memory(what, 2 * BYTES * count * (samples + 1))
+
+
 def _resumed(question: Sweep, known: Sweep) -> Sweep:
     """What is known of a question; InputError if it is of another one."""
-    found = ("samples", "outcomes", "done", "next_start")
+    if not same_system(load_system(question.system), load_system(known.system)):
+        raise InputError(f"{question.system}: not the system of the sweep, or changed since")
+    found = ("system", "samples", "outcomes", "done", "next_start")
     asked = {name: value for name, value in vars(question).items() if name not in found}
     count = "number of samples"
     check_same_question(
@@ -267,7 +263,7 @@ def _resumed(question: Sweep, known: Sweep) -> Sweep:
         {**asked, count: question.samples.shape},
         {**vars(known), count: known.samples.shape},
     )
-    return known
+    return replace(known, system=question.system)
 
 
 # samples, what the motions settle on, where the last one ended, whether one was possible
@@ -345,110 +341,3 @@ def _beginning(
         return wanted, configuration_of(system, wanted)
     except InputError:
         return other, configuration_of(system, other)
-
-
-def basins(
-    found: Found,
-    x: tuple[str, float, float, int],
-    y: tuple[str, float, float, int],
-    start: Mapping[str, object] | None = None,
-    *,
-    threads: int | None = None,
-    progress: Callable[[int], None] = lambda done: None,
-) -> Basins:
-    """Label a plane of starts by the attractor they lead to.
-
-    Parameters
-    ----------
-    found : Found
-    x, y : (state, lower, upper, count)
-    start : mapping of state to number, optional
-        The other states; 0 for those that are not named.
-    progress : callable
-        Told how many rows of y are done.
-
-    Raises
-    ------
-    InputError
-        For wrong names or numbers.
-    Interrupted
-        By Ctrl-C; the rest of its `partial` is not classified.
-    """
-    kernels = load_system(found.system)
-    axes, base = plane_of_starts(kernels, x, y, start)
-    attractors = _attractors(found, kernels)
-    labels = np.full((axes[1].size, axes[0].size), int(Outcome.UNCLASSIFIED))
-    plane = Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
-    rows = max(1, 20_000 // axes[0].size)
-    try:
-        for low_row in range(0, axes[1].size, rows):
-            here = slice(low_row, low_row + rows)
-            starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
-            starts[..., found.names.index(x[0])] = axes[0]
-            starts[..., found.names.index(y[0])] = axes[1][here, None]
-            arrived = _arrivals(found, attractors, starts.reshape(-1, base.size), threads)
-            labels[here] = arrived.reshape(-1, axes[0].size)
-            progress(min(low_row + rows, axes[1].size))
-    except KeyboardInterrupt:
-        raise Interrupted(plane) from None
-    return plane
-
-
-def plane_of_starts(
-    kernels: SystemKernels,
-    x: tuple[str, float, float, int],
-    y: tuple[str, float, float, int],
-    start: Mapping[str, object] | None = None,
-) -> tuple[list[np.ndarray], np.ndarray]:
-    """Both axes of a plane of starts, and the state that holds its other coordinates.
-
-    Raises
-    ------
-    InputError
-        For wrong names or numbers.
-    """
-    structure, axes = structure_of(kernels), []
-    for name, low, high, count in (x, y):
-        if name not in structure.states:
-            raise unknown_name("state", name, structure.states)
-        if not (np.isfinite([low, high]).all() and low < high):
-            raise InputError(f"{name}: {low!r} to {high!r} is no interval")
-        axes.append(np.linspace(low, high, checked_count(f"count of {name}", count, 2)))
-    if x[0] == y[0]:
-        raise InputError(f"both axes are {x[0]}")
-    if axes[0].size * axes[1].size > _LARGEST_PLANE:
-        raise InputError(f"more than {_LARGEST_PLANE} starts")
-    others: dict[str, object] = {name: 0 for name in structure.states} | dict(start or {})
-    return axes, start_state(structure, others)
-
-
-def _attractors(found: Found, kernels: SystemKernels) -> Attractors:
-    """What was found, in the order of its labels."""
-    point = piecewise(kernels, found.parameters)
-    orbits = tuple(entry.orbit for entry in found.orbits)
-    equilibria = tuple(entry.equilibrium for entry in found.equilibria)
-    return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
-
-
-def _arrivals(
-    found: Found, attractors: Attractors, starts: np.ndarray, threads: int | None
-) -> np.ndarray:
-    """Labels of starts: followed four times longer as long as they are not classified."""
-    values = {name: float(value) for name, value in found.parameters.items()}
-    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
-    length = found.transitions
-    lengths = [length]
-    while length > 2 * _FIRST_LOOK:
-        length //= 4
-        lengths.insert(0, length)
-    for length in lengths:
-        open_ = np.flatnonzero(labels == Outcome.UNCLASSIFIED)
-        if not open_.size:
-            break
-        motions = simulate_many(
-            found.system, values, starts[open_], transitions=length, keep=_KEPT, threads=threads
-        )
-        labels[open_] = attractors.labels(motions)
-        if length == found.transitions:
-            labels[open_] = attractors.measured(motions, labels[open_], threads)
-    return labels

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-__all__ = ["HOLDING", "ContactRows", "Event", "Law", "Regimes", "law_of"]
+__all__ = ["HOLDING", "ContactEvent", "ContactRows", "Law", "Regimes", "law_of"]
 
 HOLDING = ("stick", "contact")
 Regimes = tuple[str, ...]
@@ -38,7 +38,7 @@ class ContactRows(NamedTuple):
         return ("slip", "stick", "overshoot") if self.friction else ("free", "contact")
 
 
-class Event(NamedTuple):
+class ContactEvent(NamedTuple):
     """Boundaries that are reached together, as the law sees them.
 
     Attributes
@@ -101,16 +101,53 @@ class Law:
         return {key: place for place, key in enumerate(both)}
 
     def configuration(self, regimes: Regimes, others: str) -> int | None:
-        """The configuration of these regimes; None if they do not go together."""
+        """The configuration of these regimes; None if they do not go together.
+
+        Parameters
+        ----------
+        regimes : tuple of str
+            Of each contact.
+        others : str
+            Regimes of the other parts.
+
+        Returns
+        -------
+        int or None
+            Its index.
+        """
         return self._places.get((others, regimes))
 
-    def idling(self, event: Event, regimes: Regimes) -> tuple[int, ...]:
-        """Contacts of an event that slide in name only among these regimes."""
+    def idling(self, event: ContactEvent, regimes: Regimes) -> tuple[int, ...]:
+        """Contacts of an event that slide in name only among these regimes.
+
+        Parameters
+        ----------
+        event : ContactEvent
+        regimes : tuple of str
+            Of each contact.
+
+        Returns
+        -------
+        tuple of int
+            Indices of contacts.
+        """
         found = self.configuration(regimes, event.others)
         return () if found is None else self.idle[found]
 
-    def untouched(self, event: Event, regimes: Regimes) -> tuple[int, ...]:
-        """Stops of an event that are free because friction holds their directions at rest."""
+    def untouched(self, event: ContactEvent, regimes: Regimes) -> tuple[int, ...]:
+        """Stops of an event that are free because friction holds their directions at rest.
+
+        Parameters
+        ----------
+        event : ContactEvent
+        regimes : tuple of str
+            Of each contact.
+
+        Returns
+        -------
+        tuple of int
+            Indices of contacts.
+        """
         return tuple(
             i
             for i in event.resting
@@ -119,13 +156,35 @@ class Law:
             is None
         )
 
-    def beginning(self, configuration: int, resting: Iterable[int]) -> Event:
-        """A start at rest, as an event: nothing has reached its limit."""
-        regimes, others = self.regimes[configuration], self.others[configuration]
-        return Event(tuple(resting), frozenset(), regimes, others, "")
+    def beginning(self, configuration: int, resting: Iterable[int]) -> ContactEvent:
+        """A start at rest, as an event: nothing has reached its limit.
 
-    def event(self, source: int, boundaries: Iterable[str]) -> Event | None:
-        """What an event concerns; None where it is none of contacts, or is not declared."""
+        Parameters
+        ----------
+        configuration : int
+        resting : iterable of int
+            Contacts at rest.
+
+        Returns
+        -------
+        ContactEvent
+        """
+        regimes, others = self.regimes[configuration], self.others[configuration]
+        return ContactEvent(tuple(resting), frozenset(), regimes, others, "")
+
+    def event(self, source: int, boundaries: Iterable[str]) -> ContactEvent | None:
+        """What an event concerns; None where it is none of contacts, or is not declared.
+
+        Parameters
+        ----------
+        source : int
+            The configuration in which the boundaries are reached.
+        boundaries : iterable of str
+
+        Returns
+        -------
+        ContactEvent or None
+        """
         boundaries = frozenset(boundaries)
         reached = frozenset(self.limits[b] for b in boundaries if b in self.limits)
         moved = reached | {self.arrivals[b] for b in boundaries if b in self.arrivals}
@@ -140,23 +199,58 @@ class Law:
         concerned, left = set(moved), (holding | {*self.idle[source]}) - moved
         while near := {i for i in left if any(self.couples[i][j] for j in concerned)}:
             concerned, left = concerned | near, left - near
-        return Event(tuple(sorted(concerned)), reached, regimes, others, own)
+        return ContactEvent(tuple(sorted(concerned)), reached, regimes, others, own)
 
-    def leads(self, event: Event, target: int) -> bool:
-        """Whether a configuration may follow: nothing changes but what the event concerns."""
+    def leads(self, event: ContactEvent, target: int) -> bool:
+        """Whether a configuration may follow: nothing changes but what the event concerns.
+
+        Parameters
+        ----------
+        event : ContactEvent
+        target : int
+            A configuration.
+
+        Returns
+        -------
+        bool
+        """
         pairs = zip(event.regimes, self.regimes[target], strict=True)
         kept = all(a == b for i, (a, b) in enumerate(pairs) if i not in event.resting)
         return kept and self.others[target] == event.others
 
-    def reset(self, event: Event, target: int) -> int:
-        """The reset on the way to a target: what begins to hold is put in its place."""
+    def reset(self, event: ContactEvent, target: int) -> int:
+        """The reset on the way to a target: what begins to hold is put in its place.
+
+        Parameters
+        ----------
+        event : ContactEvent
+        target : int
+            A configuration.
+
+        Returns
+        -------
+        int
+            Its index among the system's resets.
+        """
         pairs = zip(event.regimes, self.regimes[target], strict=True)
         begins = any(after in HOLDING and after != before for before, after in pairs)
         return self.resets[self.configurations[target] if begins else ""][event.own]
 
 
 def law_of(table: Mapping[str, Any], configurations: Sequence[str]) -> Law | None:
-    """The law in a system's table; None where each contact is decided by itself."""
+    """The law in a system's table; None where each contact is decided by itself.
+
+    Parameters
+    ----------
+    table : mapping of str to object
+        Of a system, as it is emitted.
+    configurations : sequence of str
+        Of that system, in its order.
+
+    Returns
+    -------
+    Law or None
+    """
     found = table.get("law")
     if found is None:
         return None

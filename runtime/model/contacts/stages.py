@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from nonsmooth.runtime.model.contacts.law import HOLDING, Event, Law, Regimes
+from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law, Regimes
 
-__all__ = ["Combination", "Path", "Requirement", "Stage", "requirements", "signs"]
+__all__ = ["Combination", "Path", "SignRequirement", "Stage", "requirements", "signs"]
 
 Combination = dict[int, Any]  # coefficients of rows
 
@@ -28,7 +28,7 @@ class Stage(NamedTuple):
 Path = tuple[Stage, ...]  # the steps of a choice; the last has the regimes behind the event
 
 
-class Requirement(NamedTuple):
+class SignRequirement(NamedTuple):
     """The sign of a combination of rows: positive, or not; and the contact that it is about."""
 
     function: Combination
@@ -36,8 +36,20 @@ class Requirement(NamedTuple):
     contact: int
 
 
-def signs(law: Law, event: Event, stage: Stage) -> list[bool]:
-    """Which of the functions of a step are to be positive; the others are not."""
+def signs(law: Law, event: ContactEvent, stage: Stage) -> list[bool]:
+    """Which of the functions of a step are to be positive; the others are not.
+
+    Parameters
+    ----------
+    law : Law
+    event : ContactEvent
+    stage : Stage
+
+    Returns
+    -------
+    list of bool
+        One for each entry of `requirements`.
+    """
     found: list[bool] = []
     for i in _judged(law, event, stage):
         kept = stage.regimes[i] in HOLDING
@@ -46,17 +58,21 @@ def signs(law: Law, event: Event, stage: Stage) -> list[bool]:
 
 
 def requirements(
-    law: Law, event: Event, stage: Stage, entry: Callable[[int], Any]
-) -> list[Requirement]:
+    law: Law, event: ContactEvent, stage: Stage, entry: Callable[[int], Any]
+) -> list[SignRequirement]:
     """What has to hold in a step.
 
     Parameters
     ----------
     law : Law
-    event : Event
+    event : ContactEvent
     stage : Stage
     entry : function
         The constant of a row: an entry of the coupling.
+
+    Returns
+    -------
+    list of SignRequirement
 
     Raises
     ------
@@ -84,22 +100,25 @@ def requirements(
         contact = law.contacts[i]
         if i in kept:
             reaction = reactions[i]
-            found.append(Requirement(reaction, False, i))
+            found.append(SignRequirement(reaction, False, i))
             if contact.friction:
                 limit = {contact.kinetic if i in stage.reached else contact.static: 1}
                 forward = _sum([(1, reaction), (-1, limit)])
                 backward = _sum([(-1, reaction), (-1, limit)])
-                found[-1:] = [Requirement(forward, False, i), Requirement(backward, False, i)]
+                found[-1:] = [
+                    SignRequirement(forward, False, i),
+                    SignRequirement(backward, False, i),
+                ]
         else:
             bearing = released if i in idle else reactions
             parts = ((_coupling(law, i, k, entry), force) for k, force in bearing.items())
             sign = 1 if regimes[i] == "overshoot" else -1
             moves = _sum([(1, accelerations[i]), *parts])
-            found.append(Requirement(_sum([(sign, moves)]), True, i))
+            found.append(SignRequirement(_sum([(sign, moves)]), True, i))
     return found
 
 
-def _judged(law: Law, event: Event, stage: Stage) -> list[int]:
+def _judged(law: Law, event: ContactEvent, stage: Stage) -> list[int]:
     """Contacts of which something is required."""
     untouched = law.untouched(event, stage.regimes)
     return [i for i in event.resting if i not in untouched]

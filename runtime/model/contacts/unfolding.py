@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.model.contacts.law import Event, Law, law_of
+from nonsmooth.runtime.model.contacts.law import ContactEvent, Law, law_of
 from nonsmooth.runtime.model.contacts.stages import Combination, Path, Stage, requirements, signs
 from nonsmooth.runtime.model.kernel_records import SystemKernels
 
@@ -46,11 +46,11 @@ class UnfoldedKernels(SystemKernels):
         return law
 
     @cached_property
-    def _steps(self) -> list[tuple[Event, Stage]]:
+    def _steps(self) -> list[tuple[ContactEvent, Stage]]:
         """Every step of the routes, one after the other."""
         return [(self._event(route), stage) for route in self.routes for stage in route.path]
 
-    def _event(self, route: Route) -> Event:
+    def _event(self, route: Route) -> ContactEvent:
         event = self._law.event(self._law.configurations.index(route.source), route.boundaries)
         assert event is not None
         return event
@@ -82,7 +82,16 @@ class UnfoldedKernels(SystemKernels):
         return base | {"transitions": [*base["transitions"], *listed]}
 
     def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel over any arithmetic; rows with those of the routes."""
+        """A kernel over any arithmetic; rows with those of the routes.
+
+        Parameters
+        ----------
+        kernel : str
+
+        Returns
+        -------
+        callable
+        """
         found = self._declared.source(kernel)
         if kernel != "rows":
             return found
@@ -95,7 +104,18 @@ class UnfoldedKernels(SystemKernels):
         return rows
 
     def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel in double precision; rows with those of the routes."""
+        """A kernel in double precision; rows with those of the routes.
+
+        Parameters
+        ----------
+        kernel : str
+        *arrays : array
+            The kernel's arguments; they broadcast over leading axes.
+
+        Returns
+        -------
+        array or tuple of array
+        """
         found = self._declared.evaluate(kernel, *arrays)
         if kernel != "rows":
             return found
@@ -118,7 +138,18 @@ def _row(combination: Combination, declared: Sequence[Sequence[Any]]) -> list[An
 
 
 def unfolded(kernels: SystemKernels, routes: Iterable[Route]) -> SystemKernels:
-    """The same kernels with these routes listed, and no others."""
+    """The same kernels with these routes listed, and no others.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    routes : iterable of Route
+        One that is there twice is listed once.
+
+    Returns
+    -------
+    SystemKernels
+    """
     declared = kernels.name, kernels.module, kernels.compiled
     wanted = tuple(dict.fromkeys(routes))
     return UnfoldedKernels(*declared, wanted) if wanted else SystemKernels(*declared)

@@ -1,26 +1,68 @@
-"""Results of derivations, kept in the user's cache folder from one process to the next.
+"""What was derived and compiled, kept in the user's cache folder from one process to the next.
 
-The environment variable NONSMOOTH_CACHE names another folder; empty, it switches this off.
+What is kept is executed: a folder is used only if it belongs to the user and nobody else can
+write to it or put another in its place. The environment variable NONSMOOTH_CACHE names another
+folder; empty, it switches this off. The folder is kept below `MOST_BYTES`: what was not used for
+longest is removed.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
+import re
+import stat
+import sys
 from collections.abc import Callable
 from contextlib import suppress
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import write_file
 
-__all__ = ["cache_folder", "cached", "stored"]
+__all__ = [
+    "MOST_BYTES",
+    "cache_folder",
+    "cached",
+    "made_folder",
+    "store_library",
+    "stored",
+    "stored_library",
+]
 
+MOST_BYTES = 256 << 20  # of the folder's entries together
 _CHECKSUM = "# sha256 "
+# derived text and compiled kernels, by the hash of what they are made from
+_ENTRY = re.compile(r"[0-9a-f]{16,}(\.py|-[0-9a-f]{32}\..+)")
 
 
 def cache_folder() -> Path | None:
-    """Where derived text is kept; None where it is not."""
+    """Where derived text is kept; None where it is not.
+
+    A folder that others could write to is not used, which is said once.
+
+    Returns
+    -------
+    Path or None
+    """
+    folder = _named()
+    if folder is None:
+        return None
+    folder = Path(os.path.realpath(folder))
+    fault = _fault(folder)
+    if fault is None:
+        return folder
+    if folder not in _TOLD:
+        _TOLD.add(folder)
+        print(f"nonsmooth: derivations are not kept in {folder}: {fault}", file=sys.stderr)
+    return None
+
+
+_TOLD: set[Path] = set()
+
+
+def _named() -> Path | None:
     chosen = os.environ.get("NONSMOOTH_CACHE")
     if chosen is not None:
         return Path(chosen) if chosen else None
@@ -32,10 +74,40 @@ def cache_folder() -> Path | None:
     return None
 
 
+def _fault(folder: Path) -> str | None:
+    """Why a whole path, or what of it is there, may hold what others wrote; None if it cannot."""
+    if not hasattr(os, "getuid"):  # access is not told by modes
+        return None
+    own, others = os.getuid(), stat.S_IWGRP | stat.S_IWOTH
+    for place in (folder, *folder.parents):
+        try:
+            found = place.lstat()
+        except FileNotFoundError:
+            continue  # it is made, for the user alone
+        except OSError as problem:
+            return (problem.strerror or str(problem)).lower()
+        if found.st_uid != own and (place == folder or found.st_uid != 0):
+            return f"{place} belongs to another user"
+        kept = place != folder and found.st_mode & stat.S_ISVTX
+        if found.st_mode & others and not kept:
+            return f"others can write to {place} (chmod go-w)"
+    return None
+
+
 def cached(key: str, make: Callable[[], str]) -> str:
     """Text of a key: the stored one if it is whole, else what `make` gives, which is stored.
 
     A folder that cannot be read or written costs only the time to make the text again.
+
+    Parameters
+    ----------
+    key : str
+    make : callable
+        Takes nothing and gives the text.
+
+    Returns
+    -------
+    str
     """
     found = stored(key)
     if found is None:
@@ -45,26 +117,127 @@ def cached(key: str, make: Callable[[], str]) -> str:
 
 
 def stored(key: str) -> str | None:
-    """Text that is stored under a key; None where there is none, or it is damaged."""
+    """Text that is stored under a key; None where there is none, or it is damaged.
+
+    Parameters
+    ----------
+    key : str
+
+    Returns
+    -------
+    str or None
+    """
     folder = cache_folder()
     if folder is None:
         return None
+    path = folder / f"{key}.py"
     try:
-        first, _, text = (folder / f"{key}.py").read_text(encoding="utf-8").partition("\n")
+        if _fault(path) is not None:
+            return None
+        first, _, text = path.read_text(encoding="utf-8").partition("\n")
     except (OSError, ValueError):
         return None
-    return text if first == _CHECKSUM + _checksum(text) else None
+    if first != _CHECKSUM + _checksum(text):
+        return None
+    _mark_used(path)
+    return text
+
+
+def stored_library(key: str) -> Path | None:
+    """The compiled kernels that are stored under a key; None where there are none, or damaged.
+
+    Parameters
+    ----------
+    key : str
+
+    Returns
+    -------
+    Path or None
+    """
+    folder = cache_folder()
+    if folder is None:
+        return None
+    for suffix in EXTENSION_SUFFIXES:
+        for path in sorted(folder.glob(f"{key}-*{suffix}")):
+            told = path.name.removeprefix(f"{key}-").removesuffix(suffix)
+            with suppress(OSError):
+                if _fault(path) is None and told == _digest(path.read_bytes()):
+                    _mark_used(path)
+                    return path
+    return None
+
+
+def store_library(key: str, name: str, content: bytes) -> None:
+    """Store compiled kernels under a key; their hash is part of the file's name.
+
+    Parameters
+    ----------
+    key : str
+    name : str
+        Of an extension: its endings say which Python loads it.
+    content : bytes
+    """
+    suffix = name[name.index(".") :]
+    _write(f"{key}-{_digest(content)}{suffix}", content)
+
+
+def made_folder(folder: Path) -> bool:
+    """Make the cache folder, and those above it, for the user alone; whether it is there.
+
+    Parameters
+    ----------
+    folder : Path
+
+    Returns
+    -------
+    bool
+    """
+    with suppress(OSError):
+        for place in (*reversed(folder.parents), folder):
+            if not place.exists():
+                place.mkdir(mode=0o700, exist_ok=True)
+    return folder.is_dir()
 
 
 def _store(key: str, text: str) -> None:
+    _write(f"{key}.py", f"{_CHECKSUM}{_checksum(text)}\n{text}".encode())
+
+
+def _write(name: str, content: bytes) -> None:
     folder = cache_folder()
-    if folder is None:
+    if folder is None or not made_folder(folder):
         return
     with suppress(OSError, InputError):
-        folder.mkdir(parents=True, exist_ok=True)
-        content = f"{_CHECKSUM}{_checksum(text)}\n{text}"
-        write_file(folder / f"{key}.py", content.encode())
+        path = folder / name
+        write_file(path, content)
+        path.chmod(0o600)
+        _keep_bound(folder)
+
+
+def _mark_used(path: Path) -> None:
+    with suppress(OSError):
+        os.utime(path)
+
+
+def _keep_bound(folder: Path) -> None:
+    """Remove what was not used for longest; another process may remove the same at this time."""
+    found = []
+    for name in os.listdir(folder):
+        with suppress(OSError):
+            if _ENTRY.fullmatch(name):
+                entry = (folder / name).lstat()
+                found.append((entry.st_mtime_ns, folder / name, entry.st_size))
+    total = 0
+    for _, path, size in sorted(found, reverse=True):
+        total += size
+        if total > MOST_BYTES:
+            with suppress(OSError):
+                path.unlink()
 
 
 def _checksum(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:32]

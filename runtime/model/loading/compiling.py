@@ -1,70 +1,119 @@
-"""Compiled kernels in a folder of `nonsmooth generate`."""
+"""Compiled kernels of emitted files."""
 
 from __future__ import annotations
 
-import shutil
+import os
+import shlex
 import subprocess
 import sys
+import sysconfig
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, MissingExtra
-from nonsmooth.runtime.core.files import write_file
-from nonsmooth.runtime.model.loading.load import extension_in
+from nonsmooth.runtime.model.loading.extensions import extension_in
 
-__all__ = ["compile_folder"]
+__all__ = ["compile_files", "compiler"]
 
 # No contraction into fused multiply-adds: every build gives the same bits.
-_BUILD = """
+_FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"]
+_FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
+_WINDOWS = """
 import sys
 from glob import glob
 from setuptools import Extension, setup
-from setuptools.command.build_ext import build_ext
 
-FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"]
-
-class Build(build_ext):
-    def build_extensions(self):
-        if self.compiler.compiler_type != "msvc":
-            for extension in self.extensions:
-                extension.extra_compile_args, extension.libraries = FLAGS, ["m"]
-        super().build_extensions()
-
-include = sys.argv.pop()
-kernels = Extension("_kernels", sources=sorted(glob("*.c")), include_dirs=[include, "."])
-setup(name="kernels", ext_modules=[kernels], cmdclass={"build_ext": Build},
-      packages=[], py_modules=[])
+kernels = Extension(
+    "_kernels",
+    sources=sorted(glob("*.c")),
+    include_dirs=[sys.argv.pop(), "."],
+    extra_compile_args=["/std:c11", "/O2", "/fp:precise"],
+)
+setup(name="kernels", ext_modules=[kernels], packages=[], py_modules=[])
 """
 
 
-def compile_folder(folder: Path) -> Path:
-    """Build the extension of a folder's C files there; nothing else of the build stays.
+def compiler() -> list[str]:
+    """The words that call the C compiler: CC of the environment, else the one of this Python.
+
+    Returns
+    -------
+    list of str
+    """
+    named = os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc"
+    return shlex.split(str(named))
+
+
+def compile_files(files: Mapping[str, str], folder: Path | None = None) -> dict[str, bytes]:
+    """Name and content of the extension that C files and their headers give.
+
+    Parameters
+    ----------
+    files : mapping of file name to text
+        Others among them are left out of account.
+    folder : Path, optional
+        Where to work, in a folder that goes again; where the system keeps such by default.
+
+    Returns
+    -------
+    dict of str to bytes
+        One entry.
 
     Raises
     ------
     InputError
         If there is no C compiler, or it fails.
     MissingExtra
-        If setuptools is not installed, which knows the compiler.
+        On Windows, if setuptools is not installed, which knows the compiler there.
     """
-    with TemporaryDirectory() as place:
+    with TemporaryDirectory(dir=folder) as place:
         work = Path(place)
-        for path in sorted([*folder.glob("*.c"), *folder.glob("*.h")]):
-            shutil.copyfile(path, work / path.name)
-        command = [sys.executable, "-c", _BUILD, "build_ext", "--inplace", np.get_include()]
-        done = subprocess.run(command, cwd=work, capture_output=True, text=True, check=False)
+        for name, text in files.items():
+            if name.endswith((".c", ".h")):
+                (work / name).write_bytes(text.encode())
+        for command in _commands(sorted(name for name in files if name.endswith(".c"))):
+            failure = _failure(command, work)
+            if failure is not None:
+                raise InputError(
+                    f"no compiled kernels: {failure}; without them the kernels run on NumPy"
+                )
         built = extension_in(work)
-        if done.returncode != 0 or built is None:
-            said = [line.strip() for line in done.stderr.splitlines() if line.strip()]
-            if any("No module named 'setuptools'" in line for line in said):
-                raise MissingExtra("setuptools is not installed: pip install setuptools")
-            reason = said[-1] if said else "the build gave no extension"
-            raise InputError(
-                f"{folder}: no compiled kernels: {reason};"
-                " without --compile the kernels run on NumPy"
-            )
-        target = folder / built.name
-        write_file(target, built.read_bytes())
-        return target
+        if built is None:
+            raise InputError("no compiled kernels: the build gave no extension")
+        return {built.name: built.read_bytes()}
+
+
+def _commands(sources: Sequence[str]) -> list[list[str]]:
+    """What compiles and links, in a folder of the sources."""
+    if sys.platform == "win32":
+        return [[sys.executable, "-c", _WINDOWS, "build_ext", "--inplace", np.get_include()]]
+    own = shlex.split(str(sysconfig.get_config_var("CC") or "cc"))
+    shared = shlex.split(str(sysconfig.get_config_var("LDSHARED") or ""))
+    linking = shared[len(own) :] if own and shared[: len(own)] == own else ["-shared"]
+    position = shlex.split(str(sysconfig.get_config_var("CCSHARED") or "-fPIC"))
+    folders = [sysconfig.get_path("include"), sysconfig.get_path("platinclude"), np.get_include()]
+    include = [f"-I{folder}" for folder in dict.fromkeys(folders)]
+    options = [*shlex.split(os.environ.get("CFLAGS", "")), *_FLAGS, *position, *include]
+    output = f"_kernels{sysconfig.get_config_var('EXT_SUFFIX')}"
+    return [[*compiler(), *linking, *options, *sources, "-o", output, "-lm"]]
+
+
+def _failure(command: Sequence[str], work: Path) -> str | None:
+    """Why a command fails; None if it does not. What it writes beside goes with its folder."""
+    environment = os.environ | {"TMPDIR": str(work)}
+    try:
+        done = subprocess.run(
+            command, cwd=work, env=environment, capture_output=True, text=True, check=False
+        )
+    except OSError as problem:
+        return f"{command[0]}: {(problem.strerror or str(problem)).lower()}"
+    if done.returncode == 0:
+        return None
+    said = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    if any("No module named 'setuptools'" in line for line in said):
+        raise MissingExtra("setuptools is not installed: pip install setuptools")
+    wrong = [line for line in said if "error" in line] or said
+    return wrong[-1] if wrong else f"{command[0]} fails"

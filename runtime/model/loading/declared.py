@@ -8,13 +8,13 @@ import os
 import sys
 import traceback
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from contextlib import contextmanager, redirect_stdout
+from dataclasses import dataclass, fields
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Protocol, runtime_checkable
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, one_line
 
 __all__ = ["Declared", "DeclaredOrbit", "DeclaredSystem", "declaration_in"]
 
@@ -29,11 +29,42 @@ class DeclaredSystem(Protocol):
         ...
 
     def fingerprint(self, orbits: Sequence[Any] = ()) -> str:
-        """Hash of the declaration, of the system and of orbits of it."""
+        """Hash of the declaration, of the system and of orbits of it.
+
+        Parameters
+        ----------
+        orbits : sequence of Itinerary
+
+        Returns
+        -------
+        str
+        """
         ...
 
     def source(self, orbits: Sequence[Any] = ()) -> str:
-        """Tables and kernels as Python text."""
+        """Tables and kernels as Python text.
+
+        Parameters
+        ----------
+        orbits : sequence of Itinerary
+
+        Returns
+        -------
+        str
+        """
+        ...
+
+    def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
+        """The same kernels as the files of an extension in C.
+
+        Parameters
+        ----------
+        orbits : sequence of Itinerary
+
+        Returns
+        -------
+        dict of file name to text
+        """
         ...
 
 
@@ -75,22 +106,38 @@ def declaration_in(path: Path) -> Declared:
     path : Path
         A Python file.
 
+    Returns
+    -------
+    Declared
+
     Raises
     ------
     InputError
         If it cannot be read, fails (the line is told), or declares no system.
     """
-    module = _executed(path)
+    try:
+        return _declared(path, _executed(path))
+    except (InputError, KeyboardInterrupt):
+        raise
+    except BaseException as problem:  # also of the types of what it declares
+        raise _failure(path, problem) from problem
+
+
+def _declared(path: Path, module: ModuleType) -> Declared:
+    """Take the `system` and the `orbits` of a module, if they are what they should be."""
     if not hasattr(module, "system"):
         raise InputError(f"{path} declares no system: call one `system`, such as system = System()")
     system, orbits = module.system, getattr(module, "orbits", ())
-    if isinstance(system, type) or not isinstance(system, DeclaredSystem):
+    if not _derivable("System", system):
         raise InputError(f"{path}: `system` is a {type(system).__name__}, not a System")
     if not isinstance(orbits, tuple | list):
         raise InputError(f"{path}: `orbits` is a {type(orbits).__name__}, not a list of Itinerary")
     for orbit in orbits:
-        if isinstance(orbit, type) or not isinstance(orbit, DeclaredOrbit):
+        if not _derivable("Itinerary", orbit):
             raise InputError(f"{path}: `orbits` holds a {type(orbit).__name__}, not an Itinerary")
+    for made in (system, *orbits):
+        if not all(hasattr(made, field.name) for field in fields(made)):
+            raise InputError(f"{path}: a {type(made).__name__} is not made by calling its class")
     for orbit in orbits:
         if [other.name for other in orbits].count(orbit.name) > 1:
             raise InputError(f"{path}: orbit {orbit.name!r} is declared twice")
@@ -99,8 +146,16 @@ def declaration_in(path: Path) -> Declared:
     return Declared(system, tuple(orbits))
 
 
+def _derivable(kind: str, found: object) -> bool:
+    """Whether an object is one of the derivation's, whatever it says of itself."""
+    return any(
+        each.__name__ == kind and each.__module__.startswith("nonsmooth.derive.")
+        for each in type(found).__mro__
+    )
+
+
 def _executed(path: Path) -> ModuleType:
-    """The module of a file, read anew, whatever was imported before."""
+    """The module of a file, read anew, whatever was imported before; it prints on stderr."""
     name = f"nonsmooth_file_{hashlib.sha256(os.fsencode(path)).hexdigest()[:16]}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None:
@@ -108,14 +163,12 @@ def _executed(path: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     try:
         code = compile(path.read_bytes(), str(path), "exec")
-        with _importing_from(path.parent, module):
+        with _importing_from(path.parent, module), redirect_stdout(sys.stderr):
             exec(code, module.__dict__)
     except OSError as problem:
         if problem.filename is not None and Path(problem.filename) == path:
             reason = problem.strerror or str(problem)
             raise InputError(f"{path} cannot be read: {reason.lower()}") from None
-        raise _failure(path, problem) from problem
-    except (Exception, SystemExit) as problem:
         raise _failure(path, problem) from problem
     return module
 
@@ -150,7 +203,10 @@ def _failure(path: Path, problem: BaseException) -> InputError:
     frames = traceback.extract_tb(problem.__traceback__)
     lines = [frame.lineno for frame in frames if frame.filename == str(path)]
     place = f"{path}, line {lines[-1]}" if lines else str(path)
-    reason = " ".join(str(problem).split())
+    try:
+        reason = one_line(str(problem))
+    except BaseException:  # of the file's own exception
+        reason = "an exception that cannot be shown"
     if not type(problem).__module__.startswith("nonsmooth."):
-        reason = f"{type(problem).__name__}: {reason}"
+        reason = f"{type(problem).__name__}: {reason}".removesuffix(": ")
     return InputError(f"{place}: {reason}")

@@ -7,27 +7,32 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import unwritable, write_file
-from nonsmooth.runtime.model.loading.load import extension_in
+from nonsmooth.runtime.core.files import PARTIAL, check_folder, unwritable, write_files
+from nonsmooth.runtime.model.loading.extensions import extension_in
 
-__all__ = ["COMMAND", "check_folder", "write_folder"]
+__all__ = ["COMMAND", "check_own_folder", "write_folder"]
 
 COMMAND = "nonsmooth generate"
 _PROVENANCE = "PROVENANCE.json"
 
 
-def check_folder(folder: Path) -> None:
+def check_own_folder(folder: Path) -> None:
     """Refuse a folder that holds other things, before the work is done.
+
+    Parameters
+    ----------
+    folder : Path
 
     Raises
     ------
     InputError
         Unless the folder is new, empty, or one that `nonsmooth generate` wrote.
     """
-    if folder.exists() and not folder.is_dir():
-        raise InputError(f"cannot write {folder}: it is a file")
+    check_folder(folder)
+    if not folder.exists() or _recorded(folder) is not None:
+        return
     try:
-        foreign = folder.is_dir() and any(folder.iterdir()) and _recorded(folder) is None
+        foreign = any(path.suffix != PARTIAL for path in folder.iterdir())
     except OSError as problem:
         raise unwritable(folder, problem) from None
     if foreign:
@@ -36,45 +41,54 @@ def check_folder(folder: Path) -> None:
         )
 
 
-def write_folder(folder: Path, files: Mapping[str, str]) -> list[Path]:
+def write_folder(
+    folder: Path, files: Mapping[str, str], library: Mapping[str, bytes] | None = None
+) -> list[Path]:
     """Write files into their folder and give those that changed.
 
-    What an earlier run wrote and is no longer there goes, compiled kernels too. The record of
-    the files comes last, so that a cut run is noticed.
+    What an earlier run wrote and is no longer there goes, compiled kernels too. A new folder
+    appears whole; in another one the record of the files comes last, so that a cut run is
+    noticed.
 
     Parameters
     ----------
     folder : Path
     files : mapping of file name to text
+    library : mapping of file name to content, optional
+        Compiled kernels of these files.
+
+    Returns
+    -------
+    list of Path
 
     Raises
     ------
     InputError
-        As for `check_folder`, or for a file of another origin that stands in the way.
+        As for `check_own_folder`, or for a file of another origin that stands in the way.
     """
-    check_folder(folder)
+    check_own_folder(folder)
     before = set(_recorded(folder) or ()) if folder.is_dir() else set()
-    texts = sorted(files.items(), key=lambda item: item[0] == _PROVENANCE)
-    changed = []
+    changed: dict[str, bytes] = {}
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, text in texts:
+        for name, text in sorted(files.items(), key=lambda item: item[0] == _PROVENANCE):
             path = folder / name
             if path.is_file() and path.read_bytes() == text.encode():
                 continue
             if path.exists() and name not in before:
                 raise InputError(f"cannot write {path}: `{COMMAND}` did not write it")
-            write_file(path, text.encode())
-            changed.append(path)
-        library = extension_in(folder)
-        if changed and library is not None:
-            library.unlink()
+            changed[name] = text.encode()
+        changed |= library or {}
+        old = extension_in(folder) if changed and folder.is_dir() else None
+        if changed:
+            write_files(folder, changed)
+        if old is not None and old.name not in changed:
+            old.unlink()
         for name in before - set(files):
             if name == Path(name).name:
                 (folder / name).unlink(missing_ok=True)
     except OSError as problem:
         raise unwritable(folder, problem) from None
-    return changed
+    return [folder / name for name in changed]
 
 
 def _recorded(folder: Path) -> list[str] | None:

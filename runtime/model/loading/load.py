@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import importlib.util
 import json
 import linecache
 import os
@@ -11,12 +10,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.loading.background import KernelLibrary
 from nonsmooth.runtime.model.loading.caching import cached, stored
 from nonsmooth.runtime.model.loading.declared import (
     Declared,
@@ -24,15 +23,17 @@ from nonsmooth.runtime.model.loading.declared import (
     DeclaredSystem,
     declaration_in,
 )
+from nonsmooth.runtime.model.loading.extensions import extension_in, load_extension
 
 __all__ = [
     "Loaded",
-    "extension_in",
+    "library_of",
     "load_declared",
     "load_named",
     "load_path",
     "located",
     "orbits_of",
+    "remember",
 ]
 
 _ADDRESS = re.compile(r"(?P<name>[\w-]+)@(?P<key>[0-9a-f]{16})")
@@ -51,7 +52,7 @@ class Loaded:
     module : module
         Tables and kernels.
     compiled : module or None
-        The same kernels, compiled.
+        The same kernels, compiled beside them in a folder.
     """
 
     name: str
@@ -60,20 +61,87 @@ class Loaded:
 
 
 def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
-    """Derive a declared system, or take what was derived of the same declaration before."""
+    """Derive a declared system, or take what was derived of the same declaration before.
+
+    Parameters
+    ----------
+    system : System
+    orbits : sequence of Itinerary
+        Derived with it.
+
+    Returns
+    -------
+    Loaded
+    """
     key = system.fingerprint(tuple(orbits))
     name = f"{system.name}@{key}"
     if key not in _MODULES:
         text = cached(key, lambda: system.source(tuple(orbits)))
         _MODULES[key] = _module(text, f"<{name}>")
+    library = _library(key, _MODULES[key])
+    if library is not None:
+        library.declare(system, tuple(orbits))
     return Loaded(name, _MODULES[key])
 
 
 _MODULES: dict[str, ModuleType] = {}  # of declarations, by their hash
 
 
+def library_of(module: ModuleType) -> KernelLibrary | None:
+    """The compiled kernels of what was derived of a declaration; None for other modules.
+
+    Parameters
+    ----------
+    module : module
+        Tables and kernels.
+
+    Returns
+    -------
+    KernelLibrary or None
+        None too where no orbit has kernels.
+    """
+    return _LIBRARIES.get(module)
+
+
+_LIBRARIES: dict[ModuleType, KernelLibrary] = {}
+
+
+def _library(key: str, module: ModuleType) -> KernelLibrary | None:
+    if module not in _LIBRARIES and any(orbit["derived"] for orbit in module.ORBITS.values()):
+        stem = str(module.SYSTEM["name"]).replace("-", "_")
+        _LIBRARIES[module] = KernelLibrary(key, module.DERIVATION, stem)
+    return _LIBRARIES.get(module)
+
+
+def remember(loaded: Loaded) -> Loaded:
+    """Keep a system that is known by ``NAME@HASH``, for as long as the process lives.
+
+    Records hold that name alone, so none may be forgotten. A system that a file brings along
+    costs some 30 kB with all that caches hold of it; the same one of many files costs it once.
+
+    Parameters
+    ----------
+    loaded : Loaded
+
+    Returns
+    -------
+    Loaded
+        With the module that was kept first under this hash.
+    """
+    _, _, key = loaded.name.rpartition("@")
+    return Loaded(loaded.name, _MODULES.setdefault(key, loaded.module))
+
+
 def load_named(name: str) -> Loaded | None:
     """What a name ``NAME@HASH`` stands for; None for a name of another form.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    Loaded or None
 
     Raises
     ------
@@ -92,31 +160,30 @@ def load_named(name: str) -> Loaded | None:
                 " hand over the System itself first, or declare it in a FILE.py"
             )
         _MODULES[key] = _module(text, f"<{name}>")
+        _library(key, _MODULES[key])
     return Loaded(name, _MODULES[key])
 
 
-def located(name: str, beside: Path | None = None) -> Path | None:
+def located(name: str) -> Path | None:
     """Whole path of a FILE.py, or of a folder; None for a name that is neither.
 
     Parameters
     ----------
     name : str
-    beside : Path, optional
-        Folder in which a file or folder of that name is looked for where it is not in its
-        place: a saved motion may have been moved together with its system.
+
+    Returns
+    -------
+    Path or None
 
     Raises
     ------
     InputError
         For a FILE.py that does not exist.
     """
-    if not name:
-        return None
-    moved = [] if beside is None else [beside / Path(name).name]
-    for path in (Path(name), *moved):
-        if path.is_dir() or (path.suffix == ".py" and path.is_file()):
-            return Path(os.path.abspath(path))
-    if Path(name).suffix == ".py":
+    path = Path(name)
+    if name and (path.is_dir() or (path.suffix == ".py" and path.is_file())):
+        return Path(os.path.abspath(path))
+    if path.suffix == ".py":
         raise InputError(f"there is no file {name}")
     return None
 
@@ -155,17 +222,21 @@ def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> Loaded
 
 
 def orbits_of(path: Path) -> tuple[str, ...]:
-    """Names of the orbits of a file or folder."""
+    """Names of the orbits of a file or folder.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    tuple of str
+        Empty for a folder that holds no kernels.
+    """
     if path.is_dir():
         found = load_path(path, compiled=False)
         return () if found is None else tuple(found.module.ORBITS)
     return tuple(orbit.name for orbit in _file(path, _stamp(path)).orbits)
-
-
-def extension_in(folder: Path) -> Path | None:
-    """The compiled kernels in a folder, if there are any."""
-    places = (folder / f"_kernels{suffix}" for suffix in EXTENSION_SUFFIXES)
-    return next((path for path in places if path.is_file()), None)
 
 
 _Stamp = tuple[int, int, int]
@@ -211,7 +282,7 @@ def _folder(
     if hashlib.sha256(content).hexdigest() != expected.get(file.name):
         raise InputError(f"{file} is not the file that {_PROVENANCE} records: {_REMEDY}")
     module = _module(content.decode("utf-8"), str(file))
-    compiled = None if library is None else _extension(library)
+    compiled = None if library is None else load_extension(library)
     stem = file.name.removesuffix(".py")
     if getattr(compiled, f"derivation_{stem}", None) != module.DERIVATION:
         compiled = None
@@ -242,17 +313,4 @@ def _module(text: str, file: str) -> ModuleType:
     module.__file__ = file
     linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
     exec(compile(text, file, "exec"), module.__dict__)
-    return module
-
-
-def _extension(library: Path) -> ModuleType | None:
-    """The compiled kernels in a file; None where this Python cannot load them."""
-    spec = importlib.util.spec_from_file_location("nonsmooth_compiled._kernels", library)
-    if spec is None or spec.loader is None:
-        return None
-    try:
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-    except ImportError:
-        return None
     return module

@@ -1,8 +1,9 @@
 """The check of certificates, maps, events and censuses in files.
 
 A file is checked in three ways: its checksum and its shape; the checker proves every claim again
-from the file alone; and names, values and declaration are compared with those of the system that
-it names, where that is there.
+from the file alone; and names, values and declaration are compared with those of the system: of the
+built-in one, or of the one that the file holds as data. What a user declares is run, and
+compared, only where it is named.
 """
 
 from __future__ import annotations
@@ -25,7 +26,10 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.result_files import WRONG_SHAPE, FileFormat, parsed
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import (
     compare_box,
     compare_census,
@@ -52,15 +56,13 @@ from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, e
 __all__ = ["Check", "check_certificate"]
 
 Proven = Certificate | BoxCertificate | Census | tuple[EventCertificate, ...]
-_NOT_HERE = (
-    "{} is not here: that the declaration is its, and what orbit and unknowns are called, was"
-    " not compared"
-)
+_HELD = "{} is the system as the file holds it: no declaration was run"
+_NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_COUNTED = "that there are no other orbits was NOT proved again"
 
 
-@dataclass(frozen=True, eq=False)
-class Check:
+@dataclass(frozen=True, eq=False, repr=False)
+class Check(Shown):
     """The check of a file.
 
     Attributes
@@ -68,7 +70,7 @@ class Check:
     difference : str or None
         What is wrong with it; None if every claim was proved again.
     note : str or None
-        What could not be compared, since the system is not there, or is not proved again.
+        What is not compared, or not proved again.
     certificate : Certificate, BoxCertificate, Census, tuple of EventCertificate, or None
         What was read; None if something is wrong with it. Reasons why a claim is undecided,
         which parameters were chosen, and of a census all but its orbits are as the file says.
@@ -76,7 +78,7 @@ class Check:
         What was proved again. Of a census "listed" says whether each of its orbits was;
         "no others" is undecided.
     compared : bool
-        Whether the system was there: the orbit is that of the name that the file gives.
+        Whether the orbit is the one of its system that has the name that the file gives.
     """
 
     difference: str | None
@@ -94,7 +96,7 @@ class _Kind(NamedTuple):
     of: Callable[[Any], Any]
     entries: Callable[[Any], Any]
     claims: Callable[[Any], Mapping[str, str]]
-    compare: Callable[[Mapping[str, Any], Path], bool]
+    compare: Callable[[Mapping[str, Any]], bool]
 
 
 def _listed(census: Census) -> dict[str, str]:
@@ -117,7 +119,7 @@ _KINDS = {
 }  # fmt: skip
 
 
-def check_certificate(path: str | os.PathLike[str]) -> Check:
+def check_certificate(path: str | os.PathLike[str], declared: str | None = None) -> Check:
     """Check a file: its checksum, its system, and all its claims, from the file alone.
 
     Of a census the certificates are checked and that they are of different orbits; the search
@@ -127,6 +129,9 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     ----------
     path : str or path
         What `save` of a `Certificate`, `BoxCertificate`, `EventCertificate` or `Census` wrote.
+    declared : str, optional
+        A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of
+        the file. Without it nothing that a user declares is run.
 
     Returns
     -------
@@ -147,7 +152,6 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
     >>> check.difference is None, check.claims["existence"]
     (True, 'proved')
     """
-    folder = Path(path).parent
     try:
         content = parsed(read_file(Path(path), CERTIFICATE.most, CERTIFICATE.what))
         kind = _KINDS.get(str(content.get("format"))) if isinstance(content, dict) else None
@@ -162,14 +166,17 @@ def check_certificate(path: str | os.PathLike[str]) -> Check:
         found = kind.of(entries)
         if not _agrees(encode(kind.entries(found)), content):
             return Check("what follows from other entries is not what the file says")
-        compared = kind.compare(content, folder)
+        compared = kind.compare(content)
+        if declared is not None:
+            _compare_declared(content, declared)
     except Malformed as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     except (Failure, InputError) as problem:
         return Check(str(problem))
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
-    return Check(None, _note(content, found, compared), found, kind.claims(found), compared)
+    note = _note(content, found, compared, held=declared is None)
+    return Check(None, note, found, kind.claims(found), compared)
 
 
 def _agrees(told: Any, content: Any) -> bool:
@@ -181,11 +188,24 @@ def _agrees(told: Any, content: Any) -> bool:
     return bool(told == content)
 
 
-def _note(content: Mapping[str, Any], found: Proven, compared: bool) -> str | None:
+def _compare_declared(content: Mapping[str, Any], declared: str) -> None:
+    """Failure unless the tables of what a user names are those that the file holds."""
+    try:
+        system = load_system(declared)
+    except InputError:
+        system = load_orbit(declared).system
+    for name in dict.fromkeys(entry["system"] for entry in content.get("events", [content])):
+        if not same_system(system, load_system(name)):
+            raise Failure(f"the declaration of {declared} is not that of the file, or has changed")
+
+
+def _note(content: Mapping[str, Any], found: Proven, compared: bool, *, held: bool) -> str | None:
     """What was not checked."""
     notes = [_NOT_COUNTED] if isinstance(found, Census) else []
+    told = content["events"] if isinstance(found, tuple) else [content]
+    names = dict.fromkeys(entry["system"] for entry in told if entry["tables"] is not None)
+    if names and held:
+        notes.append(_HELD.format(", ".join(names)))
     if not compared:
-        told = content["events"] if isinstance(found, tuple) else [content]
-        systems = ", ".join(dict.fromkeys(entry["system"] for entry in told))
-        notes.append(_NOT_HERE.format(systems))
+        notes.append(_NOT_CALLED)
     return "; ".join(notes) or None

@@ -1,8 +1,8 @@
 """Whether what a file proves is of the system and the orbit that it names.
 
-Names, values and the declaration in the file are compared with those of the system, where that
-is there. Each function tells whether that could be done, and raises `Failure` or `InputError` if
-they differ.
+Names, values and the declaration in the file are compared with those of the system: the built-in
+one, or the one that the file holds. Each function tells whether the system knows the orbit's name,
+and raises `Failure` or `InputError` if they differ.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from itertools import product
-from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.checker import Failure
@@ -20,8 +19,8 @@ from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
 from nonsmooth.runtime.proof.certificate import GUARD
-from nonsmooth.runtime.proof.exact_tables import exact_tables
-from nonsmooth.runtime.proof.orbit_cycle import NotCovered, physical_values
+from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, physical_values
 from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration, system_declaration
 from nonsmooth.runtime.proof.statement import rational
 
@@ -30,18 +29,66 @@ __all__ = ["compare_box", "compare_census", "compare_certificate", "compare_even
 Content = Mapping[str, Any]
 
 
-def compare_certificate(content: Content, folder: Path) -> bool:
-    """Compare a certificate."""
-    return _compare(content, folder, _declared_at_point, "at its parameters")
+def compare_certificate(content: Content) -> bool:
+    """Compare a certificate.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    bool
+        Whether there was a declaration, and of an orbit by a name that its system knows.
+
+    Raises
+    ------
+    Failure
+        If the declaration is another one.
+    """
+    return _compare(content, _declared_at_point, "at its parameters")
 
 
-def compare_box(content: Content, folder: Path) -> bool:
-    """Compare a map."""
-    return _compare(content, folder, _declared_over_box, "over the box")
+def compare_box(content: Content) -> bool:
+    """Compare a map.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    bool
+        Whether there was a declaration, and of an orbit by a name that its system knows.
+
+    Raises
+    ------
+    Failure
+        If the declaration is another one.
+    """
+    return _compare(content, _declared_over_box, "over the box")
 
 
-def compare_events(content: Content, folder: Path) -> bool:
-    """Compare each event that is proved: a box of one parameter."""
+def compare_events(content: Content) -> bool:
+    """Compare each event that is proved: a box of one parameter.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    bool
+        Whether that holds of all of them, as `compare_box` tells it.
+
+    Raises
+    ------
+    Failure
+        If the declaration of an event is another one.
+    """
     compared = []
     for number, event in enumerate(content["events"], 1):
         if event["claim"] != "proved":
@@ -52,22 +99,36 @@ def compare_events(content: Content, folder: Path) -> bool:
         middle, radius = rational(side["mid"]), rational(side["rad"])
         box = {name: [str(middle - radius), str(middle + radius)]}
         try:
-            compared.append(compare_box({**event, "box": box}, folder))
+            compared.append(compare_box({**event, "box": box}))
         except Failure as problem:
             raise Failure(f"event {number}, {event['kind']}: {problem}") from None
     return all(compared)
 
 
-def compare_census(content: Content, folder: Path) -> bool:
-    """Compare all orbits of a census, and its parameters with theirs."""
-    named = named_in(content, folder)
-    if named is None:
-        return False
+def compare_census(content: Content) -> bool:
+    """Compare all orbits of a census, and its parameters with theirs.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    bool
+        True.
+
+    Raises
+    ------
+    Failure
+        If a declaration, the parameters or the period are others.
+    """
+    named = named_in(content)
     given = _given_values(content["parameters"])
     for found in (orbit["certificate"] for orbit in content["orbits"]):
         if found is None:
             continue
-        compare_certificate(found, folder)
+        compare_certificate(found)
         own = _given_values(found["parameters"])
         values = given
         if named.derived is not None:
@@ -86,20 +147,17 @@ def compare_census(content: Content, folder: Path) -> bool:
 
 def _compare(
     content: Content,
-    folder: Path,
     declare: Callable[[NamedOrbit, Content], Mapping[str, Any]],
     where: str,
 ) -> bool:
     """Compare what is stated of one orbit with what its system declares."""
     if not content["declaration"]:
         return False
-    named = named_in(content, folder)
-    if named is None:
-        return False
+    named = named_in(content)
     named.check_chosen(content["chosen"])
     if declare(named, content) != content["declaration"]:
         raise Failure(f"the declaration is not that of {content['system']} {where}")
-    return True
+    return named.called
 
 
 def _declared_at_point(named: NamedOrbit, content: Content) -> Mapping[str, Any]:
@@ -127,8 +185,9 @@ def _declared_over_box(named: NamedOrbit, content: Content) -> Mapping[str, Any]
     if closing["kind"] == "period" and closing["period"] != named.period:
         raise Failure("the period is not the one that is given")
     names = content["declaration"]["parameters"]
+    texts = irrational_texts(named.kernels, given.values() if closing["kind"] == "period" else ())
     return orbit_declaration(
-        named.kernels, named.derived, named.cycle, names, named.start, named.dwell
+        named.kernels, named.derived, named.cycle, names, named.start, named.dwell, texts
     )
 
 

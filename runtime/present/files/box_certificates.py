@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -11,7 +11,8 @@ from typing import Any
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
-from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.core.values import LARGEST_EXPONENT, Value
+from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Ball,
     ClaimEntries,
@@ -46,6 +47,7 @@ class BoxEntries:
 
     orbit: str
     system: str
+    tables: SavedSystem | None
     parameters: Mapping[str, Value]
     chosen: tuple[str, ...]
     itinerary: Itinerary
@@ -71,6 +73,13 @@ BOX = FileFormat(
 def save_box(found: BoxCertificate, path: str | os.PathLike[str]) -> None:
     """Write a map to a file; what was there stays until the new content is complete.
 
+    Parameters
+    ----------
+    found : BoxCertificate
+        The map.
+    path : str or path
+        The file.
+
     Raises
     ------
     InputError
@@ -80,7 +89,18 @@ def save_box(found: BoxCertificate, path: str | os.PathLike[str]) -> None:
 
 
 def box_entries(found: BoxCertificate) -> BoxEntries:
-    """What a map's file states."""
+    """What a map's file states.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        The map.
+
+    Returns
+    -------
+    BoxEntries
+        Ready to be written.
+    """
     return stated(BoxEntries, found)
 
 
@@ -129,11 +149,24 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
 def box_of(entries: BoxEntries) -> BoxCertificate:
     """The map that a file's entries describe.
 
+    Parameters
+    ----------
+    entries : BoxEntries
+        As they were read.
+
+    Returns
+    -------
+    BoxCertificate
+        The map.
+
     Raises
     ------
     InputError
         If its tiles do not fill the box.
     """
+    system_in(entries.system, entries.tables)
+    if not all(abs(number) <= LARGEST_EXPONENT for number in _integers(entries.declaration)):
+        raise InputError(f"its declaration holds an exponent beyond {LARGEST_EXPONENT}")
     found = BoxCertificate(
         orbit=entries.orbit,
         system=entries.system,
@@ -150,6 +183,15 @@ def box_of(entries: BoxEntries) -> BoxCertificate:
     if total != 1:
         raise InputError("its tiles do not fill the box")
     return found
+
+
+def _integers(entry: Any) -> Iterator[int]:
+    """All integers of a declaration: exponents and places; other numbers are texts."""
+    parts = entry.values() if isinstance(entry, Mapping) else entry
+    for part in parts if isinstance(entry, Mapping | list) else ():
+        yield from _integers(part)
+    if isinstance(entry, int):
+        yield entry
 
 
 def _tile(entries: TileEntries) -> Tile:

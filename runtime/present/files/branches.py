@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
@@ -16,6 +15,8 @@ from nonsmooth.runtime.core.json_codec import AnyComplex, AnyRow, Flags, Row
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
+from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 
 __all__ = ["load_branch", "save_branch"]
@@ -41,11 +42,20 @@ class BranchEntries:
     orbit: tuple[Any]
 
 
-_BRANCH = FileFormat(name="nonsmooth branch", what="saved branch", entries=BranchEntries, version=2)
+_BRANCH = FileFormat(name="nonsmooth branch", what="saved branch", entries=BranchEntries, version=3)
+
+_VERDICTS = {"stable", "neutral", "unstable", "undecided"}
 
 
 def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
     """Write a branch to a file; what was there stays until the new content is complete.
+
+    Parameters
+    ----------
+    branch : Branch
+        As `continue_orbit` gives it.
+    path : str or path
+        The file.
 
     Raises
     ------
@@ -60,7 +70,7 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
         branch.trace,
     )
     entries = BranchEntries(
-        name=branch.name,
+        name=named(branch.orbit.system, branch.name)[1],
         parameter=branch.parameter,
         unknown_names=branch.unknown_names,
         columns=columns,
@@ -101,16 +111,27 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
     'V'
     """
     with naming(path) as file:
-        return _branch(_BRANCH.read(file), file.parent)
+        return _branch(_BRANCH.read(file))
 
 
-def _branch(entries: BranchEntries, folder: Path) -> Branch:
-    orbit = orbit_in(entries.orbit[0], folder)
+def _branch(entries: BranchEntries) -> Branch:
+    orbit = orbit_in(entries.orbit[0])
     values, unknowns, period, multipliers, trace = entries.columns
     count, names = len(values), entries.unknown_names
     rows = (period, trace, entries.stability, entries.admissible)
     if not 0 <= entries.start < count or any(len(row) != count for row in rows):
         raise InputError("its points do not belong together")
+    if entries.parameter not in orbit.given:
+        raise InputError(f"its orbit has no parameter {entries.parameter!r}")
+    if names != tuple(OrbitFamily(orbit, entries.parameter).names):
+        raise InputError("its unknowns are not those of its orbit")
+    if not set(entries.stability) <= _VERDICTS:
+        raise InputError("a verdict is none")
+    for event in entries.events:
+        if tuple(event.unknowns) != names or event.parameter != entries.parameter:
+            raise InputError(f"the {event.kind} is not one of its orbit")
+        if not 0 <= event.place <= count - 1:
+            raise InputError(f"the {event.kind} is at no place of it")
     return Branch(
         name=orbit.name,
         parameter=entries.parameter,

@@ -10,13 +10,14 @@ from typing import Annotated
 from nonsmooth.runtime.core.json_codec import Codec, Exact, decode
 from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.files.certificates import (
     CERTIFICATE,
     CertificateEntries,
     certificate_entries,
     certificate_of,
 )
-from nonsmooth.runtime.present.files.claim_entries import Itinerary
+from nonsmooth.runtime.present.files.claim_entries import Itinerary, entries_of
 from nonsmooth.runtime.proof.certificate import VERSION
 from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
 
@@ -49,6 +50,7 @@ class CensusEntries:
 
     orbit: str
     system: str
+    tables: SavedSystem | None
     parameters: Mapping[str, Value]
     itinerary: Itinerary
     box: tuple[str, ...]
@@ -70,6 +72,13 @@ CENSUS = FileFormat(name="nonsmooth census", what="census", entries=CensusEntrie
 def save_census(census: Census, path: str | os.PathLike[str]) -> None:
     """Write a census to a file; what was there stays until the new content is complete.
 
+    Parameters
+    ----------
+    census : Census
+        As `certify_all` gives it.
+    path : str or path
+        The file.
+
     Raises
     ------
     InputError
@@ -79,8 +88,19 @@ def save_census(census: Census, path: str | os.PathLike[str]) -> None:
 
 
 def census_entries(census: Census) -> CensusEntries:
-    """What a census' file states."""
-    content = census.to_json()
+    """What a census' file states.
+
+    Parameters
+    ----------
+    census : Census
+        As `certify_all` gives it.
+
+    Returns
+    -------
+    CensusEntries
+        Ready to be written.
+    """
+    content = entries_of(census)
     for told, orbit in zip(content["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
             told["certificate"] = CERTIFICATE.content(certificate_entries(orbit.certificate))
@@ -118,11 +138,22 @@ def load_census(path: str | os.PathLike[str]) -> Census:
 def census_of(entries: CensusEntries) -> Census:
     """The census that a file's entries describe.
 
+    Parameters
+    ----------
+    entries : CensusEntries
+        As they were read.
+
+    Returns
+    -------
+    Census
+        The census.
+
     Raises
     ------
     InputError
         If what is counted does not follow from the orbits.
     """
+    system_in(entries.system, entries.tables)
     census = Census(
         orbit=entries.orbit,
         system=entries.system,

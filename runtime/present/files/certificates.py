@@ -10,6 +10,7 @@ from typing import Any
 from nonsmooth.runtime.core.json_codec import BlankValue
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Ball,
     ClaimEntries,
@@ -44,6 +45,7 @@ class CertificateEntries:
 
     orbit: str
     system: str
+    tables: SavedSystem | None
     parameters: Mapping[str, Value]
     chosen: tuple[str, ...]
     given_period: BlankValue
@@ -67,6 +69,13 @@ CERTIFICATE = FileFormat(
 
 def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> None:
     """Write a certificate to a file; what was there stays until the new content is complete.
+
+    Parameters
+    ----------
+    certificate : Certificate
+        As `certify` gives it.
+    path : str or path
+        The file.
 
     Raises
     ------
@@ -105,12 +114,35 @@ def load_certificate(path: str | os.PathLike[str]) -> Certificate:
 
 
 def certificate_entries(certificate: Certificate) -> CertificateEntries:
-    """What a certificate's file states."""
+    """What a certificate's file states.
+
+    Parameters
+    ----------
+    certificate : Certificate
+        As `certify` gives it.
+
+    Returns
+    -------
+    CertificateEntries
+        Ready to be written.
+    """
     return stated(CertificateEntries, certificate)
 
 
 def certificate_of(entries: CertificateEntries) -> Certificate:
-    """The certificate that a file's entries describe."""
+    """The certificate that a file's entries describe.
+
+    Parameters
+    ----------
+    entries : CertificateEntries
+        As they were read.
+
+    Returns
+    -------
+    Certificate
+        The certificate.
+    """
+    system_in(entries.system, entries.tables)
     bits, declaration = entries.bits, entries.declaration
     return Certificate(
         orbit=entries.orbit,

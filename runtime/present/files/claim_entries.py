@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeVar
 
-from nonsmooth.runtime.core.json_codec import Exact, decode
+from nonsmooth.runtime.core.json_codec import Exact, decode, encode
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.proof.certificate import Stated
 
-__all__ = ["Ball", "ClaimEntries", "Enclosures", "Itinerary", "Verdict", "enclosed", "stated"]
+__all__ = [
+    "Ball",
+    "ClaimEntries",
+    "Enclosures",
+    "Itinerary",
+    "Verdict",
+    "enclosed",
+    "entries_of",
+    "stated",
+]
 
 Record = TypeVar("Record")
 Verdict = Literal["proved", "refuted", "undecided"]
@@ -24,7 +35,18 @@ class Ball:
     rad: Exact
 
     def stated(self, bits: int) -> Stated:
-        """The enclosure that the texts state."""
+        """The enclosure that the texts state.
+
+        Parameters
+        ----------
+        bits : int
+            Precision of the enclosure.
+
+        Returns
+        -------
+        Stated
+            With the same texts.
+        """
         return Stated.of(self.mid, self.rad, bits)
 
 
@@ -41,11 +63,57 @@ class ClaimEntries:
 
 
 def enclosed(enclosures: Enclosures, bits: int) -> dict[str, Stated]:
-    """The enclosures that a file states, by name."""
+    """The enclosures that a file states, by name.
+
+    Parameters
+    ----------
+    enclosures : dict of str to Ball
+        As they were read.
+    bits : int
+        Precision of the enclosures.
+
+    Returns
+    -------
+    dict of str to Stated
+        With the same texts.
+    """
     return {name: ball.stated(bits) for name, ball in enclosures.items()}
 
 
 def stated(kind: type[Record], proof: Any) -> Record:
-    """What a file of a proof states: its JSON, and the system as it was taken."""
+    """What a file of a proof states: its JSON, and the system as it was taken.
+
+    Parameters
+    ----------
+    kind : type
+        The record that the file has.
+    proof : Certificate, BoxCertificate or EventCertificate
+        What is proved.
+
+    Returns
+    -------
+    Record
+        Of that kind, ready to be written.
+    """
     own = {"declaration": dict(proof.declaration), "closing": dict(proof.closing)}
-    return decode(kind, {**proof.to_json(), **own})
+    return decode(kind, {**entries_of(proof), **own})
+
+
+def entries_of(proof: Any) -> dict[str, Any]:
+    """The JSON of a proof by the names that a file gives system and orbit, with their data.
+
+    Parameters
+    ----------
+    proof : Certificate, BoxCertificate, EventCertificate or Census
+        What is proved.
+
+    Returns
+    -------
+    dict
+        Ready to be decoded.
+    """
+    label = proof.orbit.removeprefix(f"{proof.system}:")
+    system = known_system(proof.system, None if label == proof.orbit else label)
+    name, orbit, saved = named(system, proof.orbit)
+    entries: dict[str, Any] = replace(proof, system=name, orbit=orbit).to_json()
+    return {**entries, "tables": None if saved is None else encode(saved)}

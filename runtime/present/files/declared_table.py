@@ -20,7 +20,18 @@ _PERIOD = {
 
 
 def declared_table(orbit: Orbit) -> dict[str, Any]:
-    """Phases, names of the unknowns, what closes the orbit, and the orbit as the reference."""
+    """Phases, names of the unknowns, what closes the orbit, and the orbit as the reference.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+
+    Returns
+    -------
+    dict
+        The orbit's table, as generated modules hold it.
+    """
     part = len(orbit.itinerary)
     symmetry = orbit.symmetry
     if symmetry is not None:

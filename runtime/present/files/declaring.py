@@ -10,7 +10,7 @@ from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import check_target, unwritable, write_file
-from nonsmooth.runtime.explore.finding.find import Found
+from nonsmooth.runtime.explore.finding.found import Found
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.declared_table import declared_table
@@ -24,9 +24,17 @@ _WIDTH = 92
 def check_declaration(system: str, path: Path) -> None:
     """Refuse a file that does not declare the system, or cannot be written.
 
+    Parameters
+    ----------
+    system : str
+        The file that declares the system.
+    path : Path
+        The file that is to be changed.
+
     Raises
     ------
     InputError
+        If it is another file, or none that can be written.
     """
     if not (path.suffix == ".py" and path.is_file() and Path(system).is_file()):
         raise InputError(f"{path} is not the FILE.py that declares {system}")
@@ -83,9 +91,8 @@ def _text(names: Sequence[str], orbits: Sequence[Orbit], more: bool) -> str:
         _entry(name, declared_table(orbit)) for name, orbit in zip(names, orbits, strict=True)
     )
     before = "    *orbits,\n" if more else ""
-    # appended text cannot stand among the imports: E402 is of the user's file
     return (
-        "\nfrom nonsmooth.derive import Itinerary, Reference  # noqa: E402\n\n"
+        "\nfrom nonsmooth.derive import Itinerary, Reference\n\n"
         f"# appended by `nonsmooth find`\norbits = [\n{before}{entries}]\n"
     )
 

@@ -10,6 +10,7 @@ from typing import Any, Literal
 from nonsmooth.runtime.core.json_codec import FromOne
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Enclosures,
     Itinerary,
@@ -28,6 +29,7 @@ class EventCertificateEntries:
 
     orbit: str
     system: str
+    tables: SavedSystem | None
     parameters: Mapping[str, Value]
     chosen: tuple[str, ...]
     itinerary: Itinerary
@@ -65,6 +67,13 @@ EVENTS = FileFormat(
 def save_events(found: Sequence[EventCertificate], path: str | os.PathLike[str]) -> None:
     """Write certificates of events to one file; what was there stays until it is complete.
 
+    Parameters
+    ----------
+    found : sequence of EventCertificate
+        Of the events of a branch.
+    path : str or path
+        The file.
+
     Raises
     ------
     InputError
@@ -74,7 +83,18 @@ def save_events(found: Sequence[EventCertificate], path: str | os.PathLike[str])
 
 
 def event_entries(found: Sequence[EventCertificate]) -> EventsEntries:
-    """What a file of events states."""
+    """What a file of events states.
+
+    Parameters
+    ----------
+    found : sequence of EventCertificate
+        Of the events of a branch.
+
+    Returns
+    -------
+    EventsEntries
+        Ready to be written.
+    """
     return EventsEntries(events=tuple(stated(EventCertificateEntries, each) for each in found))
 
 
@@ -110,8 +130,22 @@ def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertific
 
 
 def events_of(entries: EventsEntries) -> tuple[EventCertificate, ...]:
-    """The certificates that a file's entries describe."""
-    return tuple(
-        EventCertificate(**{**vars(each), "enclosures": enclosed(each.enclosures, each.bits)})
-        for each in entries.events
-    )
+    """The certificates that a file's entries describe.
+
+    Parameters
+    ----------
+    entries : EventsEntries
+        As they were read.
+
+    Returns
+    -------
+    tuple of EventCertificate
+        In the order of the file.
+    """
+    return tuple(map(_event, entries.events))
+
+
+def _event(entries: EventCertificateEntries) -> EventCertificate:
+    own = {**vars(entries)}
+    system_in(entries.system, own.pop("tables"))
+    return EventCertificate(**{**own, "enclosures": enclosed(entries.enclosures, entries.bits)})

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,12 +13,13 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, Integers, Table, encode
 from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
+from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import equilibria
 from nonsmooth.runtime.model.completion import system_parameters
-from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
 __all__ = ["FOUND", "found_json", "load_found", "save_found"]
@@ -28,7 +28,7 @@ _DIGITS_KEPT = 1e-9  # relative change of a dwell time that solving again may ma
 
 
 @dataclass(frozen=True, kw_only=True)
-class PhaseEntries:
+class FoundPhaseEntries:
     """A phase of an orbit."""
 
     configuration: str
@@ -62,7 +62,7 @@ class FoundOrbitEntries:
     stability: str
     starts: int
     share: Digits
-    itinerary: tuple[PhaseEntries, ...]
+    itinerary: tuple[FoundPhaseEntries, ...]
     start: Mapping[str, Digits]
     multipliers: tuple[MultiplierEntries, ...]
     trace: AnyDigits
@@ -107,6 +107,7 @@ class FoundSummary:
 class FoundEntries(FoundSummary):
     """The summary, with every start and its label."""
 
+    tables: SavedSystem | None
     start_states: Table
     labels: Integers
 
@@ -115,18 +116,36 @@ FOUND = FileFormat(
     name="nonsmooth found orbits",
     what="file of found orbits",
     entries=FoundEntries,
-    version=2,
+    version=3,
     most=200_000_000,
 )
 
 
 def found_json(found: Found) -> dict[str, Any]:
-    """Orbits, basins and shares; numbers are decimal strings that give back the same doubles."""
+    """Orbits, basins and shares; numbers are decimal strings that give back the same doubles.
+
+    Parameters
+    ----------
+    found : Found
+        What was found from many starts.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+    """
     return encode(_summary(found))
 
 
 def save_found(found: Found, path: str | os.PathLike[str]) -> None:
     """Write what was found as JSON, with every start and its label.
+
+    Parameters
+    ----------
+    found : Found
+        What was found from many starts.
+    path : str or path
+        The file.
 
     Raises
     ------
@@ -163,7 +182,7 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     1
     """
     with naming(path) as file:
-        return _found(FOUND.read(file), file.parent)
+        return _found(FOUND.read(file))
 
 
 def _summary(found: Found) -> FoundSummary:
@@ -192,7 +211,15 @@ def _shares(found: Found) -> dict[str, Any]:
 
 
 def _entries(found: Found) -> FoundEntries:
-    return FoundEntries(**vars(_summary(found)), start_states=found.starts, labels=found.labels)
+    orbits = [entry.orbit for entry in found.orbits]
+    kernels = orbits[0].system if orbits else known_system(found.system)
+    system, _, saved = named(kernels)
+    return FoundEntries(
+        **{**vars(_summary(found)), "system": system},
+        tables=saved,
+        start_states=found.starts,
+        labels=found.labels,
+    )
 
 
 def _orbit_entries(found: Found, place: int) -> FoundOrbitEntries:
@@ -206,7 +233,7 @@ def _orbit_entries(found: Found, place: int) -> FoundOrbitEntries:
         starts=entry.starts,
         share=entry.share,
         itinerary=tuple(
-            PhaseEntries(configuration=configuration, boundary=boundary, dwell_time=duration)
+            FoundPhaseEntries(configuration=configuration, boundary=boundary, dwell_time=duration)
             for (configuration, boundary), duration in phases
         ),
         start=dict(zip(found.names, orbit.states[0].tolist(), strict=True)),
@@ -245,8 +272,8 @@ def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
     return None if mirror in (None, place) else mirror + before + 1
 
 
-def _found(entries: FoundEntries, folder: Path) -> Found:
-    kernels = load_system(entries.system, folder)
+def _found(entries: FoundEntries) -> Found:
+    kernels = system_in(entries.system, entries.tables)
     parameters = system_parameters(kernels, entries.parameters)
     orbits: list[FoundOrbit] = []
     for entry in entries.orbits:

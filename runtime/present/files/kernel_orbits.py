@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -17,8 +16,9 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import check_relations, follow
-from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
+from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import in_domain
+from nonsmooth.runtime.model.saved_system import SavedSystem, named, orbit_in
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.orbit_numbers import (
@@ -36,6 +36,7 @@ class KernelOrbitEntries:
     """What the file of an orbit with kernels holds."""
 
     orbit: str
+    tables: SavedSystem | None
     derivation: str
     given: Mapping[str, Value]
     opened: Mapping[str, Value]
@@ -49,17 +50,35 @@ class KernelOrbitEntries:
 
 
 KERNEL_ORBIT = FileFormat(
-    name="nonsmooth orbit", what="saved orbit", entries=KernelOrbitEntries, most=50_000_000
+    name="nonsmooth orbit",
+    what="saved orbit",
+    entries=KernelOrbitEntries,
+    version=2,
+    most=50_000_000,
 )
 _SLACK = 100  # times the residual that the stated digits allow
 
 
 def kernel_entries(orbit: Orbit) -> KernelOrbitEntries:
-    """What is in an orbit's file, of one that has kernels."""
+    """What is in an orbit's file, of one that has kernels.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+
+    Returns
+    -------
+    KernelOrbitEntries
+        Ready to be written.
+    """
     bits = max(map(bits_of, (*orbit.unknowns.values(), orbit.residual)))
+    kernels = orbit.kernels
+    _, name, saved = named(kernels.system, f"{kernels.system.name}:{kernels.orbit}")
     return KernelOrbitEntries(
-        orbit=orbit.name,
-        derivation=_derivation(orbit.kernels),
+        orbit=name if saved is not None else f"{kernels.system.name}/{kernels.orbit}",
+        tables=saved,
+        derivation=_derivation(kernels),
         given=orbit.given,
         opened=orbit.opened,
         unknowns={name: number_text(number, bits) for name, number in orbit.unknowns.items()},
@@ -72,9 +91,25 @@ def kernel_entries(orbit: Orbit) -> KernelOrbitEntries:
     )
 
 
-def kernel_orbit(entries: KernelOrbitEntries, folder: Path) -> Orbit:
-    """The orbit that a file's entries describe, checked against the kernels."""
-    kernels = load_orbit(entries.orbit, folder)
+def kernel_orbit(entries: KernelOrbitEntries) -> Orbit:
+    """The orbit that a file's entries describe, checked against the kernels.
+
+    Parameters
+    ----------
+    entries : KernelOrbitEntries
+        As they were read.
+
+    Returns
+    -------
+    Orbit
+        With the same numbers.
+
+    Raises
+    ------
+    InputError
+        If the numbers are no orbit, or not this one with these kernels.
+    """
+    kernels = orbit_in(entries.orbit, entries.tables)
     _check_names(kernels, entries)
     check_counts(entries)
     bits = None if entries.arithmetic == "double" else entries.bits

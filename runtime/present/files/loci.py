@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Annotated, Any
 
 from nonsmooth.runtime.core.errors import InputError
@@ -12,6 +11,7 @@ from nonsmooth.runtime.core.json_codec import Row, one_of
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 from nonsmooth.runtime.explore.continuation.locus import Locus
+from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 
 __all__ = ["load_locus", "save_locus"]
@@ -37,11 +37,20 @@ class LocusEntries:
     orbit: tuple[Any]
 
 
-_LOCUS = FileFormat(name="nonsmooth locus", what="saved curve of events", entries=LocusEntries)
+_LOCUS = FileFormat(
+    name="nonsmooth locus", what="saved curve of events", entries=LocusEntries, version=2
+)
 
 
 def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
     """Write a curve of events to a file; what was there stays until the new content is complete.
+
+    Parameters
+    ----------
+    locus : Locus
+        As `continue_event` gives it.
+    path : str or path
+        The file.
 
     Raises
     ------
@@ -49,7 +58,9 @@ def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
         If the file cannot be written.
     """
     own = {name: getattr(locus, name) for name in LocusEntries.__dataclass_fields__}
-    _LOCUS.write(path, LocusEntries(**{**own, "orbit": (orbit_content(locus.orbit),)}))
+    name = named(locus.orbit.system, locus.name)[1]
+    kept = {"name": name, "orbit": (orbit_content(locus.orbit),)}
+    _LOCUS.write(path, LocusEntries(**{**own, **kept}))
 
 
 def load_locus(path: str | os.PathLike[str]) -> Locus:
@@ -80,11 +91,11 @@ def load_locus(path: str | os.PathLike[str]) -> Locus:
     ('V', 'eta')
     """
     with naming(path) as file:
-        return _locus(_LOCUS.read(file), file.parent)
+        return _locus(_LOCUS.read(file))
 
 
-def _locus(entries: LocusEntries, folder: Path) -> Locus:
-    orbit = orbit_in(entries.orbit[0], folder)
+def _locus(entries: LocusEntries) -> Locus:
+    orbit = orbit_in(entries.orbit[0])
     values = entries.values.reshape(-1, 2)
     unknowns = entries.unknowns.reshape(-1, len(entries.unknown_names))
     if len(unknowns) != len(values) or not 0 <= entries.start < len(values):

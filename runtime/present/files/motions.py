@@ -30,6 +30,7 @@ from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.starting import check_forcing
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -38,6 +39,11 @@ __all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
 
 ENDINGS = (".npz", ".csv")
 _TOLERANCE = 1e-8  # of motions by another derivation
+_PIECE = 1 << 20  # bytes that are unpacked at a time
+_HEADERS = {
+    (1, 0): np.lib.format.read_array_header_1_0,
+    (2, 0): np.lib.format.read_array_header_2_0,
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,6 +54,7 @@ class MotionHeader:
     """
 
     system: str
+    tables: SavedSystem | None
     derivation: str
     parameters: Mapping[str, Value]
     states: tuple[str, ...]
@@ -59,7 +66,7 @@ class MotionHeader:
 
 
 MOTION = FileFormat(
-    name="nonsmooth trajectory", what="saved motion", entries=MotionHeader, version=2
+    name="nonsmooth trajectory", what="saved motion", entries=MotionHeader, version=3
 )
 
 
@@ -81,7 +88,7 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
     ----------
     trajectory : Trajectory
     path : str or path
-        A .npz or .csv file; its folder has to exist.
+        A .npz or .csv file; folders above it are made.
 
     Raises
     ------
@@ -92,6 +99,8 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
     ending = _ending(target)
     check_target(target)
     run, structure = trajectory.run, trajectory.structure
+    kernels = structure.kernels or load_system(trajectory.name)
+    system, _, saved = named(kernels)
     table = _Table(
         run.times,
         np.array(trajectory.configurations),
@@ -100,8 +109,9 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
         run.before,
     )
     entries = MotionHeader(
-        system=trajectory.name,
-        derivation=_derivation(trajectory.name),
+        system=system,
+        tables=saved,
+        derivation=str(kernels.module.DERIVATION),
         parameters=trajectory.parameters,
         states=tuple(trajectory.names),
         status=run.status.name.lower(),
@@ -151,7 +161,7 @@ def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     with naming(path) as source:
         content, header, table = read(read_file(source, MOTION.most, MOTION.what))
         MOTION.check_sum(content, *_numbers(table))
-        return _trajectory(header, table, source.parent)
+        return _trajectory(header, table)
 
 
 def _ending(path: Path) -> str:
@@ -159,10 +169,6 @@ def _ending(path: Path) -> str:
     if ending not in ENDINGS:
         raise InputError(f"{path} does not end in {' or '.join(ENDINGS)}")
     return ending
-
-
-def _derivation(system: str) -> str:
-    return str(load_system(system).module.DERIVATION)
 
 
 def _grazing_entries(structure: Structure, grazing: Grazing) -> tuple[float, str, str, float]:
@@ -215,7 +221,10 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
             raise InputError(f"cut, or not JSON: line {line[:40]!r}") from None
     header = MOTION.check_entries(entries)
     names = _columns(header.states)
-    rows = list(csv.reader(lines[count:]))
+    try:
+        rows = list(csv.reader(lines[count:]))
+    except csv.Error as problem:
+        raise InputError(f"cut, or no table: {problem}") from None
     if len(rows) < 2 or rows[0] != names or any(len(row) != len(names) for row in rows):
         raise InputError(f"cut, or its columns are not {','.join(names)}")
     columns = list(zip(*rows[1:], strict=True))
@@ -247,17 +256,13 @@ def _npz(content: Mapping[str, Any], table: _Table) -> bytes:
 
 def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
     names = ("header", *_Table.__dataclass_fields__)
-    arrays = {}
     try:
         with zipfile.ZipFile(io.BytesIO(found)) as file:
-            sizes = {entry.filename: entry.file_size for entry in file.infolist()}
-            if sum(sizes.values()) > MOTION.most:
+            if sum(entry.file_size for entry in file.infolist()) > MOTION.most:
                 raise InputError("too large for a saved motion")
-            if sorted(sizes) != sorted(f"{name}.npy" for name in names):
+            if sorted(file.namelist()) != sorted(f"{name}.npy" for name in names):
                 raise InputError("not a saved motion, such as Trajectory.save writes")
-            for name in names:
-                part = io.BytesIO(file.read(f"{name}.npy"))
-                arrays[name] = np.lib.format.read_array(part, allow_pickle=False)
+            arrays = {name: _array(file, f"{name}.npy") for name in names}
     except InputError:
         raise
     except Exception:  # what a damaged archive raises is not one kind
@@ -278,9 +283,28 @@ def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
     return entries, header, table
 
 
-def _trajectory(header: MotionHeader, table: _Table, folder: Path) -> Trajectory:
+def _array(file: zipfile.ZipFile, name: str) -> np.ndarray:
+    """An array of an archive; no more is unpacked than the archive says, nor more than is there.
+
+    What is compressed is unpacked piece by piece: all at once it may be a thousand times as
+    large as what the archive says of it. NumPy makes the array that a header asks for before
+    it reads one number.
+    """
+    with file.open(name) as entry:
+        content = b"".join(iter(lambda: entry.read(_PIECE), b""))
+    part = io.BytesIO(content)
+    read_header = _HEADERS[np.lib.format.read_magic(part)]
+    shape, _, dtype = read_header(part)
+    size = math.prod(shape) * dtype.itemsize
+    if not dtype.hasobject and size != len(content) - part.tell():
+        raise InputError(f"{name!r} is not as long as its header says")
+    part.seek(0)
+    return np.asarray(np.lib.format.read_array(part, allow_pickle=False))
+
+
+def _trajectory(header: MotionHeader, table: _Table) -> Trajectory:
     """The motion that a file describes, checked against the tables of its system."""
-    kernels = load_system(header.system, folder)
+    kernels = system_in(header.system, header.tables)
     system = piecewise(kernels, header.parameters)
     structure = system.structure
     if header.states != structure.states:

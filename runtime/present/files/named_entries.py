@@ -20,40 +20,82 @@ from nonsmooth.runtime.present.files import found as finding
 from nonsmooth.runtime.present.files.declared_table import declared_table
 from nonsmooth.runtime.present.files.orbits import load_orbit_file
 
-__all__ = ["saved_kernels", "saved_orbit"]
+__all__ = ["saved_kernels", "saved_names", "saved_orbit"]
 
 
-def saved_orbit(name: str, beside: Path | None = None) -> Orbit:
+def saved_orbit(name: str) -> Orbit:
     """The orbit that a name ``FILE.json`` or ``FILE.json:N`` stands for.
 
     Parameters
     ----------
     name : str
-    beside : Path, optional
-        Folder in which the file is looked for where it is not in its place.
+        ``FILE.json`` or ``FILE.json:N``.
+
+    Returns
+    -------
+    Orbit
+        With the numbers of the file.
 
     Raises
     ------
     InputError
         If the file holds no such orbit, or as `load_orbit_file` and `load_found`.
     """
-    path, number = _place(name, beside)
+    path, number = _place(name)
     return _orbit(path, number)
 
 
-def saved_kernels(name: str, beside: Path | None = None) -> OrbitKernels:
-    """Tables and kernels of an orbit in a file; as `saved_orbit`."""
-    path, number = _place(name, beside)
+def saved_kernels(name: str) -> OrbitKernels:
+    """Tables and kernels of an orbit in a file; as `saved_orbit`.
+
+    Parameters
+    ----------
+    name : str
+        ``FILE.json`` or ``FILE.json:N``.
+
+    Returns
+    -------
+    OrbitKernels
+        The same ones as long as the file does not change.
+    """
+    path, number = _place(name)
     stamp = path.stat()
     return _kernels(path, number, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
 
 
-def _place(name: str, beside: Path | None) -> tuple[Path, int | None]:
+def saved_names(name: str) -> tuple[str, ...]:
+    """Names of all orbits that a name ``FILE.json`` or ``FILE.json:N`` stands for.
+
+    Parameters
+    ----------
+    name : str
+        A file of results, perhaps with the place of an orbit in it, from 1.
+
+    Returns
+    -------
+    tuple of str
+        Names that `load_orbit` takes.
+
+    Raises
+    ------
+    InputError
+        If the file holds no orbit, or as `load_found`.
+    """
+    path, number = _place(name)
+    if number is not None or format_in(path) != finding.FOUND.name:
+        return (name,)
+    found = enumerate(finding.load_found(path).orbits, 1)
+    names = tuple(f"{name}:{place}" for place, each in found if isinstance(each.orbit, Orbit))
+    if not names:
+        raise InputError(f"{name} holds no orbit that has an itinerary")
+    return names
+
+
+def _place(name: str) -> tuple[Path, int | None]:
     """Whole path of the file, and the number that is named."""
     file, text = (name, "") if name.endswith(".json") else name.rsplit(":", 1)
-    moved = [] if beside is None else [beside / Path(file).name]
-    path = next((path for path in (Path(file), *moved) if path.is_file()), None)
-    if path is None:
+    path = Path(file)
+    if not path.is_file():
         raise InputError(f"there is no file {file}")
     if text and not text.isdecimal():
         raise InputError(f"{name}: {text!r} is no number of an orbit, such as {file}:1")

@@ -28,21 +28,56 @@ class OrbitCounts(Protocol):
 
 
 def bits_of(number: Any) -> int:
-    """Precision of a number: of a double, or of the mpmath context that made it."""
+    """Precision of a number: of a double, or of the mpmath context that made it.
+
+    Parameters
+    ----------
+    number : float or mpf
+        The number.
+
+    Returns
+    -------
+    int
+        Bits.
+    """
     if isinstance(number, float):
         return _DOUBLE_BITS
     return max(int(number.man_exp[0]).bit_length(), int(number.context.prec))
 
 
 def number_text(number: Any, bits: int) -> str:
-    """Decimal text that determines a number of so many bits."""
+    """Decimal text that determines a number of so many bits.
+
+    Parameters
+    ----------
+    number : float or mpf
+        The number.
+    bits : int
+        Its precision.
+
+    Returns
+    -------
+    str
+        Decimal.
+    """
     if isinstance(number, float):
         return float.__repr__(number)
     return decimal_string(number, math.ceil(bits * math.log10(2)))
 
 
 def check_counts(entries: OrbitCounts) -> None:
-    """Refuse counts of bits, digits and iterations that no orbit has."""
+    """Refuse counts of bits, digits and iterations that no orbit has.
+
+    Parameters
+    ----------
+    entries : OrbitCounts
+        As they were read.
+
+    Raises
+    ------
+    InputError
+        If a count is out of its range.
+    """
     double = entries.arithmetic == "double"
     allowed = {
         "bits": (_DOUBLE_BITS, _DOUBLE_BITS if double else _MOST_BITS),
@@ -57,7 +92,27 @@ def check_counts(entries: OrbitCounts) -> None:
 
 
 def read_number(name: str, text: str, bits: int | None) -> Any:
-    """The double, or the mpmath number of so many bits, nearest to a decimal text."""
+    """The double, or the mpmath number of so many bits, nearest to a decimal text.
+
+    Parameters
+    ----------
+    name : str
+        What it is, for the message.
+    text : str
+        Decimal.
+    bits : int or None
+        None for a double.
+
+    Returns
+    -------
+    float or mpf
+        Finite.
+
+    Raises
+    ------
+    InputError
+        If the text is no finite decimal of a usual size.
+    """
     try:
         decimal = Decimal(text)
     except InvalidOperation:

@@ -8,7 +8,6 @@ read has to solve the equations of the kernels or tables that are there.
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
@@ -33,7 +32,7 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
     orbit : Orbit
         A converged one; floats and mpmath numbers come back as they are.
     path : str or path
-        A JSON file; its folder has to exist.
+        A JSON file; folders above it are made.
 
     Raises
     ------
@@ -45,7 +44,23 @@ def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
 
 
 def orbit_content(orbit: Orbit) -> dict[str, Any]:
-    """What is in an orbit's file; InputError if it has not converged."""
+    """What is in an orbit's file; InputError if it has not converged.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
+
+    Raises
+    ------
+    InputError
+        If the orbit has not converged.
+    """
     file_format, entries = _entries(orbit)
     return file_format.content(entries)
 
@@ -88,11 +103,21 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
     True
     """
     with naming(path) as file:
-        return orbit_in(parsed(read_file(file, KERNEL_ORBIT.most, KERNEL_ORBIT.what)), file.parent)
+        return orbit_in(parsed(read_file(file, KERNEL_ORBIT.most, KERNEL_ORBIT.what)))
 
 
-def orbit_in(content: Any, folder: Path) -> Orbit:
-    """The orbit that the entries of a file in a folder describe.
+def orbit_in(content: Any) -> Orbit:
+    """The orbit that the entries of a file describe.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    Orbit
+        With the same numbers.
 
     Raises
     ------
@@ -101,5 +126,5 @@ def orbit_in(content: Any, folder: Path) -> Orbit:
     """
     by_tables = isinstance(content, dict) and content.get("format") == TABLE_ORBIT.name
     if by_tables:
-        return table_orbit(TABLE_ORBIT.check(content), folder)
-    return kernel_orbit(KERNEL_ORBIT.check(content), folder)
+        return table_orbit(TABLE_ORBIT.check(content))
+    return kernel_orbit(KERNEL_ORBIT.check(content))

@@ -3,25 +3,45 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.finding.sweep import Sweep
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 
 __all__ = ["load_sweep", "save_sweep"]
 
-_SWEEP = FileFormat(name="nonsmooth sweep", what="saved sweep", entries=Sweep)
+
+@dataclass(frozen=True, kw_only=True)
+class SweepEntries(Sweep):
+    """The diagram, and its system as data if that is not built in."""
+
+    tables: SavedSystem | None
+
+
+_SWEEP = FileFormat(name="nonsmooth sweep", what="saved sweep", entries=SweepEntries, version=2)
 
 
 def save_sweep(diagram: Sweep, path: str | os.PathLike[str]) -> None:
     """Write a diagram, complete or not; what was there stays until the new content is complete.
+
+    Parameters
+    ----------
+    diagram : Sweep
+        The bifurcation diagram.
+    path : str or path
+        The file.
 
     Raises
     ------
     InputError
         If the file cannot be written.
     """
-    _SWEEP.write(path, diagram)
+    system, _, saved = named(known_system(diagram.system))
+    entries = {**vars(diagram), "system": system, "tables": saved}
+    _SWEEP.write(path, SweepEntries(**entries))
 
 
 def load_sweep(path: str | os.PathLike[str]) -> Sweep:
@@ -53,7 +73,9 @@ def load_sweep(path: str | os.PathLike[str]) -> Sweep:
     'V'
     """
     with naming(path) as file:
-        diagram = _SWEEP.read(file)
+        entries = {**vars(_SWEEP.read(file))}
+        system_in(entries["system"], entries.pop("tables"))
+        diagram = Sweep(**entries)
         count = len(diagram.values)
         together = len(diagram.samples) == len(diagram.outcomes) == count
         if not together or not 0 <= diagram.done <= count:

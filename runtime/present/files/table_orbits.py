@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -18,8 +17,9 @@ from nonsmooth.runtime.core.json_codec import BlankText, BlankValue
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import system_parameters
-from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.routes import with_routes_at
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
@@ -51,6 +51,7 @@ class TableOrbitEntries:
     """What an orbit's file holds; numbers have as many digits as `bits` need."""
 
     system: str
+    tables: SavedSystem | None
     label: BlankText
     derivation: str
     parameters: Mapping[str, Value]
@@ -67,18 +68,34 @@ class TableOrbitEntries:
 
 
 TABLE_ORBIT = FileFormat(
-    name="nonsmooth composed orbit", what="saved orbit", entries=TableOrbitEntries, most=50_000_000
+    name="nonsmooth composed orbit",
+    what="saved orbit",
+    entries=TableOrbitEntries,
+    version=2,
+    most=50_000_000,
 )
 _SLACK = 100  # times the error that the stated digits allow
 _MOST_MISSED = 1e-9  # the solver's residual, in units of the data
 
 
 def table_entries(orbit: Orbit) -> TableOrbitEntries:
-    """What is in an orbit's file, of one that was solved with its system's tables."""
+    """What is in an orbit's file, of one that was solved with its system's tables.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+
+    Returns
+    -------
+    TableOrbitEntries
+        Ready to be written.
+    """
     problem = orbit.problem
     assert isinstance(problem, TableProblem)
     dwell, states = orbit.dwell_times.tolist(), orbit.states.tolist()
     bits = max(map(bits_of, (*dwell, *(x for row in states for x in row), orbit.residual)))
+    system, label, saved = named(orbit.system, problem.label or "")
     phases = tuple(
         PhaseEntries(
             configuration=configuration,
@@ -89,8 +106,9 @@ def table_entries(orbit: Orbit) -> TableOrbitEntries:
         for (configuration, boundary), time, row in zip(orbit.itinerary, dwell, states, strict=True)
     )
     return TableOrbitEntries(
-        system=orbit.system.name,
-        label=problem.label,
+        system=system,
+        tables=saved,
+        label=label or None,
         derivation=_derivation(orbit.system),
         parameters=orbit.parameters,
         period=orbit.given_period,
@@ -106,15 +124,25 @@ def table_entries(orbit: Orbit) -> TableOrbitEntries:
     )
 
 
-def table_orbit(entries: TableOrbitEntries, folder: Path) -> Orbit:
-    """The orbit that the entries of a file in a folder describe.
+def table_orbit(entries: TableOrbitEntries) -> Orbit:
+    """The orbit that the entries of a file describe.
+
+    Parameters
+    ----------
+    entries : TableOrbitEntries
+        As they were read.
+
+    Returns
+    -------
+    Orbit
+        With the same numbers.
 
     Raises
     ------
     InputError
         If the system is not there, or what the file holds is no orbit of it.
     """
-    kernels = load_system(entries.system, folder)
+    kernels = system_in(entries.system, entries.tables)
     check_counts(entries)
     bits = None if entries.arithmetic == "double" else entries.bits
     parameters = system_parameters(kernels, entries.parameters)

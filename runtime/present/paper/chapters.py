@@ -26,8 +26,8 @@ from nonsmooth.runtime.present.paper.records import (
     Comparisons,
     Equation,
     Finding,
-    Picture,
     Report,
+    ReportFigure,
     Table,
     Text,
 )
@@ -60,7 +60,18 @@ Formulas = Callable[[str, str], Sequence[tuple[str, str]]]
 
 
 def paper_orbits(begin: Callable[[str], None]) -> dict[str, Orbit]:
-    """The paper's orbits at its data, refined; `begin` is told the name of each."""
+    """The paper's orbits at its data, refined; `begin` is told the name of each.
+
+    Parameters
+    ----------
+    begin : callable
+        Is told each step when it begins.
+
+    Returns
+    -------
+    dict of str to Orbit
+        By their names.
+    """
     found = {}
     for name in ORBITS:
         begin(f"orbit {name}")
@@ -72,7 +83,7 @@ def paper_orbits(begin: Callable[[str], None]) -> dict[str, Orbit]:
 
 
 def paper_report(
-    orbits: Mapping[str, Orbit], pictures: Mapping[str, Picture], formulas: Formulas
+    orbits: Mapping[str, Orbit], pictures: Mapping[str, ReportFigure], formulas: Formulas
 ) -> Report:
     """The whole report.
 
@@ -80,10 +91,15 @@ def paper_report(
     ----------
     orbits : mapping of str to Orbit
         As `paper_orbits` gives them.
-    pictures : mapping of str to Picture
+    pictures : mapping of str to ReportFigure
         By their stems.
     formulas : callable
         Gives LaTeX and meaning of the formulas in a section of an orbit's document.
+
+    Returns
+    -------
+    Report
+        With chapters, findings and the numbers of its JSON.
     """
     rigid, elastic, symmetric, stick, limit, swapped = (orbits[n] for n in (*ORBITS, EXCHANGED))
     numbers = _numbers(symmetric, stick, swapped)
@@ -246,7 +262,7 @@ def _equations(formulas: Formulas, orbit: Orbit, section: str) -> tuple[Equation
     return tuple(Equation(latex, note) for latex, note in formulas(orbit.name, section))
 
 
-def _orbit_blocks(orbit: Orbit, pictures: Mapping[str, Picture]) -> tuple[Block, ...]:
+def _orbit_blocks(orbit: Orbit, pictures: Mapping[str, ReportFigure]) -> tuple[Block, ...]:
     """An orbit's numbers, its strip and its multipliers."""
     told = orbit_json(orbit, DIGITS)
     given = {name: value.text for name, value in {**orbit.given, **orbit.opened}.items()}

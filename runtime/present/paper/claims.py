@@ -23,7 +23,18 @@ _STIFFEST = 10  # decades of k3
 
 
 def singular_periods(rigid: Orbit) -> Table:
-    """Periods at which the half-period conditions do not determine the rigid orbit."""
+    """Periods at which the half-period conditions do not determine the rigid orbit.
+
+    Parameters
+    ----------
+    rigid : Orbit
+        The rigid stop's, at the paper's data.
+
+    Returns
+    -------
+    Table
+        One row for each period, nondimensional.
+    """
     found = singular_values(rigid.name, "T", 0, LONGEST_PERIOD)
     return Table(
         "Singular periods up to $8\\pi$, at the paper's data",
@@ -33,7 +44,18 @@ def singular_periods(rigid: Orbit) -> Table:
 
 
 def admissible_periods(rigid: Orbit) -> Table:
-    """Intervals of the period in which the rigid orbit is a motion of the system."""
+    """Intervals of the period in which the rigid orbit is a motion of the system.
+
+    Parameters
+    ----------
+    rigid : Orbit
+        The rigid stop's, at the paper's data.
+
+    Returns
+    -------
+    Table
+        One row for each interval, nondimensional.
+    """
     found = admissible_intervals(rigid.name, "T", 0, LONGEST_PERIOD)
     return Table(
         "Periods up to $8\\pi$ with an admissible one-impact orbit, at the paper's data",
@@ -51,7 +73,18 @@ def _reason(interval: Interval, side: int) -> str:
 
 
 def rigid_limit(rigid: Orbit) -> Finding:
-    """The elastic orbits for ever stiffer stops, and the rate at which they become rigid."""
+    """The elastic orbits for ever stiffer stops, and the rate at which they become rigid.
+
+    Parameters
+    ----------
+    rigid : Orbit
+        The rigid stop's, at the paper's data.
+
+    Returns
+    -------
+    Finding
+        With the errors, nondimensional, by stiffness.
+    """
     target = {name: float(rigid.unknowns[name]) for name in ("y", "u")}
     rows, errors = [], []
     for decade in range(_STIFFEST + 1):
@@ -98,7 +131,18 @@ def rigid_limit(rigid: Orbit) -> Finding:
 
 
 def symmetric_portraits(symmetric: Orbit) -> Finding:
-    """Whether both phase portraits of the symmetric orbit are symmetric, and its stability."""
+    """Whether both phase portraits of the symmetric orbit are symmetric, and its stability.
+
+    Parameters
+    ----------
+    symmetric : Orbit
+        The symmetric orbit, at the paper's data.
+
+    Returns
+    -------
+    Finding
+        With the largest defect of the symmetry in each state, nondimensional.
+    """
     motion, tau = symmetric.motion(), float(symmetric.values["tau"])
     times = np.linspace(0, motion.period, 2001)
     there, mirrored = motion(times), motion(tau - times)
@@ -128,7 +172,18 @@ def symmetric_portraits(symmetric: Orbit) -> Finding:
 
 
 def trace_criterion(stick: Orbit) -> Finding:
-    """The paper's criterion of conditional stability, decided for its data."""
+    """The paper's criterion of conditional stability, decided for its data.
+
+    Parameters
+    ----------
+    stick : Orbit
+        The orbit with global stick, at the paper's data.
+
+    Returns
+    -------
+    Finding
+        With determinant and trace, nondimensional.
+    """
     stability = stick.stability
     jacobian = stick.evaluate("poincare_jacobian")
     determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0]
@@ -146,7 +201,18 @@ def trace_criterion(stick: Orbit) -> Finding:
 
 
 def saltation_matters(orbits: tuple[Orbit, ...]) -> Table:
-    """Multipliers with and without the saltation matrices, by products of all local maps."""
+    """Multipliers with and without the saltation matrices, by products of all local maps.
+
+    Parameters
+    ----------
+    orbits : tuple of Orbit
+        One row each.
+
+    Returns
+    -------
+    Table
+        Of nondimensional multipliers.
+    """
     rows = []
     for orbit in orbits:
         known = sorted((complex(m.real, m.imaginary) for m in orbit.stability.multipliers), key=_by)

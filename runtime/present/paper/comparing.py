@@ -30,6 +30,11 @@ def compared(
         Digits as printed, by the name of the unknown.
     labels : dict of str to str
         LaTeX of the names.
+
+    Returns
+    -------
+    tuple of Comparison
+        One for each printed number.
     """
     return tuple(
         _compared(labels[name], where, text, orbit.unknowns[name]) for name, text in printed.items()
@@ -37,7 +42,18 @@ def compared(
 
 
 def digits_of(number: Any) -> str:
-    """A number to 30 decimals, or 30 digits where it is larger than one."""
+    """A number to 30 decimals, or 30 digits where it is larger than one.
+
+    Parameters
+    ----------
+    number : float or mpf
+        The number.
+
+    Returns
+    -------
+    str
+        Decimal.
+    """
     return decimal_string(number, DIGITS)
 
 

@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
 __all__ = ["ContactOrbit", "contact_orbits"]
 
@@ -44,12 +43,20 @@ def contact_orbits(data: Mapping[str, float], last_entry: float) -> tuple[Contac
     data : mapping of str to float
         m1, m2, k1, k2, k3 and the period T, in consistent units.
     last_entry : float
+        K1[2, 2], in the same units.
+
+    Returns
+    -------
+    tuple of ContactOrbit
+        By rising time of contact.
     """
+    from scipy.optimize import brentq
+
     k1, k3, period = data["k1"], data["k3"], data["T"]
     mass = np.array([data["m1"], data["m2"]])
-    free = _Motion(mass, np.array([[k1, -k1], [-k1, k1 + data["k2"]]]), np.zeros(2))
+    free = _ModalMotion(mass, np.array([[k1, -k1], [-k1, k1 + data["k2"]]]), np.zeros(2))
     stiffness = np.array([[k1 + k3, -k1], [-k1, last_entry]])
-    contact = _Motion(mass, stiffness, np.linalg.solve(stiffness, [k3, 0.0]))
+    contact = _ModalMotion(mass, stiffness, np.linalg.solve(stiffness, [k3, 0.0]))
 
     def conditions(tau: float) -> np.ndarray:
         """Rows on (1, y, u, w): velocities halfway through contact, then free."""
@@ -76,7 +83,7 @@ def contact_orbits(data: Mapping[str, float], last_entry: float) -> tuple[Contac
     return tuple(found)
 
 
-class _Motion:
+class _ModalMotion:
     """x'' = -M^-1 K (x - d), by its modes."""
 
     def __init__(self, mass: np.ndarray, stiffness: np.ndarray, centre: np.ndarray) -> None:
@@ -104,7 +111,9 @@ class _Motion:
         return np.asarray(modes @ self.shapes[0] + self.centre[0])
 
 
-def _failure(contact: _Motion, free: _Motion, start: np.ndarray, tau: float, period: float) -> str:
+def _failure(
+    contact: _ModalMotion, free: _ModalMotion, start: np.ndarray, tau: float, period: float
+) -> str:
     during = contact.positions(np.linspace(0, tau, _SAMPLES), start)
     if during.min() < 1 - _ROUNDING:
         return f"$x_1$ falls to {during.min():.4g} in contact"

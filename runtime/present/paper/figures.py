@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.paper import schematics
-from nonsmooth.runtime.present.paper.records import Picture
+from nonsmooth.runtime.present.paper.records import ReportFigure
 from nonsmooth.runtime.present.pictures.plot import orbit_figure
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ __all__ = ["Drawing", "drawings"]
 class Drawing:
     """A picture and the function that draws it."""
 
-    picture: Picture
+    picture: ReportFigure
     draw: Callable[[], Figure]
 
 
@@ -39,7 +39,7 @@ class _View:
 
     def of(self, orbits: Mapping[str, Orbit]) -> Drawing:
         """Its drawing."""
-        picture = Picture(f"figure-{self.number:02}", f"Fig. {self.number}. {self.caption}.")
+        picture = ReportFigure(f"figure-{self.number:02}", f"Fig. {self.number}. {self.caption}.")
         draw = partial(
             orbit_figure, orbits[self.orbit], self.kind, periods=self.periods, masses=self.masses
         )
@@ -66,10 +66,21 @@ _SCHEMATICS = (
 
 
 def drawings(orbits: Mapping[str, Orbit]) -> dict[str, Drawing]:
-    """All drawings by their stems: the paper's by number, then two of each orbit."""
+    """All drawings by their stems: the paper's by number, then two of each orbit.
+
+    Parameters
+    ----------
+    orbits : dict of str to Orbit
+        As `paper_orbits` gives them.
+
+    Returns
+    -------
+    dict of str to Drawing
+        In the order of the report.
+    """
     numbered = {view.number: view.of(orbits) for view in _VIEWS}
     for number, caption, draw in _SCHEMATICS:
-        picture = Picture(f"figure-{number:02}", f"Fig. {number}. {caption}")
+        picture = ReportFigure(f"figure-{number:02}", f"Fig. {number}. {caption}")
         numbered[number] = Drawing(picture, draw)
     found = [numbered[number] for number in sorted(numbered)]
     for name, orbit in orbits.items():
@@ -83,5 +94,5 @@ def _of_orbit(name: str, orbit: Orbit) -> Iterator[Drawing]:
         ("strip", "Configurations of *{}* over a period, with their dwell times."),
         ("multipliers", "Multipliers of *{}* in the unit circle."),
     ):
-        picture = Picture(f"{stem}-{kind}", caption.format(name))
+        picture = ReportFigure(f"{stem}-{kind}", caption.format(name))
         yield Drawing(picture, partial(orbit_figure, orbit, kind))

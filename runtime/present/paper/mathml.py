@@ -42,6 +42,16 @@ class Formulas:
     def display(self, latex: str) -> str:
         """A formula on a line of its own.
 
+        Parameters
+        ----------
+        latex : str
+            Without delimiters.
+
+        Returns
+        -------
+        str
+            HTML with MathML.
+
         Raises
         ------
         ValueError
@@ -51,6 +61,16 @@ class Formulas:
 
     def inline(self, latex: str) -> str:
         """A formula within a line, as pieces between which the line may break.
+
+        Parameters
+        ----------
+        latex : str
+            Without delimiters.
+
+        Returns
+        -------
+        str
+            HTML with MathML.
 
         Raises
         ------

@@ -25,6 +25,11 @@ def misprints(rigid: Orbit, elastic: Orbit, symmetric: Orbit, stick: Orbit) -> t
     ----------
     rigid, elastic, symmetric, stick : Orbit
         The paper's orbits at the paper's data; `stick` is the global-stick one.
+
+    Returns
+    -------
+    tuple of Finding
+        One for each misprint.
     """
     return (
         _impact_law(rigid),

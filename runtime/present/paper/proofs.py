@@ -22,7 +22,22 @@ _BESIDE = 0.05  # of the parameter: from a border collision to an orbit that has
 def with_certificates(
     report: Report, orbits: Mapping[str, Orbit], begin: Callable[[str], None]
 ) -> Report:
-    """The report with a chapter on proofs before the last, and the certificates in its JSON."""
+    """The report with a chapter on proofs before the last, and the certificates in its JSON.
+
+    Parameters
+    ----------
+    report : Report
+        As `paper_report` gives it.
+    orbits : dict of str to Orbit
+        As `paper_orbits` gives them.
+    begin : callable
+        Is told each step when it begins.
+
+    Returns
+    -------
+    Report
+        A new one.
+    """
     found: dict[str, Certificate] = {}
     for name, orbit in orbits.items():
         begin(f"proof of {name}")

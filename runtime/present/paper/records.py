@@ -15,8 +15,8 @@ __all__ = [
     "Comparisons",
     "Equation",
     "Finding",
-    "Picture",
     "Report",
+    "ReportFigure",
     "Table",
     "Text",
 ]
@@ -54,7 +54,7 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Picture:
+class ReportFigure:
     """A figure that lies as ``<stem>.svg`` and ``<stem>.png`` beside the report.
 
     Attributes
@@ -136,7 +136,7 @@ class Finding:
     table: Table | None = None
 
 
-Block = Text | Equation | Table | Picture | Comparisons | Finding
+Block = Text | Equation | Table | ReportFigure | Comparisons | Finding
 
 
 @dataclass(frozen=True)

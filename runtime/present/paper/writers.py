@@ -19,8 +19,8 @@ from nonsmooth.runtime.present.paper.records import (
     Comparisons,
     Equation,
     Finding,
-    Picture,
     Report,
+    ReportFigure,
     Table,
     Text,
 )
@@ -41,6 +41,16 @@ _HEADER = ("Quantity", "Where", "Printed", "Ours", "Difference", "Verdict")
 def to_json(report: Report) -> str:
     """Every number of a report, in its order; equal results give equal bytes.
 
+    Parameters
+    ----------
+    report : Report
+        As `paper_report` gives it.
+
+    Returns
+    -------
+    str
+        JSON.
+
     Raises
     ------
     ValueError
@@ -50,7 +60,18 @@ def to_json(report: Report) -> str:
 
 
 def to_markdown(report: Report) -> str:
-    """Write a report for GitHub and for plain reading; pictures are ``<stem>.svg`` beside it."""
+    """Write a report for GitHub and for plain reading; pictures are ``<stem>.svg`` beside it.
+
+    Parameters
+    ----------
+    report : Report
+        As `paper_report` gives it.
+
+    Returns
+    -------
+    str
+        Markdown.
+    """
     chapters = (part for chapter in report.chapters for part in _chapter_markdown(chapter))
     parts = [f"# {_prose(report.title)}", *map(_paragraph, report.summary), *chapters]
     return "\n\n".join(parts) + "\n"
@@ -97,7 +118,7 @@ def _block_markdown(block: Block) -> list[str]:
         return [f"$$\n{block.latex.strip()}\n$$", *note]
     if isinstance(block, Table):
         return [f"**{_prose(block.caption)}**", _pipes(block.header, block.rows)]
-    if isinstance(block, Picture):
+    if isinstance(block, ReportFigure):
         words = re.sub(r"[\\\[\]`<]", r"\\\g<0>", _plain(block.caption))
         return [f"![{words}]({block.stem}.svg)", _paragraph(block.caption)]
     if isinstance(block, Comparisons):
@@ -240,7 +261,7 @@ class _Page:
 
         return Markup(self.formulas.display(latex))
 
-    def svg(self, picture: Picture) -> Markup:
+    def svg(self, picture: ReportFigure) -> Markup:
         """A picture that scales, with names that no other picture of the page has."""
         drawing = ElementTree.fromstring(self.pictures[picture.stem])
         _simplify(drawing)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from nonsmooth.runtime.core.errors import Interrupted, missing_extra
-from nonsmooth.runtime.core.files import unwritable
+from nonsmooth.runtime.core.errors import missing_extra
+from nonsmooth.runtime.core.files import check_folder, write_files
 from nonsmooth.runtime.present.paper.chapters import ORBITS, Formulas, paper_orbits, paper_report
 from nonsmooth.runtime.present.paper.proofs import with_certificates
 
@@ -23,7 +23,8 @@ def reproduce(
     """Reproduce the source paper.
 
     Writes ``report.html`` (self-contained), ``report.md``, ``results.json`` and each figure
-    as SVG and PNG. Running it again gives the same ``results.json``, byte by byte.
+    as SVG and PNG, all at once when the last is ready. Running it again gives the same
+    ``results.json``, byte by byte.
 
     Parameters
     ----------
@@ -46,36 +47,22 @@ def reproduce(
     MissingExtra
         If matplotlib, Jinja2 or latex2mathml is not installed.
     InputError
-        If the folder cannot be written.
-    Interrupted
-        By Ctrl-C; its `partial` are the files that were written.
+        If the folder cannot be written; then nothing of it has changed.
     """
     _check_extras()
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        (out / "results.json").open("a").close()
-    except OSError as problem:
-        raise unwritable(out, problem) from None
-    written: list[Path] = []
-    try:
-        _write_all(out, formulas, begin, written, certified=certified)
-    except KeyboardInterrupt:
-        raise Interrupted(tuple(path for path in written if path.exists())) from None
-    return tuple(written)
+    check_folder(out)
+    files = _contents(formulas, begin, certified=certified)
+    write_files(out, files)
+    return tuple(out / name for name in files)
 
 
-def _write_all(
-    out: Path,
-    formulas: Formulas,
-    begin: Callable[[str], None],
-    written: list[Path],
-    *,
-    certified: bool,
-) -> None:
-    """Write every file, and list each when it is begun."""
+def _contents(
+    formulas: Formulas, begin: Callable[[str], None], *, certified: bool
+) -> dict[str, bytes]:
+    """Content of every file by name: pictures, then the numbers and the reports."""
     from nonsmooth.runtime.present.paper.figures import drawings
     from nonsmooth.runtime.present.paper.writers import to_html, to_json, to_markdown
-    from nonsmooth.runtime.present.pictures.plot import save_figure
+    from nonsmooth.runtime.present.pictures.plot import figure_bytes
 
     orbits = paper_orbits(begin)
     drawn = drawings({name: orbits[name] for name in ORBITS})
@@ -84,24 +71,18 @@ def _write_all(
     report = paper_report(orbits, pictures, formulas)
     if certified:
         report = with_certificates(report, orbits, begin)
-    try:
-        for stem, drawing in drawn.items():
-            begin(f"figure {stem}")
-            figure = drawing.draw()
-            for ending in ("svg", "png"):
-                written.append(out / f"{stem}.{ending}")
-                save_figure(figure, written[-1])
-        begin("report")
-        vectors = {stem: (out / f"{stem}.svg").read_text(encoding="utf-8") for stem in drawn}
-        for name, text in (
-            ("results.json", to_json(report)),
-            ("report.md", to_markdown(report)),
-            ("report.html", to_html(report, vectors)),
-        ):
-            written.append(out / name)
-            written[-1].write_text(text, encoding="utf-8", newline="\n")
-    except OSError as problem:
-        raise unwritable(out, problem) from None
+    files: dict[str, bytes] = {}
+    for stem, drawing in drawn.items():
+        begin(f"figure {stem}")
+        figure = drawing.draw()
+        for ending in (".svg", ".png"):
+            files[f"{stem}{ending}"] = figure_bytes(figure, ending)
+    begin("report")
+    vectors = {stem: files[f"{stem}.svg"].decode() for stem in drawn}
+    files["results.json"] = to_json(report).encode()
+    files["report.md"] = to_markdown(report).encode()
+    files["report.html"] = to_html(report, vectors).encode()
+    return files
 
 
 def _check_extras() -> None:

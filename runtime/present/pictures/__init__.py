@@ -1,6 +1,6 @@
 """Pictures of orbits, motions, branches, charts and proven maps, by matplotlib.
 
-===============  =======================================================
+===============  =================================================================
 `drawing`        what all pictures share: colours, dashes, legends, axes
 `plot`           orbits: figures, Axes, files
 `panels`         what is drawn of an orbit into one Axes
@@ -12,5 +12,8 @@
 `maps`           basins of attraction and bifurcation diagrams
 `proven_maps`    proven maps: tiles of a plane or of a line
 `saved_files`    whatever is in a file
-===============  =======================================================
+`kinds`          kinds of pictures of an orbit or a motion: a new one is one entry
+`layout`         Axes that are given, or of a new figure
+`view`           points, labels and times that every picture of a motion needs
+===============  =================================================================
 """

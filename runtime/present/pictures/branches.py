@@ -69,6 +69,11 @@ def branch_figure(
     frequency : {"angular", "cycles"}
         How frequencies are given: in radians, or in cycles, in a unit of time.
 
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
     Raises
     ------
     InputError
@@ -141,6 +146,16 @@ def draw_branch(
 
 def locus_figure(locus: Locus) -> Figure:
     """A figure of a curve of events in the plane of its parameters.
+
+    Parameters
+    ----------
+    locus : Locus
+        As `continue_event` gives it.
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
 
     Raises
     ------

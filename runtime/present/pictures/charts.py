@@ -44,6 +44,11 @@ def chart_figure(chart: Dataset) -> Figure:
     chart : xarray.Dataset
         As `chart` and `load_chart` give it; one plane of a larger one by its `isel`.
 
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
     Raises
     ------
     InputError

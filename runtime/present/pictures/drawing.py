@@ -41,19 +41,51 @@ _CONFIGURATIONS = (
 
 
 def configuration_color(place: int) -> str:
-    """Colour of a configuration by its place in the system."""
+    """Colour of a configuration by its place in the system.
+
+    Parameters
+    ----------
+    place : int
+        Number of the configuration.
+
+    Returns
+    -------
+    str
+        A colour of matplotlib.
+    """
     return _CONFIGURATIONS[place % len(_CONFIGURATIONS)]
 
 
 def check_picture(kind: str, kinds: Sequence[str]) -> None:
-    """Refuse an unknown kind of picture, and say so if matplotlib is not installed."""
+    """Refuse an unknown kind of picture, and say so if matplotlib is not installed.
+
+    Parameters
+    ----------
+    kind : str
+        The kind that is asked for.
+    kinds : sequence of str
+        Those there are.
+
+    Raises
+    ------
+    InputError
+        If there is no such kind.
+    MissingExtra
+        If matplotlib is not installed.
+    """
     if kind not in kinds:
         raise unknown_name("kind of picture", kind, kinds)
     check_matplotlib()
 
 
 def check_matplotlib() -> None:
-    """Say so if matplotlib is not installed."""
+    """Say so if matplotlib is not installed.
+
+    Raises
+    ------
+    MissingExtra
+        If matplotlib is not installed.
+    """
     try:
         import matplotlib  # noqa: F401 (is it there?)
     except ImportError:
@@ -61,7 +93,27 @@ def check_matplotlib() -> None:
 
 
 def chosen_masses(masses: Iterable[int] | None, count: int, name: str) -> tuple[int, ...]:
-    """Masses that are drawn; all when none are given."""
+    """Masses that are drawn; all when none are given.
+
+    Parameters
+    ----------
+    masses : iterable of int, optional
+        Numbers of masses, from 0.
+    count : int
+        How many masses there are.
+    name : str
+        Of what is drawn, for the message.
+
+    Returns
+    -------
+    tuple of int
+        In the order in which they were given.
+
+    Raises
+    ------
+    InputError
+        If there is no such mass, or none is chosen.
+    """
     every = range(count)
     drawn = tuple(every if masses is None else masses)
     if not drawn or not set(drawn) <= set(every):
@@ -70,7 +122,27 @@ def chosen_masses(masses: Iterable[int] | None, count: int, name: str) -> tuple[
 
 
 def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
-    """Axes that a caller gave, as many as the kind takes."""
+    """Axes that a caller gave, as many as the kind takes.
+
+    Parameters
+    ----------
+    axes : Axes or an array of them
+        What the caller gave.
+    kind : str
+        Kind of picture, for the message.
+    counts : sequence of int
+        How many Axes it takes: one of these numbers.
+
+    Returns
+    -------
+    list of Axes
+        In their order.
+
+    Raises
+    ------
+    InputError
+        If they are not as many, or no Axes.
+    """
     places: list[Axes] = list(np.ravel(np.asarray(axes, dtype=object)))
     if len(places) not in counts or not all(hasattr(place, "plot") for place in places):
         raise InputError(
@@ -81,7 +153,17 @@ def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
 
 
 def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = False) -> None:
-    """Draw lines where boundaries lie: across the Axes, or upright."""
+    """Draw lines where boundaries lie: across the Axes, or upright.
+
+    Parameters
+    ----------
+    axes : Axes
+        What is drawn into.
+    levels : dict of float to str
+        Label of each level.
+    upright : bool, default False
+        Whether the lines stand upright.
+    """
     line: dict[str, Any] = {"color": "0.3", "linewidth": 0.9, "linestyle": ":", "zorder": 1.4}
     for level, label in levels.items():
         if upright:
@@ -95,14 +177,34 @@ def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = Fals
 
 
 def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any]) -> None:
-    """Show the direction of the motion, where the velocity is lowest."""
+    """Show the direction of the motion, where the velocity is lowest.
+
+    Parameters
+    ----------
+    axes : Axes
+        What is drawn into.
+    x : array (n,)
+        Positions along the motion, in the Axes' units.
+    v : array (n,)
+        Velocities there, in the Axes' units.
+    style : dict
+        Of the line; its colour is taken.
+    """
     place = min(max(int(np.argmin(v)), 1), len(v) - 1)
     arrow = {"arrowstyle": "-|>", "color": style["color"], "linewidth": 0, "mutation_scale": 16}
     axes.annotate("", (x[place], v[place]), (x[place - 1], v[place - 1]), arrowprops=arrow)
 
 
 def finish(axes: Axes, title: str) -> None:
-    """Title, and a legend between it and the frame, where it covers no curve."""
+    """Title, and a legend between it and the frame, where it covers no curve.
+
+    Parameters
+    ----------
+    axes : Axes
+        What is drawn into.
+    title : str
+        Empty for none.
+    """
     _, labels = axes.get_legend_handles_labels()
     columns = _columns(axes, labels)
     if labels:
@@ -135,24 +237,70 @@ def _columns(axes: Axes, labels: Sequence[str]) -> int:
 
 
 def line_style(mass: int) -> dict[str, Any]:
-    """Colour and dashes of a mass."""
+    """Colour and dashes of a mass.
+
+    Parameters
+    ----------
+    mass : int
+        Its number, from 0.
+
+    Returns
+    -------
+    dict
+        Arguments of matplotlib's `plot`.
+    """
     color, dashes = LINES[mass % len(LINES)]
     return {"color": color, "linestyle": dashes, "linewidth": 1.6}
 
 
 def band_style(color: str) -> dict[str, Any]:
-    """Style of the parts in which a mass sticks."""
+    """Style of the parts in which a mass sticks.
+
+    Parameters
+    ----------
+    color : str
+        Of the mass.
+
+    Returns
+    -------
+    dict
+        Arguments of matplotlib's `plot`.
+    """
     shape = {"linewidth": 6, "alpha": 0.3, "solid_capstyle": "butt", "zorder": 1.5}
     return {**shape, "color": color}
 
 
 def dot_style(style: Mapping[str, Any]) -> dict[str, Any]:
-    """Style of the marks at the transitions."""
+    """Style of the marks at the transitions.
+
+    Parameters
+    ----------
+    style : dict
+        Of the line; its colour is taken.
+
+    Returns
+    -------
+    dict
+        Arguments of matplotlib's `plot`.
+    """
     shape = {"linestyle": "none", "marker": "o", "markersize": 4.5, "zorder": 3}
     return {**shape, "markerfacecolor": "white", "markeredgecolor": style["color"]}
 
 
 def noun(kind: str, labels: Sequence[str]) -> str:
-    """Position or velocity, in the number that the labels have, and the labels."""
+    """Position or velocity, in the number that the labels have, and the labels.
+
+    Parameters
+    ----------
+    kind : {"position", "velocity"}
+        What is drawn.
+    labels : sequence of str
+        Of the states.
+
+    Returns
+    -------
+    str
+        For an axis.
+    """
     plural = {"position": "positions", "velocity": "velocities"}[kind]
     return f"{kind if len(labels) == 1 else plural} {', '.join(labels)}"

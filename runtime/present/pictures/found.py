@@ -6,10 +6,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.finding.find import Found, FoundOrbit
+from nonsmooth.runtime.explore.finding.found import Found, FoundOrbit
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.present.pictures.drawing import check_picture
-from nonsmooth.runtime.present.pictures.motion_panels import draw_motion
+from nonsmooth.runtime.present.pictures.layout import draw
 from nonsmooth.runtime.present.pictures.plot import orbit_view
 
 if TYPE_CHECKING:
@@ -36,6 +36,11 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
     periods : int
         How many to draw against time.
 
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
     Raises
     ------
     InputError
@@ -61,7 +66,7 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
         for column, one in enumerate(kinds):
             view = orbit_view(entry.orbit, periods, 600, None)
             title = _title(row, entry) if column == 0 else " "
-            draw_motion(replace(view, name=title), one, [figure.add_subplot(grid[row, column])])
+            draw(replace(view, name=title), one, [figure.add_subplot(grid[row, column])])
     return figure
 
 

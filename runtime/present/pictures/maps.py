@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.finding.find import label_names
+from nonsmooth.runtime.explore.finding.found import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.naming import shown_name, symbol
 from nonsmooth.runtime.model.units import units_of
@@ -17,7 +17,8 @@ from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, fin
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from nonsmooth.runtime.explore.finding.sweep import Basins, Sweep
+    from nonsmooth.runtime.explore.finding.basins import Basins
+    from nonsmooth.runtime.explore.finding.sweep import Sweep
 
 __all__ = ["basin_figure", "bifurcation_figure", "draw_basins", "draw_sweep"]
 
@@ -53,6 +54,11 @@ def basin_figure(
     axes_labels : tuple of str
         Names of the two states or parameters, or any other texts.
     title : str
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
 
     Raises
     ------
@@ -121,6 +127,11 @@ def bifurcation_figure(
         Name of what is sampled.
     title : str
 
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
     Raises
     ------
     InputError
@@ -173,7 +184,18 @@ def _draw_sweep(axes: Any, across: np.ndarray, points: np.ndarray, name: str, pl
 
 
 def draw_basins(plane: Basins) -> Figure:
-    """Draw a plane of starts: the attractors in their order, then how else motions end."""
+    """Draw a plane of starts: the attractors in their order, then how else motions end.
+
+    Parameters
+    ----------
+    plane : Basins
+        As `basins` gives it.
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+    """
     names = label_names(plane.found)
     ends = [outcome for outcome in Outcome if outcome != Outcome.UNCLASSIFIED]
     order = [label for label in names if label >= 0]
@@ -193,7 +215,18 @@ def draw_basins(plane: Basins) -> Figure:
 
 
 def draw_sweep(diagram: Sweep) -> Figure:
-    """Draw a bifurcation diagram."""
+    """Draw a bifurcation diagram.
+
+    Parameters
+    ----------
+    diagram : Sweep
+        The bifurcation diagram.
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+    """
     units = units_of(diagram.system)
     return bifurcation_figure(
         units.label(diagram.parameter),

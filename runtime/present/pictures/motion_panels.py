@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.kernels import SystemKernels, load_system
-from nonsmooth.runtime.model.naming import shown_name, symbol
+from nonsmooth.runtime.model.naming import symbol
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_at
-from nonsmooth.runtime.model.units import Units, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     band_style,
     configuration_color,
@@ -24,165 +20,43 @@ from nonsmooth.runtime.present.pictures.drawing import (
     line_style,
     noun,
 )
-from nonsmooth.runtime.simulation.phase_functions import fastest
+from nonsmooth.runtime.present.pictures.view import BINS, MANY, View
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["View", "coordinates_of", "draw_motion", "view_of"]
+__all__ = ["draw_portraits", "draw_positions", "draw_strip", "draw_velocities"]
 
-_MANY = 150  # transitions, or oscillations, that cannot be told apart any more
-_BINS = 500
 _BAND = 0.12  # of the height of a history, for shares of time
-_STEP = 0.1  # radians of the fastest oscillation between two points
-_MOST_POINTS = 1_000_000
 _PIECE = 64  # points of a curve that are drawn at once
 _JUMP = 1e-9  # relative change of a state in an impact
 
 
-@dataclass(frozen=True, eq=False)
-class View:
-    """What every picture of one motion needs: its points, each transition twice.
+def draw_positions(view: View, places: Sequence[Axes]) -> None:
+    """Draw the positions over time.
 
-    Attributes
+    Parameters
     ----------
-    trajectory : Trajectory
-    times, states : array (n,), (n, N)
-    masses : tuple of int
-        Which are drawn.
-    kernels : SystemKernels or None
-        Of the system, where they are known.
-    name : str
-        Instead of the system's and the number of transitions.
-    closed : bool
-        Whether the motion is an orbit, without start and end.
-    composed : bool
-        Whether the picture is a part of several.
+    view : View
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
     """
-
-    trajectory: Trajectory
-    times: np.ndarray
-    states: np.ndarray
-    masses: tuple[int, ...]
-    kernels: SystemKernels | None = None
-    name: str = ""
-    closed: bool = False
-    composed: bool = False
-
-    @property
-    def units(self) -> Units:
-        """Those that the system declares."""
-        return units_of(self.kernels or self.trajectory.name)
-
-    @property
-    def coordinates(self) -> tuple[tuple[int, int], ...]:
-        """Position and velocity of every mass, as states."""
-        return coordinates_of(self.trajectory)
-
-    @property
-    def end(self) -> float:
-        """Time at which the motion ends; 1 if that is its start."""
-        return self.trajectory.end or 1.0
-
-    @property
-    def positions(self) -> list[str]:
-        """Labels of the positions that are drawn."""
-        return [f"${symbol(self._position(mass))}$" for mass in self.masses]
-
-    @property
-    def velocities(self) -> list[str]:
-        """Labels of the velocities that are drawn: derivatives of the positions."""
-        return [f"${symbol(self._position(mass))}'$" for mass in self.masses]
-
-    def _position(self, mass: int) -> str:
-        return self.trajectory.names[self.coordinates[mass][0]]
-
-    @property
-    def present(self) -> list[int]:
-        """Configurations in the order in which they first occur for some time."""
-        run = self.trajectory.run
-        lasting = np.diff(run.times, append=self.trajectory.end) > 0
-        found = run.configurations[lasting] if lasting.any() else run.configurations
-        return list(dict.fromkeys(found.tolist()))
-
-    @property
-    def title(self) -> str:
-        """What the picture shows; empty in one part of several."""
-        count = self.trajectory.transitions
-        plural = "" if count == 1 else "s"
-        text = self.name or f"{shown_name(self.trajectory.name)}, {count:,} transition{plural}"
-        return "" if self.composed else text
-
-    @property
-    def many(self) -> bool:
-        """Whether there are more transitions than can be told apart."""
-        return self.trajectory.transitions > _MANY
-
-    @property
-    def dense(self) -> bool:
-        """Whether there are more oscillations than can be told apart."""
-        return self.many or _angle(self.trajectory) > 2 * math.pi * _MANY
-
-    def bars(self, configuration: int) -> list[tuple[float, float]]:
-        """Begin and length of each phase in a configuration."""
-        run = self.trajectory.run
-        ends = np.append(run.times[1:], self.trajectory.end)
-        here = (run.configurations == configuration) & (ends > run.times)
-        return list(zip(run.times[here], (ends - run.times)[here], strict=True))
-
-    def shares(self) -> tuple[np.ndarray, np.ndarray]:
-        """Edges (n + 1,) of bins, and the share of each spent in the present ones (n, present)."""
-        run = self.trajectory.run
-        breaks = np.append(run.times, self.trajectory.end)
-        edges = np.linspace(0, self.end, _BINS + 1)
-        spent = np.diff(breaks)[:, None] * (run.configurations[:, None] == self.present)
-        until = np.concatenate([np.zeros((1, len(self.present))), np.cumsum(spent, axis=0)])
-        columns = [np.diff(np.interp(edges, breaks, column)) for column in until.T]
-        return edges, np.stack(columns, axis=-1) / np.diff(edges)[:, None]
+    _draw_history(view, places[0], moving=False)
 
 
-def coordinates_of(trajectory: Trajectory) -> tuple[tuple[int, int], ...]:
-    """Position and velocity of every mass; the first two states where there is no velocity."""
-    return trajectory.structure.coordinates or ((0, min(1, len(trajectory.names) - 1)),)
+def draw_velocities(view: View, places: Sequence[Axes]) -> None:
+    """Draw the velocities over time.
 
-
-def view_of(
-    trajectory: Trajectory,
-    masses: tuple[int, ...],
-    points: int,
-    kernels: SystemKernels | None = None,
-) -> View:
-    """Points of a motion as dense as a picture needs them; InputError if it is not finite."""
-    if not (math.isfinite(trajectory.end) and np.isfinite(trajectory.states).all()):
-        raise InputError("the motion is not finite")
-    needed = min(_MOST_POINTS, math.ceil(_angle(trajectory) / _STEP))
-    wanted = max(points, needed) if isinstance(points, int | np.integer) and points > 0 else points
-    return View(trajectory, *trajectory.sample(wanted), masses, kernels)
-
-
-def draw_motion(view: View, kind: str, places: Sequence[Axes]) -> None:
-    """Draw one kind of picture, or all, into as many Axes as it takes."""
-    if kind == "all":
-        places[0].figure.suptitle(view.title)
-        part = replace(view, composed=True)
-        _draw_history(part, places[0], moving=False)
-        _draw_history(part, places[1], moving=True)
-        _draw_strip(part, places[2])
-        _draw_portraits(part, places[3:])
-    elif kind == "phase":
-        _draw_portraits(view, places)
-    elif kind == "strip":
-        _draw_strip(view, places[0])
-    else:
-        _draw_history(view, places[0], moving=kind == "velocity")
-
-
-def _angle(trajectory: Trajectory) -> float:
-    """Radians of the fastest oscillation that occurs."""
-    present = np.unique(trajectory.run.configurations).tolist()
-    return trajectory.end * max(fastest(trajectory.system, c) for c in present)
+    Parameters
+    ----------
+    view : View
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
+    _draw_history(view, places[0], moving=True)
 
 
 def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
@@ -196,7 +70,7 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
             _draw_range(view, axes, values, label, style)
             continue
         axes.plot(view.times, values, label=label, **style)
-        if len(switches) <= _MANY / 4:
+        if len(switches) <= MANY / 4:
             axes.plot(view.times[switches], values[switches], **dot_style(style))
     axes.margins(y=0.07)
     _draw_background(view, axes)
@@ -211,7 +85,7 @@ def _draw_range(
     view: View, axes: Axes, values: np.ndarray, label: str, style: dict[str, Any]
 ) -> None:
     """Draw which range a curve fills in each bin of time."""
-    edges = np.linspace(0, view.end, _BINS + 1)
+    edges = np.linspace(0, view.end, BINS + 1)
     starts = np.clip(np.searchsorted(view.times, edges[:-1]), 0, len(values) - 1)
     low, high = np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)
     middles = (edges[:-1] + edges[1:]) / 2
@@ -248,8 +122,17 @@ def _draw_background(view: View, axes: Axes) -> None:
         axes.vlines(breaks, 0, 1, color="0.5", linewidth=0.5, transform=upright, zorder=0.6)
 
 
-def _draw_strip(view: View, axes: Axes) -> None:
-    """Draw a row for each configuration, with a bar where, or as far as, it is the present one."""
+def draw_strip(view: View, places: Sequence[Axes]) -> None:
+    """Draw a row for each configuration, with a bar where, or as far as, it is the present one.
+
+    Parameters
+    ----------
+    view : View
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
+    axes = places[0]
     names = view.trajectory.structure.configurations
     for row, configuration in enumerate(view.present):
         bars = view.bars(configuration)
@@ -278,8 +161,16 @@ def _draw_strip(view: View, axes: Axes) -> None:
     finish(axes, view.title)
 
 
-def _draw_portraits(view: View, places: Sequence[Axes]) -> None:
-    """Draw the phase portraits, all in one or each in Axes of its own."""
+def draw_portraits(view: View, places: Sequence[Axes]) -> None:
+    """Draw the phase portraits, all in one or each in Axes of its own.
+
+    Parameters
+    ----------
+    view : View
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
     for place, mass in enumerate(view.masses):
         _draw_portrait(view, places[place % len(places)], place, mass)
     for place, axes in enumerate(places):
@@ -307,7 +198,7 @@ def _draw_portrait(view: View, axes: Axes, place: int, mass: int) -> None:
     jumps = (np.abs(behind - before) > _JUMP * sizes).any(axis=1)
     held = [both[0] in trajectory.structure.held[c] for c in trajectory.run.configurations]
     label = f"({view.positions[place]}, {view.velocities[place]})"
-    if trajectory.transitions > _MANY / 10:
+    if trajectory.transitions > MANY / 10:
         style = {**style, "linestyle": "-", "linewidth": 0.9}
     parts = np.split(points, switches + 1)
     _draw_lines(axes, parts, label, style, dense=view.dense)
@@ -320,13 +211,13 @@ def _draw_portrait(view: View, axes: Axes, place: int, mass: int) -> None:
         dashed = {**style, "linestyle": (0, (3, 2)), "linewidth": 1.1}
         lines = np.stack([before[jumps], behind[jumps]], axis=1)
         _draw_lines(axes, list(lines), "impact", dashed, dense=view.dense)
-    if len(switches) <= _MANY / 4:
+    if len(switches) <= MANY / 4:
         axes.plot(*points[[*switches, *(switches + 1)]].T, **dot_style(style))
     if not view.dense:
         lowest = int(np.searchsorted(switches, np.argmin(points[:, 1])))
         if len(parts[lowest]) > 2:
             draw_arrow(axes, parts[lowest][:, 0], parts[lowest][:, 1], style)
-    if view.closed:
+    if view.orbit is not None:
         return
     ends: dict[str, Any] = {"linestyle": "none", "color": "black", "zorder": 4}
     axes.plot(*points[:1].T, marker="x", markersize=7, label="start", **ends)
@@ -390,9 +281,8 @@ def _level(system: PiecewiseLinear, row: int, state: int) -> float:
 def _parameter(view: View, row: int, state: int) -> str:
     """Parameter that a level is, and stays when the parameter changes; empty if none."""
     system = view.trajectory.system
-    try:
-        kernels = view.kernels or load_system(system.structure.name)
-    except InputError:  # a system that has no name by which it is found
+    kernels = view.kernels
+    if kernels is None:
         return ""
     level = _level(system, row, state)
     numbers = {name: float(value) for name, value in system.parameters.items()}

@@ -28,11 +28,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from nonsmooth.runtime.orbits.orbit import Orbit
-    from nonsmooth.runtime.shooting.multipliers import Multiplier
+    from nonsmooth.runtime.present.pictures.view import View
 
-__all__ = ["PANELS", "Scene", "draw", "draw_multipliers"]
-
-PANELS = ("time", "velocity", "strip", "phase", "multipliers")  # of "all", in this order
+__all__ = [
+    "Scene",
+    "draw_multipliers",
+    "draw_portraits",
+    "draw_positions",
+    "draw_strip",
+    "draw_velocities",
+]
 
 _MARKERS = ("o", "s", "D", "^")
 _PHASE_POINTS = 1200
@@ -48,6 +53,12 @@ class Scene:
     samples: Samples
     masses: tuple[int, ...]
     composed: bool = False
+    portraits = 1  # in a new figure
+
+    @property
+    def title(self) -> str:
+        """What the picture shows; empty in one part of several."""
+        return "" if self.composed else shown_name(self.orbit.name)
 
     @property
     def units(self) -> Units:
@@ -70,7 +81,18 @@ class Scene:
         return [f"${symbol(self.motion.names[mass])}'$" for mass in self.masses]
 
     def levels(self, *, moving: bool) -> dict[float, str]:
-        """Values, and their labels, at which boundaries in the drawn states lie."""
+        """Values, and their labels, at which boundaries in the drawn states lie.
+
+        Parameters
+        ----------
+        moving : bool
+            Whether velocities are drawn; else positions.
+
+        Returns
+        -------
+        dict of float to str
+            Label of each value, in the state's units.
+        """
         found = {}
         table = self.orbit.kernels.table["levels"]
         for mass in self.masses:
@@ -83,34 +105,60 @@ class Scene:
         return found
 
     def color(self, phase: int) -> str:
-        """Colour of a phase's configuration, the same in all pictures of the system."""
+        """Colour of a phase's configuration, the same in all pictures of the system.
+
+        Parameters
+        ----------
+        phase : int
+            Its number in the orbit, from 0.
+
+        Returns
+        -------
+        str
+            A colour of matplotlib.
+        """
         known = self.orbit.system.configurations
         place = known.index(self.motion.configurations[phase])
         return configuration_color(place)
 
     def phases(self) -> Iterator[tuple[int, float, float]]:
-        """Each phase that is drawn against time: its number, start and end."""
+        """Each phase that is drawn against time: its number, start and end.
+
+        Yields
+        ------
+        tuple of (int, float, float)
+            Times in the system's units.
+        """
         breaks, period = self.motion.breaks, self.motion.period
         for start in np.arange(round(self.samples.times[-1] / period)) * period:
             for phase, (begin, end) in enumerate(pairwise(breaks)):
                 yield phase, float(start + begin), float(start + end)
 
 
-def draw(scene: Scene, kind: str, places: Sequence[Axes]) -> None:
-    """Draw one kind of picture, or all, into as many Axes as it takes."""
-    if kind == "all":
-        places[0].figure.suptitle(shown_name(scene.orbit.name))
-        for panel, place in zip(PANELS, places, strict=True):
-            draw(replace(scene, composed=True), panel, [place])
-    elif kind == "phase":
-        _draw_phase(scene, places)
-    elif kind == "strip":
-        _draw_strip(scene, places[0])
-    elif kind == "multipliers":
-        title = "" if scene.composed else shown_name(scene.orbit.name)
-        draw_multipliers(scene.orbit.stability.multipliers, places[0], title)
-    else:
-        _draw_history(scene, places[0], moving=kind == "velocity")
+def draw_positions(scene: Scene, places: Sequence[Axes]) -> None:
+    """Draw the positions over time.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
+    _draw_history(scene, places[0], moving=False)
+
+
+def draw_velocities(scene: Scene, places: Sequence[Axes]) -> None:
+    """Draw the velocities over time.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
+    _draw_history(scene, places[0], moving=True)
 
 
 def _draw_history(scene: Scene, axes: Axes, *, moving: bool) -> None:
@@ -134,11 +182,19 @@ def _draw_history(scene: Scene, axes: Axes, *, moving: bool) -> None:
     axes.set_xlim(samples.times[0], samples.times[-1])
     axes.set_xlabel(scene.units.text("time $t$"))
     axes.set_ylabel(scene.units.text(noun("velocity" if moving else "position", labels), "\n"))
-    finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
+    finish(axes, scene.title)
 
 
-def _draw_phase(scene: Scene, places: Sequence[Axes]) -> None:
-    """Draw the phase portraits, all in one or each in Axes of its own."""
+def draw_portraits(scene: Scene, places: Sequence[Axes]) -> None:
+    """Draw the phase portraits, all in one or each in Axes of its own.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
     positions, velocities = scene.positions, scene.velocities
     samples = scene.motion.sample(_PHASE_POINTS)
     switches = np.flatnonzero(np.diff(samples.times, prepend=samples.times[0] - 1) == 0)
@@ -164,11 +220,20 @@ def _draw_phase(scene: Scene, places: Sequence[Axes]) -> None:
         axes.set_xlabel(scene.units.text(noun("position", positions[drawn])))
         axes.set_ylabel(scene.units.text(noun("velocity", velocities[drawn])))
         axes.margins(0.07)
-        finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
+        finish(axes, scene.title)
 
 
-def _draw_strip(scene: Scene, axes: Axes) -> None:
-    """Draw a row for each configuration, with a bar where it is the present one."""
+def draw_strip(scene: Scene, places: Sequence[Axes]) -> None:
+    """Draw a row for each configuration, with a bar where it is the present one.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
+    axes = places[0]
     rows = list(dict.fromkeys(scene.motion.configurations))
     dwell_times = scene.orbit.dwell_time_names
     for phase, begin, end in scene.phases():
@@ -186,18 +251,28 @@ def _draw_strip(scene: Scene, axes: Axes) -> None:
     axes.set_xlim(scene.samples.times[0], scene.samples.times[-1])
     axes.set_xlabel(scene.units.text("time $t$"))
     axes.set_ylabel("configuration")
-    finish(axes, "" if scene.composed else shown_name(scene.orbit.name))
+    finish(axes, scene.title)
 
 
-def draw_multipliers(multipliers: Sequence[Multiplier], axes: Axes, title: str) -> None:
-    """Draw multipliers and the unit circle."""
+def draw_multipliers(scene: Scene | View, places: Sequence[Axes]) -> None:
+    """Draw the multipliers of an orbit and the unit circle.
+
+    Parameters
+    ----------
+    scene : Scene or View
+        What is drawn.
+    places : sequence of Axes
+        What is drawn into.
+    """
+    assert scene.orbit is not None
+    axes = places[0]
     angle = np.linspace(0, 2 * np.pi, 361)
     axes.fill(np.cos(angle), np.sin(angle), color="0.95", zorder=0)
     axes.plot(np.cos(angle), np.sin(angle), color="0.35", linewidth=0.8)
     axes.axhline(0, color="0.75", linewidth=0.6, zorder=0.5)
     axes.axvline(0, color="0.75", linewidth=0.6, zorder=0.5)
     extent = 1.0
-    for number, multiplier in enumerate(multipliers, 1):
+    for number, multiplier in enumerate(scene.orbit.stability.multipliers, 1):
         real, imaginary = float(multiplier.real), float(multiplier.imaginary)
         value = f"{real:.6g}" + (f"{imaginary:+.6g}\\,\\mathrm{{i}}" if imaginary else "")
         color = line_style(number - 1)["color"]
@@ -216,4 +291,4 @@ def draw_multipliers(multipliers: Sequence[Multiplier], axes: Axes, title: str) 
     axes.set_aspect("equal")
     axes.set_xlabel(with_unit(r"$\mathrm{Re}\,\mu$", NO_UNIT))
     axes.set_ylabel(with_unit(r"$\mathrm{Im}\,\mu$", NO_UNIT))
-    finish(axes, title)
+    finish(axes, scene.title)

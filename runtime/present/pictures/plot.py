@@ -5,63 +5,32 @@ They are drawn into the Axes that are given, or into a new figure.
 
 from __future__ import annotations
 
+import io
 import os
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import unwritable
+from nonsmooth.runtime.core.files import check_ending, write_file
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits.motion import orbit_motion
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.table_problem import TableProblem
-from nonsmooth.runtime.present.pictures.drawing import check_picture, chosen_masses, given_axes
-from nonsmooth.runtime.present.pictures.motion_panels import (
-    View,
-    coordinates_of,
-    draw_motion,
-    view_of,
-)
-from nonsmooth.runtime.present.pictures.panels import Scene, draw, draw_multipliers
+from nonsmooth.runtime.present.pictures.drawing import check_picture, chosen_masses
+from nonsmooth.runtime.present.pictures.kinds import KINDS
+from nonsmooth.runtime.present.pictures.layout import draw_into, figure_of
+from nonsmooth.runtime.present.pictures.panels import Scene
+from nonsmooth.runtime.present.pictures.view import View, coordinates_of, view_of
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["KINDS", "orbit_figure", "orbit_view", "plot_orbit", "save_figure"]
+__all__ = ["figure_bytes", "orbit_figure", "orbit_view", "plot_orbit", "save_figure"]
 
-KINDS = ("time", "velocity", "phase", "strip", "multipliers", "all")
-
-_SIZES = {
-    "time": (6.4, 3.6),
-    "velocity": (6.4, 3.6),
-    "strip": (6.4, 2.3),
-    "multipliers": (4.8, 5.0),
-    "all": (11.0, 8.0),
+_METADATA: dict[str, dict[str, Any]] = {  # without dates, by the ending of the file
+    ".png": {},
+    ".svg": {"Date": None},
+    ".pdf": {"CreationDate": None},
 }
-
-
-@dataclass(frozen=True)
-class Picture:
-    """What is drawn of one orbit.
-
-    Attributes
-    ----------
-    size : (float, float)
-        Of a new figure.
-    portraits : int
-        Axes for phase portraits in a new figure.
-    masses : int
-        How many are drawn.
-    draw : function of a list of Axes
-    """
-
-    size: tuple[float, float]
-    portraits: int
-    masses: int
-    draw: Callable[[list[Axes]], None]
 
 
 def plot_orbit(
@@ -78,7 +47,8 @@ def plot_orbit(
     Parameters
     ----------
     orbit : Orbit
-    kind : {"time", "velocity", "phase", "strip", "multipliers", "all"}
+    kind : str
+        An entry of `kinds.KINDS`: "time", "velocity", "phase", "strip", "multipliers" or "all".
         Positions or velocities of all masses over time; phase portraits (x, x'); which
         configuration when; multipliers in the unit circle; or all of them.
     axes : Axes or sequence of Axes, optional
@@ -110,15 +80,7 @@ def plot_orbit(
     -----
     Positions and time are those of the orbit's equations.
     """
-    picture = _picture(orbit, kind, periods, points_per_period, masses)
-    if axes is None:
-        from matplotlib import pyplot
-
-        places = _places(pyplot.figure(figsize=picture.size), kind, picture.portraits)
-    else:
-        counts = {"all": (4 + picture.portraits,), "phase": tuple(sorted({1, picture.masses}))}
-        places = given_axes(axes, kind, counts.get(kind, (1,)))
-    picture.draw(places)
+    places = draw_into(_scene(orbit, kind, periods, points_per_period, masses), kind, axes)
     one = hasattr(axes, "plot") or (axes is None and len(places) == 1)
     return places[0] if kind not in ("all", "phase") or one else tuple(places)
 
@@ -131,97 +93,123 @@ def orbit_figure(
     points_per_period: int = 600,
     masses: Iterable[int] | None = None,
 ) -> Figure:
-    """Draw an orbit into a figure of its own, outside pyplot; arguments as for `plot_orbit`."""
-    picture = _picture(orbit, kind, periods, points_per_period, masses)
-    from matplotlib.figure import Figure
+    """Draw an orbit into a figure of its own, outside pyplot; arguments as for `plot_orbit`.
 
-    figure = Figure(figsize=picture.size)
-    picture.draw(_places(figure, kind, picture.portraits))
-    return figure
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+    kind : str, default "all"
+        As for `plot_orbit`.
+    periods : int, default 1
+        How many are drawn against time.
+    points_per_period : int, default 600
+        About how many points a period has at least.
+    masses : iterable of int, optional
+        Numbers of the masses that are drawn, from 0; all by default.
+
+    Returns
+    -------
+    Figure
+        Not shown.
+
+    Raises
+    ------
+    InputError
+        As for `plot_orbit`.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    return figure_of(_scene(orbit, kind, periods, points_per_period, masses), kind)
 
 
 def save_figure(figure: Figure, path: str | os.PathLike[str]) -> None:
     """Write a figure as PNG, SVG or PDF; the same figure gives the same bytes.
+
+    Parameters
+    ----------
+    figure : Figure
+        Of matplotlib.
+    path : str or path
+        The file.
 
     Raises
     ------
     InputError
         For another ending, or a file that cannot be written.
     """
+    target = Path(path)
+    check_ending(target, tuple(_METADATA))
+    write_file(target, figure_bytes(figure, target.suffix.lower()))
+
+
+def figure_bytes(figure: Figure, ending: str) -> bytes:
+    """Content of a file of a figure; the same figure gives the same bytes.
+
+    Parameters
+    ----------
+    figure : Figure
+    ending : str
+        ".png", ".svg" or ".pdf".
+
+    Returns
+    -------
+    bytes
+        Content of the file.
+    """
     from matplotlib import rc_context
 
-    metadata: dict[str, Any] = {".png": {}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    ending = Path(path).suffix.lower()
-    if ending not in metadata:
-        raise InputError(f"{path} does not end in {', '.join(metadata)}")
-    try:
-        with rc_context({"svg.hashsalt": "nonsmooth"}):
-            figure.savefig(path, dpi=200, metadata=metadata[ending])
-    except OSError as problem:
-        raise unwritable(Path(path), problem) from None
+    content = io.BytesIO()
+    with rc_context({"svg.hashsalt": "nonsmooth"}):
+        figure.savefig(content, format=ending[1:], dpi=200, metadata=_METADATA[ending])
+    return content.getvalue()
 
 
-def _picture(
+def _scene(
     orbit: Orbit,
     kind: str,
     periods: int,
     points_per_period: int,
     masses: Iterable[int] | None,
-) -> Picture:
+) -> Scene | View:
     """Check what can be checked before anything is drawn."""
-    check_picture(kind, KINDS)
-    if orbit.problem.kernels is None:
-        view = orbit_view(orbit, periods, points_per_period, masses)
-        count = len(view.masses)
-        size = _SIZES.get(kind, (4.9 * count, 4.4))
-        return Picture(size, count, count, lambda places: _draw_view(orbit, view, kind, places))
+    check_picture(kind, tuple(KINDS))
+    if orbit.problem.has_trajectory:
+        return orbit_view(orbit, periods, points_per_period, masses)
     motion = orbit_motion(orbit)
     drawn = chosen_masses(masses, len(motion.names) // 2, orbit.name)
-    scene = Scene(orbit, motion, motion.sample(points_per_period, periods), drawn)
-    size = _SIZES.get(kind, (5.2, 4.4))
-    return Picture(size, 1, len(drawn), lambda places: draw(scene, kind, places))
+    return Scene(orbit, motion, motion.sample(points_per_period, periods), drawn)
 
 
 def orbit_view(
     orbit: Orbit, periods: int, points_per_period: int, masses: Iterable[int] | None
 ) -> View:
-    """The motion along an orbit without kernels, as motions are drawn."""
+    """The trajectory along an orbit, as motions are drawn.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Converged.
+    periods : int
+        How many are drawn.
+    points_per_period : int
+        About how many points a period has at least.
+    masses : iterable of int or None
+        Numbers of masses, from 0; None for all.
+
+    Returns
+    -------
+    View
+        Of the whole trajectory.
+
+    Raises
+    ------
+    InputError
+        If there is no such mass.
+    """
     motion = orbit.trajectory(periods)
     drawn = chosen_masses(masses, len(coordinates_of(motion)), orbit.name)
     points = points_per_period
     if isinstance(points, int) and not isinstance(points, bool):
         points *= periods
-    return replace(view_of(motion, drawn, points, orbit.system), name=_title(orbit), closed=True)
-
-
-def _title(orbit: Orbit) -> str:
-    """Name of the orbit."""
-    named = isinstance(orbit.problem, TableProblem) and orbit.problem.label is None
-    return orbit.name if named else shown_name(orbit.name)
-
-
-def _draw_view(orbit: Orbit, view: View, kind: str, places: list[Axes]) -> None:
-    if kind == "multipliers":
-        draw_multipliers(orbit.stability.multipliers, places[0], _title(orbit))
-    elif kind == "all":
-        draw_multipliers(orbit.stability.multipliers, places[-1], "")
-        draw_motion(view, kind, places[:-1])
-    else:
-        draw_motion(view, kind, places)
-
-
-def _places(figure: Figure, kind: str, portraits: int) -> list[Axes]:
-    """Axes of a new figure."""
-    figure.set_layout_engine("constrained", wspace=0.06, hspace=0.02)
-    if kind == "phase":
-        return [figure.add_subplot(1, portraits, place + 1) for place in range(portraits)]
-    if kind != "all":
-        return [figure.add_subplot()]
-    grid = figure.add_gridspec(3, 2, width_ratios=(1.45, 1), height_ratios=(1, 1, 0.6))
-    time = figure.add_subplot(grid[0, 0])
-    velocity, strip = (figure.add_subplot(grid[row, 0], sharex=time) for row in (1, 2))
-    for upper in (time, velocity):
-        upper.tick_params(labelbottom=False)
-        upper.xaxis.label.set_visible(False)
-    right = grid[:, 1].subgridspec(portraits + 1, 1)
-    return [time, velocity, strip, *(figure.add_subplot(right[k]) for k in range(portraits + 1))]
+    return view_of(motion, drawn, points, orbit, shown_name(orbit.name))

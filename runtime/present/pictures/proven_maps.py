@@ -27,18 +27,17 @@ _COLORS = {
 
 
 def box_figure(found: BoxCertificate) -> Figure:
-    """Draw a map into a figure of its own; see `draw_box`."""
-    check_picture("map", ("map",))
-    from matplotlib.figure import Figure
+    """Draw a map into a figure of its own; see `draw_box`.
 
-    figure = Figure(figsize=(7.2, 5.6))
-    figure.set_layout_engine("constrained")
-    draw_box(found, figure.add_subplot())
-    return figure
+    Parameters
+    ----------
+    found : BoxCertificate
+        The map.
 
-
-def draw_box(found: BoxCertificate, axes: Any = None) -> Axes:
-    """Draw the tiles of a map of two parameters, or the trace over one.
+    Returns
+    -------
+    Figure
+        Outside pyplot.
 
     Raises
     ------
@@ -47,11 +46,49 @@ def draw_box(found: BoxCertificate, axes: Any = None) -> Axes:
     MissingExtra
         If matplotlib is not installed.
     """
+    check_picture("map", ("map",))
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.2, 5.6))
+    figure.set_layout_engine("constrained")
+    _draw(found, figure.add_subplot())
+    return figure
+
+
+def draw_box(found: BoxCertificate, axes: Any = None) -> Figure | Axes:
+    """Draw the tiles of a map of two parameters, or the trace over one.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        The map.
+    axes : Axes, optional
+        What is drawn into; a figure of its own by default.
+
+    Returns
+    -------
+    Figure or Axes
+        The figure, or the Axes that were given.
+
+    Raises
+    ------
+    InputError
+        If the box has more than two parameters.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    if axes is None:
+        return box_figure(found)
+    check_picture("map", ("map",))
+    (own,) = given_axes(axes, "map", [1])
+    _draw(found, own)
+    return own
+
+
+def _draw(found: BoxCertificate, own: Axes) -> None:
     names = list(found.box)
     if len(names) > 2:
         raise InputError("a box of more than two parameters has no picture")
-    check_picture("map", ("map",))
-    (own,) = given_axes(axes, "map", [1])
     (_draw_plane if len(names) == 2 else _draw_line)(own, found)
     for verdict in VERDICTS:
         if share := float(100 * found.shares[verdict]):
@@ -66,7 +103,6 @@ def draw_box(found: BoxCertificate, axes: Any = None) -> Axes:
             )
     own.set_xlabel(units_of(found.system).label(names[0]))
     finish(own, shown_name(found.orbit))
-    return own
 
 
 def _draw_plane(axes: Axes, found: BoxCertificate) -> None:

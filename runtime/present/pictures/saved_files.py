@@ -76,12 +76,13 @@ def _in_one_way(what: str, kind: str, draw: Callable[[Path], Drawn], path: Path)
 
 
 def _chart(path: Path) -> Drawn:
-    from nonsmooth.runtime.explore.charting.chart import load_chart
+    from nonsmooth.runtime.explore.charting.chart import load_chart, reading
     from nonsmooth.runtime.explore.charting.classes import title_of
     from nonsmooth.runtime.present.pictures.charts import chart_figure
 
     chart = load_chart(path)
-    return {"chart": title_of(chart)}, chart_figure(chart)
+    with reading(path):
+        return {"chart": title_of(chart)}, chart_figure(chart)
 
 
 def _branch(path: Path) -> Drawn:

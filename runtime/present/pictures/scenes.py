@@ -9,27 +9,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.present.pictures.drawing import check_picture, chosen_masses, given_axes
-from nonsmooth.runtime.present.pictures.maps import basin_figure, bifurcation_figure
-from nonsmooth.runtime.present.pictures.motion_panels import (
-    View,
-    coordinates_of,
-    draw_motion,
-    view_of,
-)
+from nonsmooth.runtime.present.pictures import kinds
+from nonsmooth.runtime.present.pictures.drawing import check_picture, chosen_masses
+from nonsmooth.runtime.present.pictures.layout import draw_into, figure_of
+from nonsmooth.runtime.present.pictures.view import View, coordinates_of, view_of
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["KINDS", "basin_figure", "bifurcation_figure", "plot_trajectory", "trajectory_figure"]
+__all__ = ["KINDS", "plot_trajectory", "trajectory_figure"]
 
-KINDS = ("time", "velocity", "phase", "strip", "all")
-
-_SIZES = {"time": (6.4, 3.6), "velocity": (6.4, 3.6), "strip": (6.4, 2.4), "all": (11.0, 8.0)}
-_PORTRAIT = (4.9, 4.4)
+KINDS = tuple(name for name, kind in kinds.KINDS.items() if kind.of_motions)
 
 
 def plot_trajectory(
@@ -74,16 +66,7 @@ def plot_trajectory(
     The background has the colour of the configuration. Dotted lines are boundaries that
     depend on the position or the velocity of one mass alone; dashed ones are impacts.
     """
-    view = _view(trajectory, kind, masses, points)
-    count = len(view.masses)
-    if axes is None:
-        from matplotlib import pyplot
-
-        places = _places(pyplot.figure(figsize=_size(kind, count)), kind, count)
-    else:
-        counts = {"all": (3 + count,), "phase": tuple(sorted({1, count}))}.get(kind, (1,))
-        places = given_axes(axes, kind, counts)
-    draw_motion(view, kind, places)
+    places = draw_into(_view(trajectory, kind, masses, points), kind, axes)
     single = kind not in ("all", "phase") or hasattr(axes, "plot")
     return places[0] if single else tuple(places)
 
@@ -95,13 +78,32 @@ def trajectory_figure(
     masses: Iterable[int] | None = None,
     points: int = 2000,
 ) -> Figure:
-    """Draw a motion into a figure of its own, outside pyplot; as `plot_trajectory` does."""
-    view = _view(trajectory, kind, masses, points)
-    from matplotlib.figure import Figure
+    """Draw a motion into a figure of its own, outside pyplot; as `plot_trajectory` does.
 
-    figure = Figure(figsize=_size(kind, len(view.masses)))
-    draw_motion(view, kind, _places(figure, kind, len(view.masses)))
-    return figure
+    Parameters
+    ----------
+    trajectory : Trajectory
+        The motion.
+    kind : str, default "all"
+        As for `plot_trajectory`.
+    masses : iterable of int, optional
+        Numbers of the masses that are drawn, from 0; all by default.
+    points : int, default 2000
+        About how many points the motion has at least.
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
+    Raises
+    ------
+    InputError
+        As for `plot_trajectory`.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    return figure_of(_view(trajectory, kind, masses, points), kind)
 
 
 def _view(trajectory: Trajectory, kind: str, masses: Iterable[int] | None, points: int) -> View:
@@ -109,24 +111,3 @@ def _view(trajectory: Trajectory, kind: str, masses: Iterable[int] | None, point
     check_picture(kind, KINDS)
     drawn = chosen_masses(masses, len(coordinates_of(trajectory)), trajectory.name)
     return view_of(trajectory, drawn, points)
-
-
-def _size(kind: str, masses: int) -> tuple[float, float]:
-    return _SIZES.get(kind, (_PORTRAIT[0] * masses, _PORTRAIT[1]))
-
-
-def _places(figure: Figure, kind: str, masses: int) -> list[Axes]:
-    """Axes of a new figure."""
-    figure.set_layout_engine("constrained", wspace=0.06, hspace=0.02)
-    if kind == "phase":
-        return [figure.add_subplot(1, masses, place + 1) for place in range(masses)]
-    if kind != "all":
-        return [figure.add_subplot()]
-    grid = figure.add_gridspec(3, 2, width_ratios=(1.45, 1), height_ratios=(1, 1, 0.6))
-    time = figure.add_subplot(grid[0, 0])
-    velocity, strip = (figure.add_subplot(grid[row, 0], sharex=time) for row in (1, 2))
-    for upper in (time, velocity):
-        upper.tick_params(labelbottom=False)
-        upper.xaxis.label.set_visible(False)
-    right = grid[:, 1].subgridspec(masses, 1)
-    return [time, velocity, strip, *(figure.add_subplot(right[m]) for m in range(masses))]

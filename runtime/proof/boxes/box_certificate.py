@@ -9,9 +9,16 @@ from fractions import Fraction
 from typing import Any
 
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
-from nonsmooth.runtime.proof.certificate import CLAIMS, NO_ORBIT, Stated
+from nonsmooth.runtime.proof.certificate import (
+    CLAIMS,
+    NO_ORBIT,
+    Stated,
+    balls_json,
+    orbit_json,
+)
 from nonsmooth.runtime.proof.statement import rational
 
 __all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
@@ -57,8 +64,8 @@ class Tile:
         return "undecided"
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class BoxCertificate:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class BoxCertificate(Shown):
     """What ball arithmetic proves of an orbit for all parameters of a box.
 
     The box is the union of its tiles. On each the claims hold for every parameter: there is
@@ -197,17 +204,14 @@ class BoxCertificate:
             The map, ready for `json.dumps`.
         """
         return {
-            "orbit": self.orbit,
-            "system": self.system,
-            "parameters": {name: value.text for name, value in self.parameters.items()},
+            **orbit_json(self),
             "chosen": list(self.chosen),
-            "itinerary": [list(phase) for phase in self.itinerary],
             "box": {name: [str(end) for end in ends] for name, ends in self.box.items()},
             "claims": self.claims,
             "stability": self.stability,
             "reasons": self.reasons,
             "shares": {name: float(share) for name, share in self.shares.items()},
-            "enclosures": _balls(self.enclosures),
+            "enclosures": balls_json(self.enclosures),
             "tiles": [_tile_json(tile) for tile in self.tiles],
         }
 
@@ -217,11 +221,12 @@ class BoxCertificate:
         Parameters
         ----------
         axes : matplotlib Axes, optional
+            Where to draw; a figure of its own by default.
 
         Returns
         -------
-        matplotlib Axes
-            What was drawn on.
+        matplotlib Figure or Axes
+            The figure, or the Axes that were given.
 
         Raises
         ------
@@ -259,16 +264,12 @@ def _hull(found: Sequence[Stated]) -> Stated:
         return Stated.around(middle + arb(0, radius), found[0].bits, DIGITS)
 
 
-def _balls(enclosures: Mapping[str, Stated]) -> dict[str, dict[str, str]]:
-    return {name: {"mid": x.mid, "rad": x.rad} for name, x in enclosures.items()}
-
-
 def _tile_json(tile: Tile) -> dict[str, Any]:
     return {
         "place": [list(step) for step in tile.place.steps],
         "claims": dict(tile.claims),
         "reasons": dict(tile.reasons),
-        "enclosures": _balls(tile.enclosures),
+        "enclosures": balls_json(tile.enclosures),
         "guess": list(tile.guess),
         "looked_at": tile.looked_at,
     }

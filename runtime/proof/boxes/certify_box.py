@@ -26,7 +26,7 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
 from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, prove
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
-from nonsmooth.runtime.proof.orbit_cycle import NotCovered, system_of
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of
 
 if TYPE_CHECKING:
     from flint import arb
@@ -103,7 +103,10 @@ def certify_box(
         orbit, chosen = with_open_ones(orbit, ends)
         region = region_of(orbit, ends)
     except NotCovered as reason:
-        return record(None, [_unproved(whole, str(reason), looked_at=True)])
+        nothing = record(None, [_unproved(whole, str(reason), looked_at=True)])
+        if resume is not None:
+            _check_same(nothing, resume)
+        return nothing
     empty = record(region, [_unproved(whole, _NOT_TRIED, looked_at=False)])
     if resume is not None:
         _check_same(empty, resume)
@@ -303,5 +306,9 @@ def _record(
 def _check_same(wanted: BoxCertificate, found: BoxCertificate) -> None:
     """Refuse to go on with a map of another orbit, box or system."""
     names = ("orbit", "itinerary", "box", "chosen", *wanted.parameters, "declaration", "closing")
-    asked, known = ({**vars(box), **box.parameters} for box in (wanted, found))
+    # a file calls the system by its data, and holds it
+    asked, known = (
+        {**vars(box), **box.parameters, "orbit": box.orbit.removeprefix(box.system)}
+        for box in (wanted, found)
+    )
     check_same_question("state", {name: asked[name] for name in names}, known)

@@ -11,38 +11,35 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
 from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.closure import Closing
-from nonsmooth.runtime.proof.cycle_equations import Equations, equations_in, phases_of
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
     Number,
     Tables,
     exact_tables,
+    irrational_texts,
     rational_of,
     tables_over,
 )
 from nonsmooth.runtime.proof.invariants import CycleInvariants, invariants_of
-from nonsmooth.runtime.proof.orbit_cycle import (
+from nonsmooth.runtime.proof.orbit_equations import Equations, equations_in, phases_of
+from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
     Subject,
     check_converged,
     closing_of,
     guess_of,
-    period_name,
-    physical_values,
     subject_near,
 )
-from nonsmooth.runtime.proof.parametric_declaration import PERIOD as PERIOD_NAME
 from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration
 from nonsmooth.runtime.proof.statement import closing_json
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 from nonsmooth.runtime.shooting.variational import Phase
 
 if TYPE_CHECKING:
@@ -66,7 +63,7 @@ class Region:
     box : tuple of (Fraction, Fraction)
     tables : Tables
         Irrational parameters follow the box's in the rational functions.
-    closing : Closing
+    closing : ClosureConditions
         Its period is a Value, a fmpq or a RationalFunction.
     at : tuple of Fraction
         The subject's point.
@@ -78,12 +75,12 @@ class Region:
     names: tuple[str, ...]
     box: tuple[Interval, ...]
     tables: Tables
-    closing: Closing
+    closing: ClosureConditions
     at: tuple[Fraction, ...]
     guess: Sequence[arb]
 
     @property
-    def cycle(self) -> Cycle:
+    def cycle(self) -> ItineraryShape:
         """The orbit's cycle."""
         return self.subject.cycle
 
@@ -102,11 +99,33 @@ class Region:
         return () if found is None else plan_of(self.tables, self.cycle, found)
 
     def phases(self, number: Number) -> tuple[Phase, ...]:
-        """The cycle's fields, rows and resets in numbers."""
+        """The cycle's fields, rows and resets in numbers.
+
+        Parameters
+        ----------
+        number : callable
+            Maps exact entries to numbers: balls or Taylor models.
+
+        Returns
+        -------
+        tuple of Phase
+            With matrices (N + 1, N + 1) and rows (1, N + 1).
+        """
         return phases_of(self.tables, self.cycle, number, self.closing.translations)
 
     def equations(self, number: Number) -> Equations:
-        """The orbit's equations in numbers."""
+        """The orbit's equations in numbers.
+
+        Parameters
+        ----------
+        number : callable
+            Maps exact entries to numbers: balls or Taylor models.
+
+        Returns
+        -------
+        Equations
+            Of the unknowns: start, forcing time and dwell times.
+        """
         period = None if self.closing.period is None else number(self.closing.period)
         return equations_in(self.phases(number), self.closing, number, period)
 
@@ -114,26 +133,64 @@ class Region:
         """Declaration and closing as a file states them.
 
         Over the box's parameters and those that were given for the orbit.
+
+        Parameters
+        ----------
+        orbit : Orbit
+            The orbit in floating point.
+
+        Returns
+        -------
+        tuple of (dict, dict)
+            Declaration and closing, ready for JSON.
         """
         subject, given = self.subject, given_of(orbit)
         names = (*self.names, *(name for name in given if name not in self.names))
-        kernels = orbit.problem.kernels
         declared = orbit_declaration(
-            subject.kernels, kernels, self.cycle, names, subject.start_names, subject.dwell_names
+            subject.kernels,
+            orbit.problem.kernels,
+            self.cycle,
+            names,
+            subject.start_names,
+            subject.dwell_names,
+            irrational_texts(subject.kernels, given.values() if self.closing.form else ()),
         )
-        own = {value: name for name, value in reversed(given.items())}
-        variables = [*self.names, *(own.get(value, "") for value in self.tables.constants)]
-        period = PERIOD_NAME if kernels is None else period_name(kernels) or ""
-        return declared, closing_json(self.closing, self.cycle, names, variables, period)
+        variables = [*self.names, *(value.text for value in self.tables.constants)]
+        period = orbit.problem.period_name or ""
+        over = [*names, *declared.get("constants", ())]
+        return declared, closing_json(self.closing, self.cycle, over, variables, period)
 
 
 def given_of(orbit: Orbit) -> dict[str, Value]:
-    """All that was given for an orbit."""
+    """All that was given for an orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
+
+    Returns
+    -------
+    dict of str to Value
+        The given parameters, and those that it leaves open.
+    """
     return {**orbit.given, **orbit.opened}
 
 
 def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[str, Interval]:
     """The box with exact ends.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
+    box : dict of str to (lower, upper)
+        Ends of the parameters, in any form that a Value has.
+
+    Returns
+    -------
+    dict of str to (Fraction, Fraction)
+        Lower and upper end of each parameter.
 
     Raises
     ------
@@ -174,6 +231,18 @@ def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tu
     Bounds are those at the orbit and, where it is found there, in the corners: nothing is
     proved of that. All values are checked in all corners.
 
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
+    box : dict of str to (Fraction, Fraction)
+        Lower and upper end of each parameter.
+
+    Returns
+    -------
+    tuple of (Orbit, tuple of str)
+        The orbit, and the names of the parameters that were chosen.
+
     Raises
     ------
     InputError
@@ -182,17 +251,15 @@ def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tu
         As for `subject_near`.
     """
     corners = [dict(zip(box, point, strict=True)) for point in product(*box.values())]
-    chosen: dict[str, Value] = {}
-    if orbit.problem.kernels is not None:
-        chosen = chosen_parameters(orbit)
-        if chosen:
-            given = given_of(orbit)
-            found = [
-                solve(orbit.kernels, {**given, **corner}, orbit.unknowns, throw=False)
-                for corner in corners
-            ]
-            near = [point for point in found if point.converged]
-            chosen = chosen_parameters(orbit, near=near)
+    chosen = chosen_parameters(orbit)
+    if chosen:
+        given = given_of(orbit)
+        found = [
+            solve(orbit.kernels, {**given, **corner}, orbit.unknowns, throw=False)
+            for corner in corners
+        ]
+        near = [point for point in found if point.converged]
+        chosen = chosen_parameters(orbit, near=near)
         orbit = replace(orbit, opened={**orbit.opened, **chosen})
     numbers, _ = _numbers(orbit, subject_near(orbit), tuple(box))
     try:
@@ -206,6 +273,18 @@ def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tu
 def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
     """The region of an orbit and a box that holds its parameters.
 
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
+    box : dict of str to (Fraction, Fraction)
+        Lower and upper end of each parameter.
+
+    Returns
+    -------
+    Region
+        With tables over the box's parameters.
+
     Raises
     ------
     NotCovered
@@ -213,17 +292,19 @@ def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
     """
     subject = subject_near(orbit)
     numbers, at = _numbers(orbit, subject, tuple(box))
-    constants, entries = entries_over(box, numbers)
-    period = entries.pop(PERIOD, None)
     try:
-        tables = tables_over(subject.kernels, list(entries.values()), constants)
+        known, entries = entries_over(
+            box, numbers, irrational_texts(subject.kernels, given_of(orbit).values())
+        )
+        period = entries.pop(PERIOD, None)
+        tables = tables_over(subject.kernels, list(entries.values()), known)
         region = _region(subject, box, tables, at)
         if region.closing.kind == "period":
             region = replace(region, closing=replace(region.closing, period=period))
         _ = region.plans  # divides exactly
     except NotRational:
         raise NotCovered("the declaration takes a root or a sine of its parameters") from None
-    except ZeroDivisionError as problem:
+    except ArithmeticError as problem:
         raise NotCovered(str(problem)) from None
     return region
 
@@ -236,6 +317,11 @@ def region_at(subject: Subject, bits: int) -> Region:
     subject : Subject
     bits : int
         Of the tables, where the declaration takes a root or a sine.
+
+    Returns
+    -------
+    Region
+        Of no parameters.
 
     Raises
     ------
@@ -261,20 +347,18 @@ def _numbers(
     orbit: Orbit, subject: Subject, names: Sequence[str]
 ) -> tuple[Callable[[Mapping[str, Value]], dict[str, Value]], list[Fraction]]:
     """Parameters of the system and the period at a point, and the orbit's own point."""
-    given = given_of(orbit)
-    derived = None if orbit.problem.kernels is None else orbit
-    fixed = given if derived is None else {**given, **chosen_parameters(derived)}
-    own = PERIOD_NAME if derived is None else period_name(derived.kernels)
+    given, problem = given_of(orbit), orbit.problem
+    fixed = {**given, **chosen_parameters(orbit)}
 
     def numbers(point: Mapping[str, Value]) -> dict[str, Value]:
         told = {**fixed, **point}
-        if derived is not None:
-            values = physical_values(derived.kernels, told)
-        else:
-            values = system_parameters(
-                subject.kernels, {name: told[name] for name in subject.values}
-            )
-        return values if subject.period is None else {**values, PERIOD: told[str(own)]}
+        try:
+            values = problem.system_values(told)
+        except InputError as reason:
+            raise NotCovered(str(reason)) from None
+        if subject.period is None:
+            return values
+        return {**values, PERIOD: told[str(problem.period_name)]}
 
     at = [given[name].exact for name in names]
     if None in at:

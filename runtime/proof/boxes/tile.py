@@ -15,7 +15,6 @@ from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, 
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
-from nonsmooth.runtime.proof.cycle_equations import Equations
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_claims import (
@@ -25,6 +24,7 @@ from nonsmooth.runtime.proof.orbit_claims import (
     judged,
     named_numbers,
 )
+from nonsmooth.runtime.proof.orbit_equations import Equations
 from nonsmooth.runtime.shooting.variational import Phase
 
 if TYPE_CHECKING:
@@ -64,7 +64,18 @@ class Tube:
     unknowns: Sequence[TaylorModel]
 
     def at(self, point: Sequence[Fraction]) -> list[arb]:
-        """Balls around the unknowns at a point of the tile."""
+        """Balls around the unknowns at a point of the tile.
+
+        Parameters
+        ----------
+        point : sequence of Fraction
+            Values of the box's parameters.
+
+        Returns
+        -------
+        list of arb
+            One ball for each unknown, in the system's units.
+        """
         from flint import arb
 
         with flint_precision(BITS):
@@ -109,6 +120,11 @@ def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> TileP
         In the tile.
     rough : bool
         Whether a low order will do, since only admissibility is left to be decided.
+
+    Returns
+    -------
+    TileProof
+        What is proved on the tile, and why the rest is not.
     """
     count = len(region.names)
     space = space_of(count, _LOWEST if rough else _ORDERS.get(count, _LOWEST))

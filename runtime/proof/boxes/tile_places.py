@@ -17,7 +17,20 @@ class Place(NamedTuple):
     steps: tuple[tuple[int, int], ...]
 
     def interval(self, axis: int, box: Sequence[Interval]) -> Interval:
-        """The tile along one axis."""
+        """The tile along one axis.
+
+        Parameters
+        ----------
+        axis : int
+            Number of the parameter.
+        box : sequence of (Fraction, Fraction)
+            Lower and upper end of each parameter.
+
+        Returns
+        -------
+        tuple of (Fraction, Fraction)
+            Lower and upper end.
+        """
         step, level = self.steps[axis]
         lower, upper = box[axis]
         width = (upper - lower) / 2**level
@@ -29,17 +42,52 @@ class Place(NamedTuple):
         return Fraction(1, 2 ** sum(level for _, level in self.steps))
 
     def middle(self, box: Sequence[Interval]) -> tuple[Fraction, ...]:
-        """The point in the middle of the tile."""
+        """The point in the middle of the tile.
+
+        Parameters
+        ----------
+        box : sequence of (Fraction, Fraction)
+            Lower and upper end of each parameter.
+
+        Returns
+        -------
+        tuple of Fraction
+            A value of each parameter.
+        """
         ends = (self.interval(axis, box) for axis in range(len(self.steps)))
         return tuple((low + high) / 2 for low, high in ends)
 
     def holds(self, point: Sequence[Fraction], box: Sequence[Interval]) -> bool:
-        """Whether the tile, with its edges, contains a point."""
+        """Whether the tile, with its edges, contains a point.
+
+        Parameters
+        ----------
+        point : sequence of Fraction
+            A value of each parameter.
+        box : sequence of (Fraction, Fraction)
+            Lower and upper end of each parameter.
+
+        Returns
+        -------
+        bool
+            True on the edges too.
+        """
         ends = (self.interval(axis, box) for axis in range(len(self.steps)))
         return all(low <= x <= high for x, (low, high) in zip(point, ends, strict=True))
 
     def touches(self, other: Place) -> bool:
-        """Whether two tiles have a point in common, edges included."""
+        """Whether two tiles have a point in common, edges included.
+
+        Parameters
+        ----------
+        other : Place
+            A tile of the same box.
+
+        Returns
+        -------
+        bool
+            True for a common edge or corner too.
+        """
         for (step, level), (its_step, its_level) in zip(self.steps, other.steps, strict=True):
             finest = max(level, its_level)
             low, its_low = step << (finest - level), its_step << (finest - its_level)
@@ -49,7 +97,20 @@ class Place(NamedTuple):
         return True
 
     def shared(self, other: Place, box: Sequence[Interval]) -> tuple[Fraction, ...]:
-        """The middle of what two tiles that touch have in common."""
+        """The middle of what two tiles that touch have in common.
+
+        Parameters
+        ----------
+        other : Place
+            A tile of the same box that touches this one.
+        box : sequence of (Fraction, Fraction)
+            Lower and upper end of each parameter.
+
+        Returns
+        -------
+        tuple of Fraction
+            A value of each parameter.
+        """
         point = []
         for axis in range(len(self.steps)):
             mine, others = self.interval(axis, box), other.interval(axis, box)
@@ -57,7 +118,18 @@ class Place(NamedTuple):
         return tuple(point)
 
     def halves(self, axis: int) -> tuple[Place, Place]:
-        """The two halves along an axis."""
+        """The two halves along an axis.
+
+        Parameters
+        ----------
+        axis : int
+            Number of the parameter.
+
+        Returns
+        -------
+        tuple of (Place, Place)
+            The lower and the upper half.
+        """
         step, level = self.steps[axis]
 
         def half(number: int) -> Place:

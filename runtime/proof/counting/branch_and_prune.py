@@ -25,7 +25,7 @@ from nonsmooth.runtime.proof.counting.contraction import (
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Problem", "Root", "Searched", "inside", "search", "touching"]
+__all__ = ["Problem", "Root", "Searched", "inside", "search", "touching", "untouched"]
 
 _SMALLEST = 1e-9  # of the searched box: sides that are not cut any more
 _SHRUNK = 0.75  # of its size: a box that was made so small is not cut, but looked at again
@@ -34,6 +34,7 @@ _FAR = 3.0  # of a box's radius: an image so large does not help before the box 
 _POLISHES = 6
 _WIDER = (2.0, 8.0)  # of an image: boxes around it in which a root may be unique
 _LEAST = 1e-13  # of an unknown's size: what a box is widened by at least
+_MOST_LEFT = 2000  # undecided boxes that are told apart
 _TOLD = 64  # boxes between two reports
 
 
@@ -52,7 +53,18 @@ class Problem(Protocol):
         ...
 
     def linear(self, sides: Sides) -> Linear | None:
-        """The equations over a box; None if they have no root there."""
+        """The equations over a box; None if they have no root there.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+
+        Returns
+        -------
+        Linear or None
+            The matrix of the equations in the middle, its derivatives, and its range.
+        """
         ...
 
 
@@ -91,6 +103,8 @@ def search(
 ) -> Searched:
     """Find every root of a problem in its domain.
 
+    The search branches and prunes (Van Hentenryck, McAllester & Kapur, 1997).
+
     Parameters
     ----------
     problem : Problem
@@ -98,6 +112,12 @@ def search(
         The most boxes that are looked at; those left over are undecided.
     progress : function of a float, optional
         Is told the share of the domain that is done.
+
+    Returns
+    -------
+    Searched
+        The roots, the boxes that are undecided, and how many were looked at. Ctrl-C ends it
+        with what it has.
     """
     domain = tuple(problem.domain)
     sizes = [high - low for low, high in domain]
@@ -105,32 +125,46 @@ def search(
     roots: list[Root] = []
     left: list[Sides] = []
     done, looked, stopped = 0.0, 0, False
-    while stack and looked < limit:
-        sides, patience = stack[-1]
-        try:
+    try:
+        while stack and looked < limit:
+            sides, patience = stack[-1]
             rest, root, patience = _examined(problem, sides, sizes, patience)
-        except KeyboardInterrupt:
-            stopped = True
-            break
-        stack.pop()
-        looked += 1
-        if root is not None and not any(_same(root, other) for other in roots):
-            touched = [other.sides for other in roots if touching(root.sides, other.sides)]
-            if touched:  # neither the same root nor another one, by what is known
-                left.append(enclosed([root.sides, *touched]))
-            else:
-                roots.append(root)
-        if len(rest) == 1 and rest[0] == sides:
-            left.append(sides)
-            rest = []
-        done += _share(sides, sizes) - sum(_share(part, sizes) for part in rest)
-        stack += [(part, patience) for part in rest]
-        if looked % _TOLD == 0:
-            progress(done)
+            if root is not None and not any(_same(root, other) for other in roots):
+                touched = [other.sides for other in roots if touching(root.sides, other.sides)]
+                if touched:  # neither the same root nor another one, by what is known
+                    left.append(enclosed([root.sides, *touched]))
+                else:
+                    roots.append(root)
+            if len(rest) == 1 and rest[0] == sides:
+                left.append(sides)
+                rest = []
+            # only now: whenever Ctrl-C comes, every box is found, left or waits
+            stack[-1:] = [(part, patience) for part in rest]
+            done += _share(sides, sizes) - sum(_share(part, sizes) for part in rest)
+            looked += 1
+            if looked % _TOLD == 0:
+                progress(done)
+    except KeyboardInterrupt:
+        stopped = True
     left += [sides for sides, _ in stack]
     # a box around a root may reach into boxes that could not be decided
     left = [sides for sides in left if not any(inside(sides, r.unique) for r in roots)]
     return Searched(tuple(roots), _joined(left), looked, stopped)
+
+
+def untouched(problem: Problem) -> Searched:
+    """A search that was interrupted before it began.
+
+    Parameters
+    ----------
+    problem : Problem
+
+    Returns
+    -------
+    Searched
+        The whole domain is undecided.
+    """
+    return Searched((), (tuple(problem.domain),), 0, interrupted=True)
 
 
 def _examined(
@@ -215,7 +249,20 @@ def _same(one: Root, other: Root) -> bool:
 
 
 def inside(sides: Sides, other: Sides) -> bool:
-    """Whether a box is part of another one."""
+    """Whether a box is part of another one.
+
+    Parameters
+    ----------
+    sides : sequence of (float, float)
+        Ends of the box.
+    other : sequence of (float, float)
+        Ends of the box around it.
+
+    Returns
+    -------
+    bool
+        True for equal boxes too.
+    """
     return all(a <= c and d <= b for (c, d), (a, b) in zip(sides, other, strict=True))
 
 
@@ -232,7 +279,9 @@ def _share(sides: Sides, sizes: Sequence[float]) -> float:
 
 
 def _joined(left: Sequence[Sides]) -> tuple[Sides, ...]:
-    """Boxes that touch as one that contains them, until none touch."""
+    """Boxes that touch as one that contains them, until none touch; very many as one."""
+    if len(left) > _MOST_LEFT:
+        return (enclosed(left),)
     rest, found = list(left), []
     while rest:
         one = rest.pop()
@@ -246,5 +295,18 @@ def _joined(left: Sequence[Sides]) -> tuple[Sides, ...]:
 
 
 def touching(one: Sides, other: Sides) -> bool:
-    """Whether two boxes have points in common."""
+    """Whether two boxes have points in common.
+
+    Parameters
+    ----------
+    one : sequence of (float, float)
+        Ends of a box.
+    other : sequence of (float, float)
+        Ends of another box.
+
+    Returns
+    -------
+    bool
+        True for a common edge too.
+    """
     return all(a <= d and c <= b for (a, b), (c, d) in zip(one, other, strict=True))

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.certificate import Certificate, orbit_json
 
 __all__ = ["Bounds", "Census", "Counted", "Open"]
 
@@ -51,8 +52,8 @@ class Open:
     reason: str
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Census:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Census(Shown):
     """All orbits of an itinerary in a box.
 
     An orbit here is a solution of the itinerary's switching and closure equations with dwell
@@ -138,10 +139,7 @@ class Census:
             The census, ready for `json.dumps`.
         """
         return {
-            "orbit": self.orbit,
-            "system": self.system,
-            "parameters": {name: value.text for name, value in self.parameters.items()},
-            "itinerary": [list(phase) for phase in self.itinerary],
+            **orbit_json(self),
             "box": list(self.box),
             "conditions": list(self.conditions),
             "count": self.count,

@@ -8,11 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.core.workload import TooLarge
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
-from nonsmooth.runtime.proof.counting.branch_and_prune import Problem, Root, search
+from nonsmooth.runtime.proof.counting.branch_and_prune import (
+    Problem,
+    Root,
+    Searched,
+    search,
+    untouched,
+)
 from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.proof.counting.contraction import Sides
 from nonsmooth.runtime.proof.counting.dwell_box import Side
@@ -26,6 +33,7 @@ __all__ = ["certify_all"]
 
 _WORK = 64  # bits of the search: doubles cut its boxes
 _LIMIT = 500_000
+_WIDEST = 100.0  # sides of a box that the search drops at once, at most
 _STOPPED = "the search was interrupted"
 _EDGE = "a solution may lie on the edge of what is asked for"
 _TWICE = "the orbit may be one of those that are counted, begun later"
@@ -107,39 +115,133 @@ def certify_all(
         asked = asked_of(
             orbit, parameters or {}, box or {}, itinerary, period, float(largest), _WORK
         )
-        begin("searching")
+        problems = asked.question.problems
+        _check_size(problems, limit)
+        searches, stopped = _searched(problems, limit, begin, progress)
         roots: list[tuple[Problem, Root]] = []
         left: list[Open] = []
         looked = 0
-        problems = asked.question.problems
-        for place, problem in enumerate(problems):
-            found = search(problem, max(1, limit - looked), _share(progress, place, len(problems)))
+        for problem, found in zip(problems, searches, strict=True):
             looked += found.looked
             roots += [(problem, root) for root in found.roots]
             names = asked.question.unknowns(problem)
             reason = "too many boxes" if looked >= limit else "the equations are nearly singular"
             reason = _STOPPED if found.interrupted else reason
             left += [Open(_texts(names, sides), reason) for sides in found.undecided]
-            if found.interrupted:
-                raise Interrupted(_judged(asked, roots, left, looked, bits, begin))
-        return _judged(asked, roots, left, looked, bits, begin)
+        census, halted = _judged(asked, roots, left, looked, bits, begin)
+    if stopped or halted:
+        raise Interrupted(census)
+    return census
+
+
+def _searched(
+    problems: Sequence[Problem],
+    limit: int,
+    begin: Callable[[str], object],
+    progress: Callable[[float], object],
+) -> tuple[list[Searched], bool]:
+    """A search of each problem, untouched from where Ctrl-C came, and whether it came."""
+    found: list[Searched] = []
+    try:
+        begin("searching")
+        while len(found) < len(problems) and not (found and found[-1].interrupted):
+            rest = max(1, limit - sum(each.looked for each in found))
+            told = _share(progress, len(found), len(problems))
+            found.append(search(problems[len(found)], rest, told))
+    except KeyboardInterrupt:
+        found.append(untouched(problems[len(found)]))
+    stopped = found[-1].interrupted
+    return [*found, *map(untouched, problems[len(found) :])], stopped
+
+
+def _check_size(problems: Sequence[Problem], limit: int) -> None:
+    """Refuse a box of which the boxes that are looked at could not cover a small part.
+
+    Solutions recur with each turn of the phases, so boxes are not larger than turns; those that
+    were measured are a fifth of a radian.
+
+    Raises
+    ------
+    TooLarge
+    """
+    sides = sorted(high - low for problem in problems for low, high in problem.domain)
+    boxes = sum(
+        math.prod(max(1.0, (high - low) / _WIDEST) for low, high in problem.domain)
+        for problem in problems
+    )
+    if not boxes <= limit:
+        raise TooLarge(
+            f"a box of dwell times with sides up to {sides[-1]:.3g} takes more than {limit} boxes"
+            " to search: give smaller bounds"
+        )
 
 
 def _judged(
     asked: Asked,
     roots: Sequence[tuple[Problem, Root]],
-    left: list[Open],
+    left: Sequence[Open],
     looked: int,
     bits: int,
     begin: Callable[[str], object],
-) -> Census:
-    """Which roots are in the box, and what is proved of each."""
+) -> tuple[Census, bool]:
+    """What is proved of each root, and whether Ctrl-C came: what it left is open."""
+    question = asked.question
     counted: list[Counted] = []
-    inside: list[tuple[float, Problem, Root, dict[str, arb]]] = []
-    beyond, question = 0, asked.question
+    halted = False
+    try:
+        inside, beyond, edges = _inside(asked, roots)
+    except KeyboardInterrupt:
+        halted, inside, beyond = True, [], 0
+        edges = [Open(_texts(question.unknowns(p), root.sides), _STOPPED) for p, root in roots]
+    undecided = [*left, *edges]
+    certificates: list[Certificate] = []
+    for number, (problem, root, dwell) in enumerate(inside, 1):
+        certificate, reason = None, _STOPPED
+        if not halted:
+            try:
+                begin(f"certifying orbit {number} of {len(inside)}")
+                certificate, reason = _certified(question, problem, root, bits)
+            except KeyboardInterrupt:
+                halted = True
+        if certificate is not None and not (
+            _is_of(certificate, dwell, asked.sides)
+            and all(_apart(certificate, c) for c in certificates)
+        ):
+            certificate, reason = None, _OTHER
+        if certificate is not None:
+            certificates.append(certificate)
+        names = question.unknowns(problem)
+        if certificate is None and question.surplus:
+            undecided.append(Open(_texts(names, root.sides), reason))
+        else:
+            counted.append(Counted(_texts(names, root.unique), certificate, reason))
+    census = Census(
+        orbit=asked.label,
+        system=asked.system,
+        parameters=asked.parameters,
+        itinerary=asked.itinerary,
+        box=tuple(str(side) for side in asked.sides),
+        conditions=question.conditions,
+        orbits=tuple(counted),
+        beyond=beyond,
+        undecided=tuple(undecided),
+        looked=looked,
+        bits=bits,
+    )
+    return census, halted
+
+
+def _inside(
+    asked: Asked, roots: Sequence[tuple[Problem, Root]]
+) -> tuple[list[tuple[Problem, Root, dict[str, arb]]], int, list[Open]]:
+    """Roots in the box by their first dwell time, how many lie beyond it, and the undecided."""
+    question = asked.question
     follow = question.follow
+    inside: list[tuple[Problem, Root, dict[str, arb]]] = []
+    edges: list[Open] = []
+    beyond = 0
     for problem, root in roots:
-        names = asked.question.unknowns(problem)
+        names = question.unknowns(problem)
         dwell = question.dwell(problem, root)
         asks = [question.small(problem, root)]
         asks += [side.holds(dwell[side.name]) for side in asked.sides if side.name not in follow]
@@ -149,47 +251,20 @@ def _judged(
         if False in rest:
             beyond += 1
         elif None in asks or None in rest:
-            left.append(Open(_texts(names, root.sides), _EDGE))
+            edges.append(Open(_texts(names, root.sides), _EDGE))
         elif (again := _again(question, problem, root, inside)) is None:
-            left.append(Open(_texts(names, root.sides), _TWICE))
+            edges.append(Open(_texts(names, root.sides), _TWICE))
         elif not again:
-            inside.append((float(dwell[asked.sides[0].name].mid()), problem, root, dwell))
-    certificates: list[Certificate] = []
-    for number, (_, problem, root, dwell) in enumerate(sorted(inside, key=lambda x: x[0]), 1):
-        begin(f"certifying orbit {number} of {len(inside)}")
-        certificate, reason = _certified(question, problem, root, bits)
-        if certificate is not None and not (
-            _is_of(certificate, dwell, asked.sides)
-            and all(_apart(certificate, c) for c in certificates)
-        ):
-            certificate, reason = None, _OTHER
-        if certificate is not None:
-            certificates.append(certificate)
-        names = asked.question.unknowns(problem)
-        if certificate is None and question.surplus:
-            left.append(Open(_texts(names, root.sides), reason))
-        else:
-            counted.append(Counted(_texts(names, root.unique), certificate, reason))
-    return Census(
-        orbit=asked.label,
-        system=asked.system,
-        parameters=asked.parameters,
-        itinerary=asked.itinerary,
-        box=tuple(str(side) for side in asked.sides),
-        conditions=question.conditions,
-        orbits=tuple(counted),
-        beyond=beyond,
-        undecided=tuple(left),
-        looked=looked,
-        bits=bits,
-    )
+            inside.append((problem, root, dwell))
+    first = asked.sides[0].name
+    return sorted(inside, key=lambda each: float(each[2][first].mid())), beyond, edges
 
 
 def _again(
     question: Question, problem: Problem, root: Root, inside: Sequence[tuple[Any, ...]]
 ) -> bool | None:
     """Whether a root is begun later another one, or itself; None if that is undecided."""
-    others = [root, *(other for _, its, other, _ in inside if its is problem)]
+    others = [root, *(other for its, other, _ in inside if its is problem)]
     verdicts = [question.again(problem, root, other) for other in others]
     return True if True in verdicts else None if None in verdicts else False
 

@@ -59,7 +59,22 @@ class Linear(NamedTuple):
 
     @staticmethod
     def of(centre: arb_mat, slopes: Sequence[arb_mat], sides: Sides) -> Linear:
-        """From its middle and its derivatives."""
+        """From its middle and its derivatives.
+
+        Parameters
+        ----------
+        centre : arb_mat
+            G in the middle of the box.
+        slopes : sequence of arb_mat
+            Derivative of G by each unknown, over the box.
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+
+        Returns
+        -------
+        Linear
+            With an enclosure of G over the box.
+        """
         over = centre
         for slope, ball, middle in zip(slopes, balls_of(sides), middles_of(sides), strict=True):
             over = over + slope * (ball - middle)
@@ -89,34 +104,89 @@ class Image(NamedTuple):
     ratio: float
 
     def within(self, sides: Sides) -> Sides:
-        """What image and box have in common."""
+        """What image and box have in common.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+
+        Returns
+        -------
+        sequence of (float, float)
+            Ends of the common box.
+        """
         return tuple(
             (max(a, c), min(b, d)) for (a, b), (c, d) in zip(self.sides, sides, strict=True)
         )
 
 
 def balls_of(sides: Sides) -> list[arb]:
-    """Balls that contain the sides of a box."""
+    """Balls that contain the sides of a box.
+
+    Parameters
+    ----------
+    sides : sequence of (float, float)
+        Lower and upper ends of the unknowns, in the system's units.
+
+    Returns
+    -------
+    list of arb
+        One for each side.
+    """
     from flint import arb
 
     return [arb(low).union(arb(high)) for low, high in sides]
 
 
 def middles_of(sides: Sides) -> list[arb]:
-    """Exact numbers about in the middle of each side, and inside it."""
+    """Exact numbers about in the middle of each side, and inside it.
+
+    Parameters
+    ----------
+    sides : sequence of (float, float)
+        Lower and upper ends of the unknowns, in the system's units.
+
+    Returns
+    -------
+    list of arb
+        One for each side, of radius 0.
+    """
     from flint import arb
 
     return [arb(low + (high - low) / 2) for low, high in sides]
 
 
 def floats_around(ball: arb) -> tuple[float, float]:
-    """Doubles below and above a ball."""
+    """Doubles below and above a ball.
+
+    Parameters
+    ----------
+    ball : arb
+        What has to be enclosed.
+
+    Returns
+    -------
+    tuple of (float, float)
+        The lower and the upper one.
+    """
     low, high = float(ball.lower()), float(ball.upper())
     return math.nextafter(low, -math.inf), math.nextafter(high, math.inf)
 
 
 def enclosed(boxes: Iterable[Sides]) -> Sides:
-    """The smallest box around some."""
+    """The smallest box around some.
+
+    Parameters
+    ----------
+    boxes : iterable of sides
+        At least one box, each a sequence of (float, float).
+
+    Returns
+    -------
+    sequence of (float, float)
+        Ends of the box around all of them.
+    """
     columns = zip(*boxes, strict=True)
     return tuple((min(a for a, _ in c), max(b for _, b in c)) for c in map(list, columns))
 
@@ -128,6 +198,16 @@ def excluding(linear: Linear) -> bool:
     in the middle, in which rows count less the less is known of them. That q is not too large
     is one more row for each coordinate: q / largest = a number in [-1, 1]. Without these rows
     a curve on which the equations for q are singular could not be told from roots far away.
+
+    Parameters
+    ----------
+    linear : Linear
+        The equations over the box.
+
+    Returns
+    -------
+    bool
+        True if that is proved.
     """
     from flint import arb, arb_mat
 
@@ -155,7 +235,19 @@ def contract(linear: Linear, sides: Sides) -> Image | None:
     """Krawczyk's image of a box, or None where the equations are singular over it.
 
     With z = (q, u), F(z) = G(u) (q, 1) and any matrix Y, all roots of a box Z around z are in
-    z - Y F(z) + (I - Y F'(Z)) (Z - z); if that is inside Z, there is one.
+    z - Y F(z) + (I - Y F'(Z)) (Z - z); if that is inside Z, there is one (Krawczyk, 1969).
+
+    Parameters
+    ----------
+    linear : Linear
+        The equations over the box.
+    sides : sequence of (float, float)
+        Lower and upper ends of the unknowns, in the system's units.
+
+    Returns
+    -------
+    Image or None
+        The image, and whether it proves one root or none.
     """
     from flint import arb, arb_mat
 
@@ -216,7 +308,20 @@ def contract(linear: Linear, sides: Sides) -> Image | None:
 
 
 def smears(linear: Linear, sides: Sides) -> np.ndarray:
-    """How much each unknown's side spreads G: where to cut; a guess."""
+    """How much each unknown's side spreads G: where to cut; a guess.
+
+    Parameters
+    ----------
+    linear : Linear
+        The equations over the box.
+    sides : sequence of (float, float)
+        Lower and upper ends of the unknowns, in the system's units.
+
+    Returns
+    -------
+    ndarray, one for each unknown
+        The larger, the better it is to cut there.
+    """
     weights = _weights(linear.over)
     found = []
     for slope, (low, high) in zip(linear.slopes, sides, strict=True):

@@ -44,7 +44,18 @@ class Side:
         return max(0.0, low), high
 
     def holds(self, time: arb) -> bool | None:
-        """Whether a dwell time is inside: None if its enclosure has points on both sides."""
+        """Whether a dwell time is inside: None if its enclosure has points on both sides.
+
+        Parameters
+        ----------
+        time : arb
+            Enclosure of the dwell time, in the system's units.
+
+        Returns
+        -------
+        bool or None
+            True or False where it is proved.
+        """
         low = self.lower.ball(_BITS)
         high = None if self.upper is None else self.upper.ball(_BITS)
         if time <= 0 or time < low or (high is not None and time > high):
@@ -72,6 +83,11 @@ def sides_of(
         that they are positive is asked.
     box : mapping of str to (lower, upper), or to the upper bound
         Numbers, text or Values; the lower bound is 1e-6 if it is not given.
+
+    Returns
+    -------
+    tuple of Side
+        One for each dwell time that is in the box or is not searched.
 
     Raises
     ------

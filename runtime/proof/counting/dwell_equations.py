@@ -19,11 +19,11 @@ from nonsmooth.runtime.proof.counting.contraction import (
     floats_around,
     middles_of,
 )
-from nonsmooth.runtime.proof.cycle_equations import phases_of
 from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.proof.invariants import invariants_of
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.proof.orbit_equations import phases_of
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 from nonsmooth.runtime.shooting.variational import MATRICES, Ahead, shooting_map
 
 if TYPE_CHECKING:
@@ -80,8 +80,21 @@ class Given(NamedTuple):
     unit: arb | None = None
 
 
-def setting_of(tables: Tables, cycle: Cycle) -> Setting:
-    """The setting with the fewest coordinates; all states, where the numbers are not exact."""
+def setting_of(tables: Tables, cycle: ItineraryShape) -> Setting:
+    """The setting with the fewest coordinates; all states, where the numbers are not exact.
+
+    Parameters
+    ----------
+    tables : Tables
+        Of the system.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+
+    Returns
+    -------
+    Setting
+        The phase at whose start the coordinates are, and which they are.
+    """
     size, count = len(tables.fields[0]) - 1, len(cycle)
     forced = [state for pair in cycle.structure.forcing for state in pair]
     starts: Sequence[Invariants] = [Invariants((), ())] * count
@@ -128,7 +141,7 @@ class DwellProblem:
     Parameters
     ----------
     tables : Tables
-    cycle : Cycle
+    cycle : ItineraryShape
     setting : Setting
         A possible one.
     given : Given
@@ -143,7 +156,7 @@ class DwellProblem:
     def __init__(
         self,
         tables: Tables,
-        cycle: Cycle,
+        cycle: ItineraryShape,
         setting: Setting,
         given: Given,
         domain: Sequence[tuple[float, float]],
@@ -154,8 +167,9 @@ class DwellProblem:
 
         self.domain, self.setting, self.given = tuple(domain), setting, given
         self.largest, self.last = largest, last
-        self.phases = phases_of(tables, cycle.rotated(setting.rotation), tables.number_at())
-        self.embedding = arb_mat([[arb(x) for x in row] for row in setting.embedding])
+        number = tables.number_at()
+        self.phases = phases_of(tables, cycle.rotated(setting.rotation), number)
+        self.embedding = arb_mat([list(map(number, row)) for row in setting.embedding])
         self.speeds = [arb(speed) for speed in given.speeds]
         self.first = int(bool(given.pairs))
         self._width = len(setting.places) + 1
@@ -176,7 +190,18 @@ class DwellProblem:
         return self.given.unit
 
     def linear(self, sides: Sides) -> Linear | None:
-        """The equations over a box; None where the last dwell time is outside of its range."""
+        """The equations over a box; None where the last dwell time is outside of its range.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+
+        Returns
+        -------
+        Linear or None
+            G (u), its derivatives by the unknowns, and its range.
+        """
         balls, middles = balls_of(sides), middles_of(sides)
         times = self._dwell(balls)
         if self.last is not None and (times[-1] < self.last[0] or times[-1] > self.last[1]):
@@ -192,13 +217,36 @@ class DwellProblem:
         return Linear.of(centre, slopes, sides)._replace(trivial=trivial, largest=self.largest)
 
     def dwell(self, sides: Sides) -> list[arb]:
-        """Dwell times in the cycle's own order, over a box."""
+        """Dwell times in the cycle's own order, over a box.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+
+        Returns
+        -------
+        list of arb
+            One for each phase, in the system's units.
+        """
         return self._own_order(self._dwell(balls_of(sides)))
 
     def begun_later(self, sides: Sides, phases: int) -> Iterator[Sides]:
         """The unknowns of the same orbits, begun so many phases later, that may be in the domain.
 
         The itinerary has to be the same from there.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+        phases : int
+            By how many phases the orbits begin later.
+
+        Yields
+        ------
+        sequence of (float, float)
+            Ends of a box of unknowns; of a forced cycle one for each near turn.
         """
         from flint import arb
 
@@ -216,7 +264,20 @@ class DwellProblem:
             yield (floats_around(later - number * self.unit), *rest)
 
     def starts(self, sides: Sides, coordinates: Sequence[arb]) -> list[list[arb]]:
-        """State at the start of each phase in the cycle's own order, over a box."""
+        """State at the start of each phase in the cycle's own order, over a box.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+        coordinates : sequence of arb
+            The coordinates that the dwell times leave open, in the system's units.
+
+        Returns
+        -------
+        list of list of arb, each of length N
+            One state for each phase, in the system's units.
+        """
         from flint import arb, arb_mat
 
         whole = [False] * len(self.setting.orders)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.rational_functions import RationalFunction
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import Point
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
@@ -21,10 +22,6 @@ from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
-from nonsmooth.runtime.proof.closure import (
-    forcing_speeds,
-    symplectic_form,
-)
 from nonsmooth.runtime.proof.counting.branch_and_prune import Problem, Root, inside, touching
 from nonsmooth.runtime.proof.counting.dwell_box import Side
 from nonsmooth.runtime.proof.counting.dwell_equations import (
@@ -34,9 +31,11 @@ from nonsmooth.runtime.proof.counting.dwell_equations import (
     setting_of,
 )
 from nonsmooth.runtime.proof.counting.reduced_equations import ReducedProblem
-from nonsmooth.runtime.proof.exact_tables import Tables, tables_of
+from nonsmooth.runtime.proof.exact_closure import forcing_speeds
+from nonsmooth.runtime.proof.exact_tables import Tables, exact_tables
+from nonsmooth.runtime.proof.symplectic_form import symplectic_form
 from nonsmooth.runtime.shooting.newton import CONVERGED
-from nonsmooth.runtime.shooting.shooting_map import Cycle
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 from nonsmooth.runtime.shooting.translations import translations_of
 
 if TYPE_CHECKING:
@@ -62,11 +61,35 @@ class Question(Protocol):
         ...
 
     def dwell(self, problem: Any, root: Root) -> dict[str, arb]:
-        """Enclosures of all dwell times, by name."""
+        """Enclosures of all dwell times, by name.
+
+        Parameters
+        ----------
+        problem : Problem
+            The equations that are searched.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        dict of str to arb
+            In the system's units.
+        """
         ...
 
     def unknowns(self, problem: Any) -> tuple[str, ...]:
-        """Names of a problem's unknowns."""
+        """Names of a problem's unknowns.
+
+        Parameters
+        ----------
+        problem : Problem
+            The equations that are searched.
+
+        Returns
+        -------
+        tuple of str
+            In the problem's order.
+        """
         ...
 
     @property
@@ -78,6 +101,20 @@ class Question(Protocol):
         """Whether two roots are one orbit, begun at two of its phases; None if undecided.
 
         Of a root and itself: whether the orbit repeats itself before its itinerary ends.
+
+        Parameters
+        ----------
+        problem : Problem
+            The equations that are searched.
+        root : Root
+            A root of the problem.
+        other : Root
+            The root that it is compared with.
+
+        Returns
+        -------
+        bool or None
+            True or False where it is proved.
         """
         ...
 
@@ -87,11 +124,37 @@ class Question(Protocol):
         ...
 
     def small(self, problem: Any, root: Root) -> bool | None:
-        """Whether the root's other unknowns are what is asked for; None if undecided."""
+        """Whether the root's other unknowns are what is asked for; None if undecided.
+
+        Parameters
+        ----------
+        problem : Problem
+            The equations that are searched.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        bool or None
+            True or False where it is proved.
+        """
         ...
 
     def orbit(self, problem: Any, root: Root) -> Orbit:
-        """About the orbit that the root is."""
+        """About the orbit that the root is.
+
+        Parameters
+        ----------
+        problem : Problem
+            The equations that are searched.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        Orbit
+            In floating point; nothing is proved of it.
+        """
         ...
 
 
@@ -125,11 +188,35 @@ class ReducedQuestion:
         return tuple(found)
 
     def unknowns(self, problem: ReducedProblem) -> tuple[str, ...]:
-        """Names of the reduced unknowns."""
+        """Names of the reduced unknowns.
+
+        Parameters
+        ----------
+        problem : ReducedProblem
+            The reduced equations.
+
+        Returns
+        -------
+        tuple of str
+            In the problem's order.
+        """
         return self.kernels.reduced
 
     def dwell(self, problem: ReducedProblem, root: Root) -> dict[str, arb]:
-        """Enclosures of all dwell times."""
+        """Enclosures of all dwell times.
+
+        Parameters
+        ----------
+        problem : ReducedProblem
+            The reduced equations.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        dict of str to arb
+            In the system's units.
+        """
         return self.kernels.durations(problem.unknowns(root.sides))
 
     @property
@@ -138,15 +225,56 @@ class ReducedQuestion:
         return tuple(n for n in self.kernels.dwell_times if n not in self.kernels.reduced)
 
     def again(self, problem: ReducedProblem, root: Root, other: Root) -> bool | None:
-        """Itineraries that repeat themselves are not counted by reduced equations."""
+        """Itineraries that repeat themselves are not counted by reduced equations.
+
+        Parameters
+        ----------
+        problem : ReducedProblem
+            The reduced equations.
+        root : Root
+            A root of the problem.
+        other : Root
+            The root that it is compared with.
+
+        Returns
+        -------
+        bool
+            False.
+        """
         return False
 
     def small(self, problem: ReducedProblem, root: Root) -> bool | None:
-        """Nothing is asked of the coordinates."""
+        """Nothing is asked of the coordinates.
+
+        Parameters
+        ----------
+        problem : ReducedProblem
+            The reduced equations.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        bool
+            True.
+        """
         return True
 
     def orbit(self, problem: ReducedProblem, root: Root) -> Orbit:
-        """The orbit in double precision."""
+        """The orbit in double precision.
+
+        Parameters
+        ----------
+        problem : ReducedProblem
+            The reduced equations.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        Orbit
+            In floating point; nothing is proved of it.
+        """
         guess = {name: float(x.mid()) for name, x in problem.unknowns(root.sides).items()}
         given = {**self.point.values, **self.point.opened}
         return solve_kernels(self.kernels, given, guess, throw=False)
@@ -162,7 +290,7 @@ class DwellQuestion:
     kernels : SystemKernels
     values : dict of str to Value
         All parameters of the system.
-    cycle : Cycle
+    cycle : ItineraryShape
     names, start : tuple of str
         Of the dwell times, and of the states at the start.
     setting : Setting
@@ -175,7 +303,7 @@ class DwellQuestion:
     label: str | None
     kernels: SystemKernels
     values: Mapping[str, Value]
-    cycle: Cycle
+    cycle: ItineraryShape
     names: tuple[str, ...]
     start: tuple[str, ...]
     setting: Setting
@@ -206,7 +334,22 @@ class DwellQuestion:
         return next(k for k in sizes if phases == phases[k:] + phases[:k])
 
     def again(self, problem: DwellProblem, root: Root, other: Root) -> bool | None:
-        """Whether a root is another one, or itself, begun some parts later; None if undecided."""
+        """Whether a root is another one, or itself, begun some parts later; None if undecided.
+
+        Parameters
+        ----------
+        problem : DwellProblem
+            The equations of the dwell times.
+        root : Root
+            A root of the problem.
+        other : Root
+            The root that it is compared with.
+
+        Returns
+        -------
+        bool or None
+            True or False where it is proved.
+        """
         undecided = False
         for phases in range(self.part, len(self.cycle), self.part):
             # only among roots that are not too large the other one is unique
@@ -220,14 +363,38 @@ class DwellQuestion:
         return None if undecided else False
 
     def unknowns(self, problem: DwellProblem) -> tuple[str, ...]:
-        """The forcing's time, and the dwell times from where the start is sought."""
+        """The forcing's time, and the dwell times from where the start is sought.
+
+        Parameters
+        ----------
+        problem : DwellProblem
+            The equations of the dwell times.
+
+        Returns
+        -------
+        tuple of str
+            In the problem's order.
+        """
         cut = self.setting.rotation
         forced = ("forcing time",) if self.cycle.structure.forcing else ()
         names = (*forced, *self.names[cut:], *self.names[:cut])
         return names[: len(problem.domain)]
 
     def dwell(self, problem: DwellProblem, root: Root) -> dict[str, arb]:
-        """Enclosures of all dwell times."""
+        """Enclosures of all dwell times.
+
+        Parameters
+        ----------
+        problem : DwellProblem
+            The equations of the dwell times.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        dict of str to arb
+            In the system's units and the cycle's own order.
+        """
         return dict(zip(self.names, problem.dwell(root.sides), strict=True))
 
     @property
@@ -241,7 +408,20 @@ class DwellQuestion:
         return ()
 
     def small(self, problem: DwellProblem, root: Root) -> bool | None:
-        """Whether no coordinate is too large, and a forcing's time is in its period."""
+        """Whether no coordinate is too large, and a forcing's time is in its period.
+
+        Parameters
+        ----------
+        problem : DwellProblem
+            The equations of the dwell times.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        bool or None
+            True or False where it is proved.
+        """
         sizes = [abs(q) for q in root.coordinates]
         if any(size > self.largest for size in sizes):
             return False
@@ -255,7 +435,20 @@ class DwellQuestion:
         return True if certain else None
 
     def orbit(self, problem: DwellProblem, root: Root) -> Orbit:
-        """The orbit in double precision."""
+        """The orbit in double precision.
+
+        Parameters
+        ----------
+        problem : DwellProblem
+            The equations of the dwell times.
+        root : Root
+            A root of the problem.
+
+        Returns
+        -------
+        Orbit
+            In floating point; nothing is proved of it.
+        """
         starts = problem.starts(root.sides, root.coordinates)
         named = TableProblem(
             self.kernels, self.cycle.itinerary, label=self.label, names=(*self.names, *self.start)
@@ -277,7 +470,7 @@ def dwell_question(
     label: str | None,
     kernels: SystemKernels,
     values: Mapping[str, Value],
-    cycle: Cycle,
+    cycle: ItineraryShape,
     sides: Sequence[Side],
     start: tuple[str, ...],
     period: Value | None,
@@ -286,13 +479,39 @@ def dwell_question(
 ) -> DwellQuestion:
     """The question about any cycle; `bits` is the working precision.
 
+    Parameters
+    ----------
+    label : str or None
+        Name of the orbit, if it has one.
+    kernels : SystemKernels
+        The system's generated functions.
+    values : dict of str to Value
+        All physical parameters of the system.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+    sides : sequence of Side
+        Of the box of dwell times.
+    start : tuple of str
+        Names of the states at the start.
+    period : Value or None
+        What the dwell times sum up to, in the system's units, where it is given.
+    largest : float
+        The largest size of a coordinate that is asked for, in the system's units.
+    bits : int
+        The working precision.
+
+    Returns
+    -------
+    DwellQuestion
+        With one problem or more; with none where no orbit is possible.
+
     Raises
     ------
     InputError
         For a conservative cycle without a period, or a forcing of which it is not certain that
         it turns evenly.
     """
-    tables = tables_of(kernels, tuple(values.values()), bits)
+    tables = exact_tables(kernels, tuple(values.values()), bits)
     if len(translations_of(piecewise(kernels, values))):
         raise InputError(
             f"{label or kernels.name} does not depend on where it is: its orbits are periodic up to"
@@ -324,9 +543,16 @@ def dwell_question(
     )
 
 
+def _fraction(ratio: Any) -> Any:
+    found = ratio.rational if isinstance(ratio, RationalFunction) else ratio
+    if found is None:
+        raise InputError("the orbits cannot be counted: the forcings have no common period")
+    return found
+
+
 def _forced(
     tables: Tables,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     setting: Setting,
     turned: Sequence[tuple[float, float]],
     largest: float,
@@ -335,15 +561,17 @@ def _forced(
     from flint import arb
 
     if not tables.exact:
-        raise InputError("the parameters of a forced system have to be rational to count orbits")
+        raise InputError("to count the orbits of a forced system its numbers have to be exact")
     speeds = forcing_speeds(tables, cycle)
     if isinstance(speeds, str):
         raise InputError(f"the orbits cannot be counted: {speeds}")
     if not all(speed != 0 for speed in speeds):
         raise InputError("the orbits cannot be counted: a forcing does not turn")
     # the smallest number of turns of the first forcing after which all have turned wholly
-    common = math.lcm(*(int((speed / speeds[0]).q) for speed in speeds))
-    unit = 2 * arb.pi() * common / abs(arb(speeds[0]))
+    ratios = [_fraction(speed / speeds[0]) for speed in speeds]
+    common = math.lcm(*(int(ratio.q) for ratio in ratios))
+    numbers = tuple(map(tables.number_at(), speeds))
+    unit = 2 * arb.pi() * common / abs(numbers[0])
     first = float(unit.mid())
     window = (_WINDOW * first, (1 + _WINDOW) * first * (1 + 1e-12))
     least, most = (sum(bound[k] for bound in turned) for k in (0, 1))
@@ -354,7 +582,7 @@ def _forced(
             break
         if period < least * (1 - 1e-12):
             continue
-        given = Given(cycle.structure.forcing, tuple(speeds), period, unit)
+        given = Given(cycle.structure.forcing, numbers, period, unit)
         domain = [window, *turned[:-1]]
         found.append(DwellProblem(tables, cycle, setting, given, domain, largest, turned[-1]))
     else:

@@ -22,12 +22,11 @@ from nonsmooth.runtime.proof.counting.problems import (
     dwell_question,
 )
 from nonsmooth.runtime.proof.counting.reduced_equations import ReducedProblem, reducible
-from nonsmooth.runtime.proof.orbit_cycle import (
+from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
-    period_of,
     physical_values,
 )
-from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 
 __all__ = ["Asked", "asked_of"]
 
@@ -64,14 +63,37 @@ def asked_of(
 ) -> Asked:
     """What `certify_all` is asked, at the working precision, of so many bits.
 
+    Parameters
+    ----------
+    orbit : str, Itinerary, System or SystemKernels
+        What the itinerary is of.
+    parameters : dict of str to number
+        Physical ones, or those of the named orbit.
+    box : dict of str to (lower, upper), or to the upper bound
+        Of the dwell times, in the system's units.
+    itinerary : sequence of (configuration, boundary) or None
+        None for that of the named orbit.
+    period : number or None
+        What the dwell times sum up to, in the system's units.
+    largest : float
+        The largest size of a coordinate that is asked for, in the system's units.
+    bits : int
+        The working precision.
+
+    Returns
+    -------
+    Asked
+        The question, and what it is about.
+
     Raises
     ------
     InputError
+        For names or values that do not fit, or orbits that are not counted.
     """
     if itinerary is not None:
         kernels = kernels_of(orbit)
         kernels = with_routes(kernels, itinerary)
-        cycle = cycle_of(structure_of(kernels), itinerary)
+        cycle = itinerary_shape(structure_of(kernels), itinerary)
         taken = {*cycle.structure.states, *(p.name for p in kernels.parameters)}
         values = system_parameters(kernels, parameters)
         names = dwell_names(len(cycle), taken)
@@ -84,7 +106,7 @@ def asked_of(
             f"{named.name} is declared by a symmetry: give its whole itinerary instead"
         )
     phases = [(configuration, boundary) for configuration, boundary, _ in named.table["phases"]]
-    cycle = cycle_of(structure_of(named.system), phases)
+    cycle = itinerary_shape(structure_of(named.system), phases)
     if named.derived:
         return _derived(orbit, named, cycle, parameters, box, period, largest, bits)
     reference = named.table["reference"] or {"parameters": {}}
@@ -102,7 +124,7 @@ def asked_of(
 def _derived(
     orbit: Any,
     kernels: OrbitKernels,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     parameters: Mapping[str, object],
     box: Mapping[str, Any],
     period: object,
@@ -134,7 +156,7 @@ def _derived(
         values = physical_values(kernels, given)
     except NotCovered as reason:
         raise InputError(f"{kernels.name}: {reason}") from None
-    own, names = period_of(kernels, point.values), kernels.dwell_times
+    own, names = point.values.get(kernels.period_name or ""), kernels.dwell_times
     start = start_names(cycle.structure.states, {*names, *values})
     return _of_cycle(
         kernels.name, kernels.system, values, cycle, names, start, box, own, largest, bits
@@ -145,7 +167,7 @@ def _of_cycle(
     label: str | None,
     kernels: SystemKernels,
     values: Mapping[str, Value],
-    cycle: Cycle,
+    cycle: ItineraryShape,
     names: tuple[str, ...],
     start: tuple[str, ...],
     box: Mapping[str, Any],

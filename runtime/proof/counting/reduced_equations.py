@@ -51,6 +51,16 @@ def reducible(kernels: OrbitKernels) -> bool:
 
     Those of conservative and of symmetric orbits are of orbits with a symmetry only. Of an
     itinerary that repeats itself orbits would count once for each of its parts.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+        The orbit's generated functions.
+
+    Returns
+    -------
+    bool
+        False too where the orbit has no reduced equations.
     """
     table = kernels.table
     phases = [(configuration, boundary) for configuration, boundary, _ in table["phases"]]
@@ -91,7 +101,18 @@ class ReducedProblem:
         self._reduced, self._expand = kernels.source("reduced"), kernels.source("expand")
 
     def linear(self, sides: Sides) -> Linear | None:
-        """Residual and derivatives over a box; None if one of its equations has no root there."""
+        """Residual and derivatives over a box; None if one of its equations has no root there.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+
+        Returns
+        -------
+        Linear or None
+            With one column: the residual.
+        """
         from flint import arb_mat
 
         try:
@@ -105,7 +126,18 @@ class ReducedProblem:
         return Linear.of(arb_mat([[value] for value in centre]), slopes, sides)
 
     def unknowns(self, sides: Sides) -> dict[str, arb]:
-        """All unknowns of the full equations, by name, over a box of the reduced ones."""
+        """All unknowns of the full equations, by name, over a box of the reduced ones.
+
+        Parameters
+        ----------
+        sides : sequence of (float, float)
+            Lower and upper ends of the unknowns, in the system's units.
+
+        Returns
+        -------
+        dict of str to arb
+            In the system's units.
+        """
         found = self._expand(self._parameters, self._spectrum, balls_of(sides), lib=self._lib)
         values = found[0] if isinstance(found, tuple) else found
         return dict(zip(self.kernels.unknowns, values, strict=True))

@@ -10,12 +10,12 @@ from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of, sp
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, Watched
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.cycle_equations import Equations, Flows, Linearised
 from nonsmooth.runtime.proof.exact_tables import Number
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
 from nonsmooth.runtime.proof.multipliers import CORNER, reduced_map
 from nonsmooth.runtime.proof.orbit_claims import conserved
-from nonsmooth.runtime.proof.orbit_cycle import NotCovered
+from nonsmooth.runtime.proof.orbit_equations import Equations, Flows, Linearised
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
 if TYPE_CHECKING:
     from flint import arb, arb_mat
@@ -62,7 +62,20 @@ class Augmented(NamedTuple):
         return [*here.now.residual.entries(), *self.values(here)]
 
     def closes(self, middles: Sequence[arb], halves: Sequence[arb]) -> bool:
-        """Whether what is no equation follows: the energy returns the coordinate left out."""
+        """Whether what is no equation follows: the energy returns the coordinate left out.
+
+        Parameters
+        ----------
+        middles : sequence of arb
+            Middle of the enclosure of each unknown, in the system's units.
+        halves : sequence of arb
+            Half of the width of each, in the system's units.
+
+        Returns
+        -------
+        bool
+            True if that is proved, or nothing was left out.
+        """
         if self.region.closing.form is None:
             return True
         here = self._here(middles, halves)
@@ -92,6 +105,11 @@ def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
     event : Event
     names : sequence of str
         Unknowns of the orbit's equations.
+
+    Returns
+    -------
+    Augmented
+        As many equations as unknowns.
 
     Raises
     ------
@@ -188,7 +206,18 @@ def _determinant(rows: Sequence[Sequence[Any]]) -> Any:
 
 
 def instant_of(event: Event) -> str:
-    """When in its phase an event happens: at the start, inside, or at the end."""
+    """When in its phase an event happens: at the start, inside, or at the end.
+
+    Parameters
+    ----------
+    event : Event
+        Of a branch.
+
+    Returns
+    -------
+    {"inside", "end", "start", ""}
+        Empty for events that have no such instant.
+    """
     if event.kind == "grazing":
         return "inside"
     if event.kind in ("simultaneous", "condition") or (event.kind == "tangent" and event.time):

@@ -3,7 +3,7 @@
 Over a box around it the augmented equations are H(z + r e) = c(e) + L(e) e, with e in
 [-1, 1]: c and L are continuous, with values in balls, and every matrix in the ball of L is
 regular. If -c/L lies in [-1, 1] for all e, then e -> -c(e)/L(e) has a fixed point by
-Brouwer's theorem, which is a root; and every root of the box lies in -c/L.
+Brouwer's theorem (1911), which is a root; and every root of the box lies in -c/L.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
@@ -27,7 +29,7 @@ from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
 from nonsmooth.runtime.proof.enclosure import unknown_names
 from nonsmooth.runtime.proof.events.augmented_system import Augmented, augmented, instant_of
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-from nonsmooth.runtime.proof.orbit_cycle import NotCovered, guess_of, system_of
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of, system_of
 from nonsmooth.runtime.proof.statement import decimals, rational
 
 if TYPE_CHECKING:
@@ -116,6 +118,11 @@ def certify_branch(
     progress : callable
         Told how many are done.
 
+    Returns
+    -------
+    tuple of EventCertificate
+        One for each event of the branch.
+
     Raises
     ------
     InputError
@@ -137,11 +144,14 @@ def certify_branch(
 
 
 def _is_of(certificate: EventCertificate, asked: EventCertificate) -> bool:
-    names = ("orbit", "system", "kind", "parameter", "phase", "configuration", "boundary", "bits")
+    if not same_system(load_system(certificate.system), load_system(asked.system)):
+        return False
+    own, other = (each.orbit.removeprefix(each.system) for each in (asked, certificate))
+    names = ("kind", "parameter", "phase", "configuration", "boundary", "bits")
     same = all(getattr(certificate, name) == getattr(asked, name) for name in names)
     given = {**asked.parameters, **certificate.parameters}
     del given[asked.parameter]
-    return same and all(asked.parameters.get(n, v) == v for n, v in given.items())
+    return same and own == other and all(asked.parameters.get(n, v) == v for n, v in given.items())
 
 
 def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
@@ -171,10 +181,8 @@ def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
 
 def _about(empty: EventCertificate, orbit: Orbit, event: Event, region: Region) -> EventCertificate:
     """With all that the equations are made from."""
-    chosen: dict[str, Value] = {}
-    if orbit.problem.kernels is not None:
-        chosen = chosen_parameters(orbit)
-        orbit = replace(orbit, opened={**orbit.opened, **chosen})
+    chosen = chosen_parameters(orbit)
+    orbit = replace(orbit, opened={**orbit.opened, **chosen})
     declaration, closing = region.statement(orbit)
     return replace(
         empty,

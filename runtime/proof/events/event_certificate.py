@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.proof.certificate import Stated, Unknown
+from nonsmooth.runtime.proof.certificate import Stated, Unknown, balls_json, orbit_json
 
 __all__ = ["EventCertificate", "events_claim"]
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class EventCertificate:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class EventCertificate(Shown):
     """An event of a branch, enclosed by ball arithmetic.
 
     Attributes
@@ -97,11 +98,8 @@ class EventCertificate:
             The certificate, ready for `json.dumps`.
         """
         return {
-            "orbit": self.orbit,
-            "system": self.system,
-            "parameters": {name: value.text for name, value in self.parameters.items()},
+            **orbit_json(self),
             "chosen": list(self.chosen),
-            "itinerary": [list(phase) for phase in self.itinerary],
             "kind": self.kind,
             "text": self.text,
             "parameter": self.parameter,
@@ -112,8 +110,8 @@ class EventCertificate:
             "claim": self.claim,
             "reason": self.reason,
             "bits": self.bits,
-            "enclosures": {n: {"mid": x.mid, "rad": x.rad} for n, x in self.enclosures.items()},
-            "box": [{"name": x.name, "mid": x.mid, "rad": x.rad} for x in self.box],
+            "enclosures": balls_json(self.enclosures),
+            "box": [asdict(x) for x in self.box],
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -133,6 +131,17 @@ class EventCertificate:
 
 
 def events_claim(found: Sequence[EventCertificate]) -> dict[str, str]:
-    """What is claimed of all of them."""
+    """What is claimed of all of them.
+
+    Parameters
+    ----------
+    found : sequence of EventCertificate
+        Of the events of a branch.
+
+    Returns
+    -------
+    dict of str to {"proved", "undecided"}
+        Of "events".
+    """
     proved = all(certificate.proved for certificate in found)
     return {"events": "proved" if proved else "undecided"}

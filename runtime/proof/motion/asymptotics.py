@@ -35,6 +35,11 @@ def stays_negative(
         At time 0.
     time : arb
         Not negative, exact.
+
+    Returns
+    -------
+    bool
+        False if it is not proved.
     """
     from flint import arb
 

@@ -72,7 +72,20 @@ class AffineFlow:
         return not any(self.minimal[:-1])
 
     def advance(self, state: Sequence[arb], time: arb) -> list[arb]:
-        """State after an exact time."""
+        """State after an exact time.
+
+        Parameters
+        ----------
+        state : sequence of arb, length N
+            At time 0, in the system's units.
+        time : arb
+            Exact, in the system's units.
+
+        Returns
+        -------
+        list of arb, length N
+            In the system's units.
+        """
         found: list[arb] = ((self.matrix * time).exp() * _column(state)).entries()
         return found[:-1]
 
@@ -86,10 +99,19 @@ class AffineFlow:
 
         Parameters
         ----------
-        row : its number
-        state : at the start
-        times : ball in which the function is zero once
-        slope : its derivative over that ball, not zero
+        row : int
+            Number of the function.
+        state : sequence of arb, length N
+            At the start, in the system's units.
+        times : arb
+            Ball in which the function is zero once, in the system's units.
+        slope : arb
+            Derivative of the function over that ball, not zero.
+
+        Returns
+        -------
+        tuple of (arb, list of arb)
+            The time and the state (N), in the system's units.
         """
         from flint import arb
 
@@ -110,7 +132,18 @@ class AffineFlow:
         return time, entries[:-1]
 
     def segment(self, number: int) -> tuple[arb, arb]:
-        """Start and half of the length: all alike, or doubled where the motion only drifts."""
+        """Start and half of the length: all alike, or doubled where the motion only drifts.
+
+        Parameters
+        ----------
+        number : int
+            Of the segment, from 0.
+
+        Returns
+        -------
+        tuple of (arb, arb)
+            Times in the system's units.
+        """
         from flint import arb
 
         if self.drifts:
@@ -119,7 +152,22 @@ class AffineFlow:
         return 2 * self.half * number, self.half
 
     def expansion(self, row: int, number: int, state: Sequence[arb]) -> Expansion:
-        """An affine function of the state, by its number, along a segment."""
+        """An affine function of the state, by its number, along a segment.
+
+        Parameters
+        ----------
+        row : int
+            Number of the function.
+        number : int
+            Of the segment, from 0.
+        state : sequence of arb, length N
+            At time 0, in the system's units.
+
+        Returns
+        -------
+        Expansion
+            In the place on the segment, with a bound of its error.
+        """
         from flint import arb, arb_poly
 
         start, half = self.segment(number)

@@ -55,7 +55,22 @@ class EnclosedSystem:
     flows: tuple[AffineFlow, ...]
 
     def value(self, row: Row, invariants: Invariants, state: Sequence[arb]) -> Any:
-        """An affine function of a state: exact if the invariants give it, else a ball."""
+        """An affine function of a state: exact if the invariants give it, else a ball.
+
+        Parameters
+        ----------
+        row : Row, length N + 1
+            An affine function, acting on (y, 1).
+        invariants : Invariants
+            What is exactly true of the state.
+        state : sequence of arb, length N
+            Enclosure of the state, in the system's units.
+
+        Returns
+        -------
+        fmpq or arb
+            In the function's units.
+        """
         reduced = invariants.reduce(row)
         return evaluate(reduced, state) if any(reduced[:-1]) else reduced[-1]
 
@@ -63,6 +78,22 @@ class EnclosedSystem:
         self, row: Row, configuration: int, invariants: Invariants, state: Sequence[arb]
     ) -> Leading[Row] | None:
         """Find the first derivative of a row along a field that is not zero; None for none.
+
+        Parameters
+        ----------
+        row : Row, length N + 1
+            An affine function, acting on (y, 1).
+        configuration : int
+            Whose field it is.
+        invariants : Invariants
+            What is exactly true of the state.
+        state : sequence of arb, length N
+            Enclosure of the state, in the system's units.
+
+        Returns
+        -------
+        Leading or None
+            Its order, its sign and its row.
 
         Raises
         ------
@@ -110,6 +141,18 @@ def enclosed_system(
     system: str | SystemKernels | DeclaredSystem, parameters: Any
 ) -> Callable[[int], EnclosedSystem]:
     """A system at one parameter point, by bits of precision.
+
+    Parameters
+    ----------
+    system : str, SystemKernels or DeclaredSystem
+        The system, or its name.
+    parameters : dict of str to number
+        All physical parameters.
+
+    Returns
+    -------
+    callable
+        From bits of precision to the EnclosedSystem.
 
     Raises
     ------

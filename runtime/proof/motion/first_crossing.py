@@ -19,13 +19,13 @@ from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["LONGEST_SEARCH", "Crossing", "first_crossing"]
+__all__ = ["LONGEST_SEARCH", "PhaseEnd", "first_crossing"]
 
 LONGEST_SEARCH = 20_000  # segments of time in one phase
 _LOOKS = frozenset(8 * 2**k for k in range(12))  # segments after which for ever is judged
 
 
-class Crossing(NamedTuple):
+class PhaseEnd(NamedTuple):
     """The end of a phase.
 
     Attributes
@@ -43,7 +43,7 @@ class Crossing(NamedTuple):
     state: list[arb]
 
 
-class _Search:
+class _WatchedBoundary:
     """One boundary, and for how long it is proved not to be reached.
 
     The present window is part `index` of 2^`depth` equal parts of a segment of time.
@@ -168,7 +168,7 @@ def first_crossing(
     invariants: Invariants,
     lasting: Invariants,
     state: Sequence[arb],
-) -> Crossing | None:
+) -> PhaseEnd | None:
     """When a phase ends, and which boundaries are reached then; None if it never does.
 
     Time 0 is for boundaries that the start is beyond, or on and about to pass.
@@ -181,6 +181,11 @@ def first_crossing(
         Of the start, and those that stay true along the phase.
     state : sequence of arb
         The start.
+
+    Returns
+    -------
+    PhaseEnd or None
+        The time, the boundaries that are reached, and the state then.
 
     Raises
     ------
@@ -206,18 +211,18 @@ def first_crossing(
         else:
             orders[b] = begins.order
     if crossed:
-        return Crossing(arb(0), tuple(crossed), list(state))
+        return PhaseEnd(arb(0), tuple(crossed), list(state))
     together: dict[Any, list[int]] = {}
     for b in orders:
         row = exact.rows[structure.boundaries[configuration][b].row]
         if any(lasting.reduce(product(row, field))):
             together.setdefault(_direction(lasting.reduce(row)), []).append(b)
     searches = [
-        _Search(system, configuration, group[0], state, orders[group[0]])
+        _WatchedBoundary(system, configuration, group[0], state, orders[group[0]])
         for group in together.values()
     ]
 
-    def never(search: _Search) -> bool:
+    def never(search: _WatchedBoundary) -> bool:
         return stays_negative(exact.rows[search.row], field, lasting, state, search.time)
 
     found = _earliest(searches, never)
@@ -225,13 +230,13 @@ def first_crossing(
         return None
     time, behind, search = found
     reached = next(tuple(g) for g in together.values() if g[0] == search.boundary)
-    return Crossing(time, reached, behind)
+    return PhaseEnd(time, reached, behind)
 
 
 def _earliest(
-    searches: list[_Search], never: Callable[[_Search], bool]
-) -> tuple[arb, list[arb], _Search] | None:
-    best: tuple[arb, list[arb], _Search] | None = None
+    searches: list[_WatchedBoundary], never: Callable[[_WatchedBoundary], bool]
+) -> tuple[arb, list[arb], _WatchedBoundary] | None:
+    best: tuple[arb, list[arb], _WatchedBoundary] | None = None
     while searches:
         search = min(searches, key=lambda s: s.time)
         if best is not None and search.time > best[0]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import Decider
-from nonsmooth.runtime.model.contacts.law import Event
+from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.contacts.stages import Combination, requirements
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
@@ -28,9 +28,32 @@ _ERROR = 2.0**-40  # of the guess
 
 
 def lawful(
-    system: EnclosedSystem, source: int, event: Event, invariants: Invariants, state: Sequence[arb]
+    system: EnclosedSystem,
+    source: int,
+    event: ContactEvent,
+    invariants: Invariants,
+    state: Sequence[arb],
 ) -> int | None:
-    """Target behind an event of coupled contacts; None where that is not proved."""
+    """Target behind an event of coupled contacts; None where that is not proved.
+
+    Parameters
+    ----------
+    system : EnclosedSystem
+        At one parameter point.
+    source : int
+        The configuration that ends.
+    event : ContactEvent
+        What happens at its end.
+    invariants : Invariants
+        What is exactly true of the state.
+    state : sequence of arb, length N
+        Enclosure of the state, in the system's units.
+
+    Returns
+    -------
+    int or None
+        The configuration that follows.
+    """
     law, exact = system.structure.law, system.exact
     assert law is not None
     known = np.array([*(float(x.mid()) for x in state), 1.0])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 
 if TYPE_CHECKING:
@@ -49,6 +50,16 @@ class Enclosure:
         """Radius, in decimal, rounded up."""
         return self._decimals()[1]
 
+    def to_json(self) -> dict[str, str]:
+        """Give both decimal texts.
+
+        Returns
+        -------
+        dict of str to str
+            "mid" and "rad".
+        """
+        return {"mid": self.mid, "rad": self.rad}
+
     @property
     def lower(self) -> float:
         """A double below the number."""
@@ -67,7 +78,18 @@ class Enclosure:
         return str(self.ball.str(max(5, int(self.bits * 0.302))))
 
     def contains(self, number: object) -> bool:
-        """Whether a number lies inside; text and fractions exactly, floats too."""
+        """Whether a number lies inside; text and fractions exactly, floats too.
+
+        Parameters
+        ----------
+        number : arb, str, Fraction, int or float
+            Not rounded.
+
+        Returns
+        -------
+        bool
+            True if that is certain.
+        """
         from flint import arb
 
         if isinstance(number, arb):
@@ -91,8 +113,8 @@ def _outward(end: arb, towards: float) -> float:
     return float(np.nextafter(float(end.mid()), towards))
 
 
-@dataclass(frozen=True, eq=False)
-class Proof:
+@dataclass(frozen=True, eq=False, repr=False)
+class Proof(Shown):
     """What is proved of one motion.
 
     Attributes
@@ -142,6 +164,18 @@ class Proof:
 
 def exactly(number: object, name: str) -> Any:
     """A rational number from a text, fraction or float, none of them rounded.
+
+    Parameters
+    ----------
+    number : str, Fraction, int or float
+        What was given.
+    name : str
+        For the message.
+
+    Returns
+    -------
+    fmpq
+        The number itself.
 
     Raises
     ------

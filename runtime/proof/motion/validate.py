@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import choose
-from nonsmooth.runtime.model.contacts.law import Event
+from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
@@ -256,18 +256,58 @@ class BallJudge:
     state: Sequence[arb]
 
     def sign(self, row: int, along: int) -> int:
-        """Sign of the leading derivative of a row along a configuration's field, 0 for none."""
+        """Sign of the leading derivative of a row along a configuration's field, 0 for none.
+
+        Parameters
+        ----------
+        row : int
+            Number of the affine function.
+        along : int
+            The configuration whose field is taken.
+
+        Returns
+        -------
+        {-1, 0, 1}
+            Proved.
+        """
         exact = self.system.exact
         found = self.system.leading(exact.rows[row], along, self.facts, self.state)
         return 0 if found is None else found.sign
 
     def agree(self, resets: Sequence[int]) -> bool:
-        """Whether resets lead to one state by what is exactly known."""
+        """Whether resets lead to one state by what is exactly known.
+
+        Parameters
+        ----------
+        resets : sequence of int
+            Their numbers, at least one.
+
+        Returns
+        -------
+        bool
+            Exactly.
+        """
         first, *others = (self.system.exact.resets[reset] for reset in resets)
         return all(self.facts.agree(other, first) for other in others)
 
-    def targets(self, event: Event) -> tuple[int, ...]:
-        """The configuration that is proved to follow by the contact law."""
+    def targets(self, event: ContactEvent) -> tuple[int, ...]:
+        """The configuration that is proved to follow by the contact law.
+
+        Parameters
+        ----------
+        event : ContactEvent
+            What happens where the phase ends.
+
+        Returns
+        -------
+        tuple of int
+            One configuration.
+
+        Raises
+        ------
+        Undecided
+            If that is not proved.
+        """
         target = lawful(self.system, self.source, event, self.facts, self.state)
         if target is None:
             raise Undecided("what the contact law says")

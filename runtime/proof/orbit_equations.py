@@ -12,11 +12,10 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of
-from nonsmooth.runtime.proof.closure import Closing, projected
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions, projected, projection
 from nonsmooth.runtime.proof.exact_tables import Number, Tables, numbers
 from nonsmooth.runtime.proof.motion.exact_rows import Row
-from nonsmooth.runtime.shooting.shooting_map import Cycle
-from nonsmooth.runtime.shooting.translations import gauges_of
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 from nonsmooth.runtime.shooting.variational import (
     MATRICES,
     Phase,
@@ -29,9 +28,26 @@ __all__ = ["Equations", "Flows", "Linearised", "equations_in", "phases_of"]
 
 
 def phases_of(
-    tables: Tables, cycle: Cycle, number: Number, translations: Sequence[Row] = ()
+    tables: Tables, cycle: ItineraryShape, number: Number, translations: Sequence[Row] = ()
 ) -> tuple[Phase, ...]:
-    """Phases of a cycle that closes up to translations, at the working precision."""
+    """Phases of a cycle that closes up to translations, at the working precision.
+
+    Parameters
+    ----------
+    tables : Tables
+        Of the system.
+    cycle : ItineraryShape
+        The itinerary, with its system's structure.
+    number : callable
+        Maps exact entries to numbers: balls or Taylor models.
+    translations : sequence of Row, optional
+        Directions along which the system does not change.
+
+    Returns
+    -------
+    tuple of Phase
+        With matrices (N + 1, N + 1) and rows (1, N + 1).
+    """
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)
     return tuple(
@@ -82,27 +98,27 @@ class Equations:
     Parameters
     ----------
     phases : sequence of Phase
-    closing : Closing
+    closing : ClosureConditions
     period : arb, TaylorModel or None
         What the dwell times sum up to, where the closing says so.
     speeds : sequence of arb or TaylorModel
         Of the closing's forcings, in the phases' numbers.
-    directions : sequence of matrices (N + 1, 1)
-        Those of the closing's translations.
+    projection : matrix (N + 1, N + 1), optional
+        Along the closing's translations, where it has any.
     """
 
     def __init__(
         self,
         phases: Sequence[Phase],
-        closing: Closing,
+        closing: ClosureConditions,
         period: Any,
         speeds: Sequence[Any],
-        directions: Sequence[Any] = (),
+        projection: Any = None,
     ) -> None:
         from flint import arb_mat
 
         self.phases, self.closing, self.period, self.speeds = phases, closing, period, speeds
-        self.directions = directions
+        self.projection = projection
         self.size = phases[0].field.nrows() - 1
         self.free = [k for k in range(self.size) if k not in closing.forced]
         self.closed = [k for k in self.free if k != closing.dropped]
@@ -115,11 +131,33 @@ class Equations:
             self._marks.append(mark)
 
     def dwell(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """The dwell times among the unknowns."""
+        """The dwell times among the unknowns.
+
+        Parameters
+        ----------
+        unknowns : sequence of arb or TaylorModel
+            All n of them, in the system's units.
+
+        Returns
+        -------
+        sequence of arb or TaylorModel
+            One for each phase, in the system's units.
+        """
         return unknowns[self.first :]
 
     def start(self, unknowns: Sequence[Any]) -> tuple[Any, Any]:
-        """Start (N + 1, 1) of a cycle and its derivative (N + 1, n) by the unknowns."""
+        """Start (N + 1, 1) of a cycle and its derivative (N + 1, n) by the unknowns.
+
+        Parameters
+        ----------
+        unknowns : sequence of arb or TaylorModel
+            All n of them, in the system's units.
+
+        Returns
+        -------
+        tuple of (matrix, matrix)
+            State with a last entry 1, and its derivative.
+        """
         state: list[list[Any]] = [[0] for _ in range(self.size)] + [[1]]
         slope: list[list[Any]] = [[0] * self.count for _ in state]
         for place, k in enumerate(self.free):
@@ -132,7 +170,20 @@ class Equations:
         return matrix(state), matrix(slope)
 
     def linearised(self, unknowns: Sequence[Any], flows: Flows) -> Linearised:
-        """Pass once through the cycle, with derivatives by the unknowns."""
+        """Pass once through the cycle, with derivatives by the unknowns.
+
+        Parameters
+        ----------
+        unknowns : sequence of arb or TaylorModel
+            All n of them, in the system's units.
+        flows : Flows
+            Gives the flow of a phase for a time.
+
+        Returns
+        -------
+        Linearised
+            Residual (n, 1), Jacobian (n, n), and the passage.
+        """
         start, slope = self.start(unknowns)
         passed = (flows(place, time) for place, time in enumerate(self.dwell(unknowns)))
         now = shooting_map(MATRICES, self.phases, passed, start, slope, self._marks)
@@ -149,30 +200,56 @@ class Equations:
         return Linearised(matrix([[v] for v in values]), matrix(rows), now)
 
     def maps(self, now: Shooting) -> list[Any]:
-        """Derivative (N, N) of each phase's start by that before it, as the cycle closes."""
+        """Derivative (N, N) of each phase's start by that before it, as the cycle closes.
+
+        Parameters
+        ----------
+        now : Shooting
+            The cycle, passed once over the enclosures.
+
+        Returns
+        -------
+        list of matrices (N, N)
+            One for each phase.
+        """
         return self.timed_maps(now) if self.closing.timed else self.section_maps(now)
 
     def section_maps(self, now: Shooting) -> list[Any]:
-        """Derivative (N, N) of each phase's start by that before it, on the sections."""
+        """Derivative (N, N) of each phase's start by that before it, on the sections.
+
+        Parameters
+        ----------
+        now : Shooting
+            The cycle, passed once over the enclosures.
+
+        Returns
+        -------
+        list of matrices (N, N)
+            One for each phase.
+        """
         return self._maps(now, [None] * len(self.phases))
 
     def timed_maps(self, now: Shooting) -> list[Any]:
-        """Derivative (N, N) of each phase's start by that before it, at fixed times."""
+        """Derivative (N, N) of each phase's start by that before it, at fixed times.
+
+        Parameters
+        ----------
+        now : Shooting
+            The cycle, passed once over the enclosures.
+
+        Returns
+        -------
+        list of matrices (N, N)
+            One for each phase.
+        """
         fields = [phase.field for phase in (*self.phases[1:], self.phases[0])]
         behind = [field * start for field, start in zip(fields, now.starts[1:], strict=True)]
-        behind[-1] = self._projected(behind[-1])
+        behind[-1] = behind[-1] if self.projection is None else self.projection * behind[-1]
         return self._maps(now, behind)
 
     def _maps(self, now: Shooting, behind: Sequence[Any]) -> list[Any]:
         parts = zip(self.phases, now.flows, now.velocities, behind, strict=True)
         return [self._linear(section_map(MATRICES, *part)) for part in parts]
-
-    def _projected(self, rate: Any) -> Any:
-        """A rate of the state (N + 1, 1) without the part along translations."""
-        gauges = gauges_of(self.closing.translations)
-        for direction, gauge in zip(self.directions, gauges, strict=True):
-            rate = rate - direction * rate[gauge, 0]
-        return rate
 
     def _linear(self, whole: Any) -> Any:
         """The part that acts on changes of the state."""
@@ -181,23 +258,30 @@ class Equations:
 
 
 def equations_in(
-    phases: Sequence[Phase], closing: Closing, number: Number, period: Any
+    phases: Sequence[Phase], closing: ClosureConditions, number: Number, period: Any
 ) -> Equations:
     """The equations of a cycle in the numbers of its phases.
 
     Parameters
     ----------
     phases : sequence of Phase
-    closing : Closing
+    closing : ClosureConditions
     number : function
         From the closing's exact entries to the phases' numbers.
     period : arb, TaylorModel or None
         What the dwell times sum up to, where it is given.
+
+    Returns
+    -------
+    Equations
+        With the period of the forcing, where the cycle has one.
     """
     from flint import arb
 
     speeds = [number(speed) for speed in closing.speeds]
     if closing.timed:
         period = 2 * arb.pi() * closing.turns / speeds[0]
-    directions = [numbers([[x] for x in (*d, 0 * d[0])], number) for d in closing.translations]
-    return Equations(phases, closing, period, speeds, directions)
+    along = None
+    if closing.translations:
+        along = numbers(projection(closing.translations, phases[0].field.nrows() - 1), number)
+    return Equations(phases, closing, period, speeds, along)

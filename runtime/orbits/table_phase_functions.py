@@ -10,7 +10,7 @@ import numpy as np
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.time_functions import functions_at
-from nonsmooth.runtime.shooting.shooting_map import Cycle, Numbers
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
 from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = ["ConditionRow", "Conditions", "conditions_of", "phase_waves"]
@@ -36,7 +36,19 @@ class ConditionRow:
     order: int
 
     def value(self, numbers: Numbers, now: Shooting) -> Any:
-        """Its value, with the leading axes of the numbers."""
+        """Its value, with the leading axes of the numbers.
+
+        Parameters
+        ----------
+        numbers : Numbers
+            Of the system, with leading axes or none.
+        now : Shooting
+            The cycle at these numbers.
+
+        Returns
+        -------
+        number, or array of the leading axes
+        """
         end, field = now.ends[self.place], numbers.fields[..., self.along, :, :]
         *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1, _rate)
         return (row[..., :-1] * end).sum(axis=-1) + row[..., -1]
@@ -61,6 +73,15 @@ class Conditions:
         """Which of its transitions each phase takes, from values (k, c): (k, p), -1 for none.
 
         As `first_following`, over the many points of a branch at once.
+
+        Parameters
+        ----------
+        values : array (k, c)
+            Of the conditions.
+
+        Returns
+        -------
+        array (k, p) of int
         """
         found = np.full((len(values), len(self.choices)), -1)
         for place, transitions in enumerate(self.choices):
@@ -72,8 +93,21 @@ class Conditions:
         return found
 
 
-def conditions_of(cycle: Cycle, numbers: Numbers, now: Shooting) -> Conditions:
-    """Conditions of a cycle's transitions, by the derivatives that decide at this point."""
+def conditions_of(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Conditions:
+    """Conditions of a cycle's transitions, by the derivatives that decide at this point.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of one point.
+    now : Shooting
+        The cycle at this point.
+
+    Returns
+    -------
+    Conditions
+    """
     rows: dict[tuple[int, int, int], ConditionRow] = {}
     orders: dict[tuple[int, int, int], int | None] = {}
     choices = []
@@ -127,9 +161,26 @@ def _rate(row: Any, field: Any) -> Any:
 
 
 def phase_waves(
-    cycle: Cycle, numbers: Numbers, now: Shooting, dwell: np.ndarray, place: int
+    cycle: ItineraryShape, numbers: Numbers, now: Shooting, dwell: np.ndarray, place: int
 ) -> PhaseWaves:
-    """Boundary functions along one phase at k points, by the modes of its configuration."""
+    """Boundary functions along one phase at k points, by the modes of its configuration.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of k points.
+    now : Shooting
+        The cycle at these points.
+    dwell : array (k, p)
+        In the unit of time.
+    place : int
+        Index of the phase.
+
+    Returns
+    -------
+    PhaseWaves
+    """
     configuration = cycle.configurations[place]
     shapes = cycle.structure.boundaries[configuration]
     modes = cycle.structure.shapes[configuration]

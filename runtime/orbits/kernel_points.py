@@ -1,27 +1,27 @@
-"""Orbits of a chart whose equations are derived: solved, judged, their limits named."""
+"""An orbit at many points by its kernels: solved, judged, its limits named."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
-from nonsmooth.runtime.explore.charting.anchors import Columns
-from nonsmooth.runtime.explore.charting.problem import NEITHER, NO_ORBIT, UNTOLD
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.parameter_batches import Batch, complete_batch
-from nonsmooth.runtime.orbits.admissible import first_violations
+from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD, first_violations
 from nonsmooth.runtime.orbits.kernel_many import solve_from
+from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
-__all__ = ["DerivedPoints", "derived_orbits"]
+__all__ = ["KernelPoints"]
 
 
 @dataclass(frozen=True, eq=False)
-class DerivedPoints:
-    """An orbit whose equations are derived.
+class KernelPoints:
+    """An orbit with kernels at many points; see `OrbitPoints`.
 
     Attributes
     ----------
@@ -32,20 +32,46 @@ class DerivedPoints:
 
     kernels: OrbitKernels
     batch: Batch
+    chunk: ClassVar[int] = 1 << 16
+
+    @classmethod
+    def of(cls, kernels: OrbitKernels, given: Sequence[str]) -> KernelPoints:
+        """The orbit, where what is fixed or swept has these names.
+
+        Parameters
+        ----------
+        kernels : OrbitKernels
+        given : sequence of str
+
+        Returns
+        -------
+        KernelPoints
+
+        Raises
+        ------
+        InputError
+            For a name that fixes nothing, or several that fix one parameter twice.
+        """
+        return cls(kernels, complete_batch(kernels, given))
+
+    @property
+    def parameters(self) -> list[ParameterTable]:
+        """See `OrbitPoints`."""
+        return [self.kernels.tables[name] for name in self.batch.known]
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Names of the unknowns."""
+        """See `OrbitPoints`."""
         return self.kernels.unknowns
 
     @property
     def bounded(self) -> tuple[str, ...]:
-        """Open parameters, of which it is told what they have to exceed."""
+        """See `OrbitPoints`."""
         return tuple(table.name for table in self.kernels.open_parameters)
 
     @cached_property
     def limits(self) -> list[str]:
-        """What the numbers of `limit` stand for."""
+        """See `OrbitPoints`."""
         phases = self.kernels.table["phases"]
         found = [
             f"phase {b.phase + 1} {phases[b.phase][0]}: {b.name}" for b in self.kernels.boundaries
@@ -53,7 +79,7 @@ class DerivedPoints:
         return [*found, *(f"{name} is too small" for name in self.batch.opened)]
 
     def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
-        """Find orbits at points (n,), from starts (n, m) or from the solver's own."""
+        """See `OrbitPoints`."""
         kernels, full = self.kernels, self.batch.complete(values)
         points = {name: full[name] for name in kernels.parameter_names}
         opened = {name: full[name] for name in self.batch.opened}
@@ -72,13 +98,13 @@ class DerivedPoints:
         return columns
 
     def starts_of(self, columns: Columns) -> np.ndarray:
-        """Reduced unknowns (n, m), from which the same orbits are found again."""
+        """See `OrbitPoints`: reduced unknowns."""
         if not self.kernels.reduced:
             return np.empty((*columns["status"].shape, 0))
         return np.stack([columns[name] for name in self.kernels.reduced], axis=-1)
 
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
-        """Which limit fails first, at points (n,)."""
+        """See `OrbitPoints`."""
         full, there = self.batch.complete(values), columns["status"] == CONVERGED
         limit = np.where(there, UNTOLD, NO_ORBIT)
         limit[columns["admissible"]] = NEITHER
@@ -98,32 +124,6 @@ class DerivedPoints:
         points = np.stack([full[name][where] for name in self.kernels.parameter_names], axis=-1)
         unknowns = np.stack([columns[name][where] for name in self.kernels.unknowns], axis=-1)
         return points, unknowns, columns["trace"][where]
-
-
-def derived_orbits(
-    kernels: OrbitKernels, given: Sequence[str]
-) -> tuple[DerivedPoints, list[ParameterTable]]:
-    """Which parameters are given, follow, or stay open.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : sequence of str
-        Names of what is fixed or swept.
-
-    Returns
-    -------
-    orbits : DerivedPoints
-    tables : list of ParameterTable
-        Of the parameters that have to have a value.
-
-    Raises
-    ------
-    InputError
-        For a name that fixes nothing, or several that fix one parameter twice.
-    """
-    batch = complete_batch(kernels, given)
-    return DerivedPoints(kernels, batch), [kernels.tables[name] for name in batch.known]
 
 
 def _margins(

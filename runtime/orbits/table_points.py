@@ -1,35 +1,41 @@
-"""Orbits of a chart that are composed from their phases: solved, judged, their limits named."""
+"""An orbit at many points by the tables of its system: solved, judged, its limits named."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.explore.charting.anchors import Columns
-from nonsmooth.runtime.explore.charting.phases import first_limits
-from nonsmooth.runtime.explore.charting.problem import NEITHER, NO_ORBIT
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT
 from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.cycle_newton import LEAST, sizes, solve_cycle
-from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
+from nonsmooth.runtime.orbits.orbit_arrays import Columns
+from nonsmooth.runtime.orbits.table_digits import without_digits
+from nonsmooth.runtime.orbits.table_limits import first_limits
+from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, LEAST
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
     mechanical_states,
     smallest_section,
     stroboscopic_maps,
 )
-from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of, numbers_in, shoot
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    itinerary_shape,
+    numbers_in,
+    shoot,
+)
+from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
 
-__all__ = ["ComposedPoints", "composed_orbits"]
+__all__ = ["TablePoints"]
 
 
 _ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
@@ -40,7 +46,7 @@ class _Group(NamedTuple):
 
     places: np.ndarray
     points: np.ndarray
-    cycle: Cycle
+    cycle: ItineraryShape
     flat: np.ndarray
     period: np.ndarray
 
@@ -56,8 +62,8 @@ class _Solved(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class ComposedPoints:
-    """An orbit without equations of its own.
+class TablePoints:
+    """An orbit without kernels at many points; see `OrbitPoints`.
 
     Attributes
     ----------
@@ -68,20 +74,65 @@ class ComposedPoints:
 
     kernels: OrbitKernels
     reference: Orbit
+    chunk: ClassVar[int] = 1 << 11
+
+    @classmethod
+    def of(cls, kernels: OrbitKernels) -> TablePoints:
+        """The orbit, solved at its reference point.
+
+        Parameters
+        ----------
+        kernels : OrbitKernels
+
+        Returns
+        -------
+        TablePoints
+
+        Raises
+        ------
+        InputError
+            For an orbit that declares no reference, that has none there, or that is declared by
+            a part and a symmetry.
+        """
+        if kernels.table["reference"] is None:
+            raise InputError(
+                f"{kernels.name} declares no reference, from which a chart could start"
+            )
+        if kernels.table.get("symmetry"):
+            raise InputError(
+                f"{kernels.name} is declared by a part and a symmetry,"
+                " which one point at a time knows"
+            )
+        try:
+            reference = solve_declared(kernels, {})
+        except NoConvergence as problem:
+            raise InputError(f"at its reference, where a chart starts: {problem}") from None
+        if len(reference.tables.translations):
+            raise InputError(
+                f"{kernels.name} is periodic up to a shift, which one point at a time knows"
+            )
+        return cls(kernels, reference)
+
+    @property
+    def parameters(self) -> list[ParameterTable]:
+        """See `OrbitPoints`."""
+        period = self.kernels.table.get("period")
+        own = [ParameterTable(**period)] if period else []
+        return [*self.kernels.system.parameters, *own]
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Names of the unknowns: dwell times, then the start."""
+        """See `OrbitPoints`: dwell times, then the start."""
         return unknowns_of(self.kernels)
 
     @property
     def bounded(self) -> tuple[str, ...]:
-        """No parameter is open."""
+        """See `OrbitPoints`: no parameter is open."""
         return ()
 
     @cached_property
     def limits(self) -> list[str]:
-        """What the numbers of `limit` stand for: every boundary of every phase."""
+        """See `OrbitPoints`: every boundary of every phase."""
         return [
             f"phase {place + 1} {structure.configurations[c]}: {shape.name}"
             for structure in (self._cycle.structure,)
@@ -90,7 +141,7 @@ class ComposedPoints:
         ]
 
     def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
-        """Find orbits at points (n,), from starts (n, w) or by way of the reference's."""
+        """See `OrbitPoints`: the own start is the reference's."""
         count, names = len(next(iter(values.values()))), self.unknowns
         columns = {
             "status": np.full(count, INVALID, dtype=int),
@@ -113,17 +164,17 @@ class ComposedPoints:
         return columns
 
     def starts_of(self, columns: Columns) -> np.ndarray:
-        """Dwell times and start (n, w), from which the same orbits are found again."""
+        """See `OrbitPoints`: dwell times and start."""
         return np.stack([columns[name] for name in self.unknowns], axis=-1)
 
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
-        """Which limit fails first: it is known already."""
+        """See `OrbitPoints`: it is known already."""
         return columns["limit"]
 
     @cached_property
-    def _cycle(self) -> Cycle:
+    def _cycle(self) -> ItineraryShape:
         phases = [(c, boundary) for c, boundary, _ in self.kernels.table["phases"]]
-        return cycle_of(structure_of(self.kernels.system), phases)
+        return itinerary_shape(structure_of(self.kernels.system), phases)
 
     @cached_property
     def _section(self) -> tuple[int, int]:
@@ -175,10 +226,12 @@ class ComposedPoints:
                 numbers = numbers_in(cycle.structure, flat)
                 state = shoot(cycle, numbers, dwell, state, np).starts[first]
             guess = np.roll(dwell, -first, axis=1)
-            found = solve_cycle(cycle.rotated(first), flat, guess, state, group.period[rows])
+            turned, period = cycle.rotated(first), group.period[rows]
+            found = solve_shape(turned, flat, guess, state, period)
         solved.dwell[rows] = np.roll(found.dwell, first, axis=1)
         solved.starts[rows] = np.roll(found.starts, first, axis=1)
-        solved.maps[rows], solved.status[rows] = found.maps, found.status
+        solved.maps[rows] = found.maps
+        solved.status[rows] = without_digits(turned, flat, found, period)
         there = np.flatnonzero(solved.status == CONVERGED)
         solved.limit[there] = first_limits(
             self.kernels.system,
@@ -230,32 +283,3 @@ def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndar
     half = np.abs(trace - 1) / 2
     root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
     return np.where(pair, np.where(half <= 1, 0.0, 1 - (half + root)), margin)
-
-
-def composed_orbits(kernels: OrbitKernels) -> tuple[ComposedPoints, list[ParameterTable]]:
-    """The orbit at its reference point, and the parameters that have to have a value.
-
-    Raises
-    ------
-    InputError
-        For an orbit that declares no reference, that has none there, or that is declared by a
-        part and a symmetry.
-    """
-    if kernels.table["reference"] is None:
-        raise InputError(f"{kernels.name} declares no reference, from which a chart could start")
-    if kernels.table.get("symmetry"):
-        raise InputError(
-            f"{kernels.name} is declared by a part and a symmetry, which one point at a time knows"
-        )
-    try:
-        reference = solve_declared(kernels, {})
-    except NoConvergence as problem:
-        raise InputError(f"at its reference, where a chart starts: {problem}") from None
-    if len(reference.tables.translations):
-        raise InputError(
-            f"{kernels.name} is periodic up to a shift, which one point at a time knows"
-        )
-    tables = list(kernels.system.parameters)
-    if kernels.table.get("period"):
-        tables.append(ParameterTable(**kernels.table["period"]))
-    return ComposedPoints(kernels, reference), tables

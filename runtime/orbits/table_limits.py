@@ -1,4 +1,4 @@
-"""Which limit of admissibility fails first, at many composed orbits.
+"""Which limit of admissibility fails first, at many orbits without kernels.
 
 Each phase is followed by the compiled engine from its own start to the first boundary that it
 reaches: where that is the itinerary's, at its time, nothing was crossed before. Where the
@@ -10,13 +10,13 @@ from __future__ import annotations
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.charting.problem import NEITHER, UNTOLD
 from nonsmooth.runtime.model.engine_layout import layout_of
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise_at
+from nonsmooth.runtime.orbits.admissible import NEITHER, UNTOLD
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
-from nonsmooth.runtime.shooting.shooting_map import Cycle, numbers_in, shoot
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, numbers_in, shoot
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
 
 __all__ = ["first_limits"]
@@ -29,7 +29,7 @@ _LONGER = 1.5  # than a dwell time nothing is looked for
 
 def first_limits(
     system: SystemKernels,
-    cycle: Cycle,
+    cycle: ItineraryShape,
     points: np.ndarray,
     numbers: np.ndarray,
     dwell: np.ndarray,
@@ -40,7 +40,7 @@ def first_limits(
     Parameters
     ----------
     system : SystemKernels
-    cycle : Cycle
+    cycle : ItineraryShape
     points : array (n, parameters)
     numbers : array (n, size)
         As `numbers_at` gives them.
@@ -98,7 +98,7 @@ def first_limits(
 
 
 def _rises(
-    cycle: Cycle,
+    cycle: ItineraryShape,
     configuration: int,
     numbers: np.ndarray,
     starts: np.ndarray,
@@ -119,7 +119,11 @@ def _rises(
 
 
 def _guaranteed(
-    system: SystemKernels, cycle: Cycle, point: np.ndarray, dwell: np.ndarray, start: np.ndarray
+    system: SystemKernels,
+    cycle: ItineraryShape,
+    point: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray,
 ) -> int:
     """The same of one orbit, by its boundary functions."""
     here = piecewise_at(system, point)

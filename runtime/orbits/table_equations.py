@@ -1,4 +1,4 @@
-"""Orbits by the tables of their system as a family to be followed.
+"""The equations of an orbit by the tables of its system, at many points.
 
 Unknowns are the dwell times and the state at the start; the equations are the switching
 conditions and closure. Flows are exponentials of the fields at a parameter with a tiny
@@ -9,9 +9,8 @@ subtracted (Al-Mohy and Higham, Numer. Algorithms 53, 2010).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from copy import copy
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,77 +22,84 @@ from nonsmooth.runtime.core.matrices import (
     exponentials,
     sorted_by_size,
 )
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.explore.continuation.phase_functions import conditions_of, phase_waves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_motion import motion_along
+from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
 from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.shooting.cycle_newton import sizes as sizes_along
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
-    Cycle,
+    ItineraryShape,
     Numbers,
     numbers_in,
     phases_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetry import closing, closing_matrix
+from nonsmooth.runtime.shooting.symmetric_orbit import closing, closing_matrix
+from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, Shooting, shooting_map
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["PERIOD", "ComposedCurve"]
+__all__ = ["TableEquations"]
 
 _IMAGINARY = 1e-30  # of the parameter, in units of max(1, |it|)
 
 
-class ComposedCurve:
-    """An orbit without kernels over one parameter, or over its period if that was given."""
+class TableEquations:
+    """The equations of an orbit without kernels, near it; see `OrbitEquations`.
 
-    def __init__(self, orbit: Orbit, parameter: str, length: float) -> None:
-        if len(orbit.tables.cycle.structure.forcing) > 1:
+    The period is one of the numbers where it was given and no other number determines it.
+    """
+
+    def __init__(self, orbit: Orbit) -> None:
+        tables, symmetry = orbit.tables, orbit.symmetry
+        if len(tables.cycle.structure.forcing) > 1:
             raise InputError(f"{orbit.name} has several forcings: its branches are not followed")
-        self.orbit, self.parameter = orbit, parameter
-        self.order = 1 if orbit.symmetry is None else orbit.symmetry.order
-        self._parameters = [p.name for p in orbit.system.parameters]
-        self._base = np.array([float(orbit.parameters[name]) for name in self._parameters])
-        closed, self._cycle = closing(orbit.tables.piecewise, orbit.tables.cycle, orbit.symmetry)
+        self.orbit = orbit
+        self.order = 1 if symmetry is None else symmetry.order
+        closed, self._cycle = closing(tables.piecewise, tables.cycle, symmetry)
         count = len(self._cycle)
         dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
-        now = shoot(self._cycle, numbers_in(closed), dwell, start, np)
+        self._now = shoot(self._cycle, numbers_in(closed), dwell, start, np)
+        self._numbers = numbers_in(closed)
         self.dwell_names = orbit.dwell_time_names[:count]
-        names = tuple(orbit.unknowns)
-        self.names = (*self.dwell_names, *names[len(orbit.itinerary) :])
         self.phases = self._cycle.itinerary
-        self._parts = _parts(self.phases)
-        value = orbit.period if parameter == PERIOD else float(orbit.parameters[parameter])
-        self.first = np.array([*dwell, *start, value])
-        waits = np.full(count, dwell.sum())
-        self.sizes = np.concatenate([waits, sizes_along(now, dwell), [length]])
-        stability = orbit.stability if orbit.symmetry is None else orbit.part_stability
-        shifts = len(orbit.tables.translations)
-        self._rank, self._family = stability.rank - shifts, orbit.tables.family
-        self._trivial = shifts + orbit.tables.family
+        self.unknowns = (*self.dwell_names, *tuple(orbit.unknowns)[len(orbit.itinerary) :])
+        stability = orbit.stability if symmetry is None else orbit.part_stability
+        shifts = len(tables.translations)
+        self._rank, self.conservative = stability.rank - shifts, tables.family
+        self._trivial = shifts + tables.family
         self._driven = mechanical_states(self._cycle)
         # a forcing, or no family, determines the period by itself
-        self._timed = orbit.given_period is not None and orbit.tables.family
-        if parameter == PERIOD and not self._timed:
-            raise InputError(f"{orbit.name}: the period is determined by the other parameters")
-        self._known: tuple[bytes, list[tuple[np.ndarray, Cycle, Numbers]]] = (b"", [])
-        self._conditions = conditions_of(self._cycle, numbers_in(closed), now)
+        self._timed = orbit.given_period is not None and tables.family
+        parameters = [p.name for p in orbit.system.parameters]
+        self.names = (*self.unknowns, *parameters, *([PERIOD] if self._timed else []))
+        given = [float(orbit.parameters[name]) for name in parameters]
+        self.values = np.array([*dwell, *start, *given, *([orbit.period] if self._timed else [])])
+        self._given = slice(len(self.unknowns), len(self.unknowns) + len(parameters))
+        self._repeated = _parts(self.phases)
+        self._known: tuple[bytes, list[tuple[np.ndarray, ItineraryShape, Numbers]]] = (b"", [])
 
-    def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """See `Curve`."""
+    @cached_property
+    def sizes(self) -> np.ndarray:
+        """See `OrbitEquations`."""
+        count = len(self._cycle)
+        dwell = self.values[:count]
+        return np.concatenate([np.full(count, dwell.sum()), sizes_along(self._now, dwell)])
+
+    def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """See `OrbitEquations`."""
         cycle, count, size = self._cycle, len(self._cycle), len(self._cycle.structure.states)
-        tiny = _IMAGINARY * max(1.0, abs(z[-1]))
-        numbers = self._complex_numbers(z[-1], tiny)
-        start = z[count:-1]
+        tiny = _IMAGINARY * max(1.0, abs(x[place]))
+        numbers = self._complex_numbers(x, place, tiny)
+        dwell, start = self._unknowns(x)
         generators = np.zeros((count, size + 1, size + 1), dtype=complex)
         generators[:, :size] = numbers.fields[list(cycle.configurations)]
-        flows = exponentials(generators * z[:count, None, None])[:, :size]
+        flows = exponentials(generators * dwell[:, None, None])[:, :size]
         unit = np.eye(count + size)
         now = shooting_map(
             COMPLEX_STEP,
@@ -116,160 +122,138 @@ class ComposedCurve:
             by_unknowns[s, [count + c, count + s]] += state.real[s], -state.real[c]
         values = np.concatenate([*(value[:, 0] for value in now.residual), closure])
         jacobian = np.concatenate([*now.slopes, by_unknowns])
-        by_parameter = values.imag / tiny
+        by_place = values.imag / tiny
         residual = values.real
         if self._timed:
             row = np.concatenate([np.ones(count), np.zeros(size)])
             jacobian = np.concatenate([jacobian, row[None]])
-            wanted = z[-1] if self.parameter == PERIOD else self.orbit.period
-            residual = np.append(residual, z[:count].sum() - wanted / self.order)
-            rate = -1.0 / self.order if self.parameter == PERIOD else 0.0
-            by_parameter = np.append(by_parameter, rate)
-        return residual, np.concatenate([jacobian, by_parameter[:, None]], axis=1)
+            residual = np.append(residual, dwell.sum() - x[-1] / self.order)
+            is_period = place == len(self.names) - 1
+            by_place = np.append(by_place, -1.0 / self.order if is_period else 0.0)
+        return residual, np.concatenate([jacobian, by_place[:, None]], axis=1)
 
-    def dwell(self, z: np.ndarray) -> np.ndarray:
-        """See `Curve`."""
-        return z[:, : len(self._cycle)]
+    def dwell(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        return x[:, : len(self._cycle)]
 
-    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
-        """See `Curve`."""
-        if not self._parts:
+    def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
+        """See `OrbitEquations`."""
+        if not self._repeated:
             return []
-        ((_, cycle, numbers),) = self._groups(z[None])
-        dwell, start = self._unknowns(z[None])
+        ((_, cycle, numbers),) = self._groups(x[None])
+        dwell, start = self._unknowns(x[None])
         now = _passed(cycle, numbers, dwell, start)
-        sizes = self.sizes[len(self._cycle) : -1]
-        return [np.asarray((now.starts[count, 0] - start[0]) / sizes) for count in self._parts]
+        sizes = self.sizes[len(self._cycle) :]
+        return [np.asarray((now.starts[count, 0] - start[0]) / sizes) for count in self._repeated]
 
-    def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """See `Curve`."""
+    def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
+        """See `OrbitEquations`."""
         found = []
-        for places, cycle, numbers in self._groups(z):
-            part = z[places]
+        for places, cycle, numbers in self._groups(x):
+            part = x[places]
             dwell, start = self._unknowns(part)
             now = _passed(cycle, numbers, dwell, start)
             phases = range(len(cycle))
             found.append((places, [phase_waves(cycle, numbers, now, dwell, k) for k in phases]))
         return found
 
-    def conditions(self, z: np.ndarray) -> np.ndarray:
-        """See `Curve`: the lowest derivative along a flow that is not zero at the start."""
-        found = np.empty((len(z), len(self._conditions.rows)))
-        for places, cycle, numbers in self._groups(z):
-            now = _passed(cycle, numbers, *self._unknowns(z[places]))
+    def conditions(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`: the lowest derivative along a flow that is not zero there."""
+        found = np.empty((len(x), len(self._conditions.rows)))
+        for places, cycle, numbers in self._groups(x):
+            now = _passed(cycle, numbers, *self._unknowns(x[places]))
             for column, condition in enumerate(self._conditions.rows):
                 found[places, column] = condition.value(numbers, now)
         return found
 
+    @cached_property
+    def _conditions(self) -> Conditions:
+        return conditions_of(self._cycle, self._numbers, self._now)
+
     @property
     def condition_places(self) -> Sequence[int]:
-        """See `Curve`."""
+        """See `OrbitEquations`."""
         return [condition.place for condition in self._conditions.rows]
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """See `Curve`."""
+        """See `OrbitEquations`."""
         return self._conditions.taken(conditions)
 
-    def multipliers(self, z: np.ndarray) -> np.ndarray:
-        """See `Curve`."""
+    def multipliers(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
         size = len(self._cycle.structure.states)
-        found = np.full((len(z), self._rank - self._family), np.nan, dtype=complex)
-        for places, cycle, numbers in self._groups(z):
-            dwell, start = self._unknowns(z[places])
+        found = np.full((len(x), self._rank - self.conservative), np.nan, dtype=complex)
+        for places, cycle, numbers in self._groups(x):
+            dwell, start = self._unknowns(x[places])
             now = _passed(cycle, numbers, dwell, start)
             matrices = now.variational[..., :size]
             if self._driven is not None:
                 field = numbers.fields[:, cycle.configurations[0]]
                 matrices = stroboscopic_maps(cycle, field, start, matrices, self._driven)
             values = eigenvalues(matrices)
-            if self._family:
+            if self.conservative:
                 trivial = np.argmin(abs(values - 1), axis=-1)
                 values[np.arange(len(values)), trivial] = 0
                 values = sorted_by_size(values)
             found[places] = values[:, : found.shape[1]]
         return found
 
-    def traces(self, z: np.ndarray) -> np.ndarray:
-        """See `Curve`."""
-        powers = self.multipliers(z) ** self.order
+    def traces(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        powers = self.multipliers(x) ** self.order
         return np.asarray(powers.sum(axis=-1).real + self._trivial)
 
-    @property
-    def conservative(self) -> bool:
-        """See `Curve`."""
-        return self._family
+    def admissible(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        return np.array([self._admissible(point) for point in x])
 
-    def admissible(self, z: np.ndarray) -> np.ndarray:
-        """See `Curve`."""
-        return np.array([self._admissible(point) for point in z])
-
-    def _admissible(self, z: np.ndarray) -> bool:
-        if not (np.isfinite(z).all() and (self.dwell(z[None]) > 0).all()):
+    def _admissible(self, x: np.ndarray) -> bool:
+        if not (np.isfinite(x).all() and (self.dwell(x[None]) > 0).all()):
             return False
-        system = piecewise_at(self.orbit.system, self._point(z[-1]))
+        system = piecewise_at(self.orbit.system, x[self._given])
         cycle = self.orbit.tables.cycle.at(system.structure)
-        dwell, start = self._unknowns(z)
+        dwell, start = self._unknowns(x)
         times = np.tile(dwell, self.order)
         now = shoot(cycle, numbers_in(system), times, start, np)
         return bool(assess_cycle(cycle, system, now, times).verdict)
 
-    def at(self, z: np.ndarray) -> Orbit:
-        """See `Curve`."""
+    def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
+        """See `OrbitEquations`."""
         orbit, symmetry = self.orbit, self.orbit.symmetry
-        period = orbit.given_period
-        values = dict(orbit.parameters)
-        if self.parameter == PERIOD:
-            period = as_value(float(z[-1]))
-        else:
-            values[self.parameter] = as_value(float(z[-1]))
-        dwell, start = self._unknowns(z)
+        dwell, start = self._unknowns(x)
         found = solve_itinerary(
             orbit.system,
-            values,
+            {name: given[name] for name in orbit.parameters},
             self._cycle.itinerary,
             dwell.tolist(),
             start.tolist(),
-            period=period,
+            period=given.get(PERIOD),
             symmetry=None if symmetry is None else symmetry.matrix,
         )
         assert isinstance(orbit.problem, TableProblem)
         return labelled(found, orbit.problem.label, orbit.problem.names)
 
-    def motion(self, z: np.ndarray) -> Trajectory:
-        """The motion at a point: a phase that vanishes there takes no time."""
-        system = piecewise_at(self.orbit.system, self._point(z[-1]))
+    def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Trajectory:
+        """See `OrbitEquations`."""
+        system = piecewise_at(self.orbit.system, x[self._given])
         cycle = self.orbit.tables.cycle.at(system.structure)
-        dwell, start = self._unknowns(z)
+        dwell, start = self._unknowns(x)
         times = np.tile(np.maximum(dwell, 0.0), self.order)
         now = shoot(cycle, numbers_in(system), times, start, np)
         shift = now.starts[-1] - start
         return motion_along(system, cycle, times, now.starts[:-1], now.ends, shift, 1)
 
-    def moved(self, name: str, value: float) -> ComposedCurve:
-        """See `Curve`."""
-        other = copy(self)
-        other.orbit = replace(self.orbit, given={**self.orbit.given, name: as_value(value)})
-        other._base, other._known = self._base.copy(), (b"", [])
-        other._base[self._parameters.index(name)] = value
-        return other
-
-    def _unknowns(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _unknowns(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Dwell times and start."""
         count = len(self._cycle)
-        return z[..., :count], z[..., count:-1]
+        return x[..., :count], x[..., count : len(self.unknowns)]
 
-    def _point(self, value: float) -> np.ndarray:
-        point = self._base.copy()
-        if self.parameter != PERIOD:
-            point[self._parameters.index(self.parameter)] = value
-        return point
-
-    def _complex_numbers(self, value: float, tiny: float) -> Numbers:
+    def _complex_numbers(self, x: np.ndarray, place: int, tiny: float) -> Numbers:
         """Fields, rows and resets, the last reset that of the part's closure."""
         size = len(self._cycle.structure.states)
-        point = self._point(value).astype(complex)
-        if self.parameter != PERIOD:
-            point[self._parameters.index(self.parameter)] += 1j * tiny
+        numbers = x.astype(complex)
+        numbers[place] += 1j * tiny
+        point = numbers[self._given]
         fields, rows, resets = (
             np.array(self.orbit.system.source(name)(point, lib=FLOATS), dtype=complex)
             for name in ("fields", "rows", "resets")
@@ -288,15 +272,15 @@ class ComposedCurve:
         found = last if matrix is None else matrix @ last
         return np.concatenate([resets, found[None]])
 
-    def _groups(self, z: np.ndarray) -> list[tuple[np.ndarray, Cycle, Numbers]]:
+    def _groups(self, x: np.ndarray) -> list[tuple[np.ndarray, ItineraryShape, Numbers]]:
         """Numbers of the system at many points, grouped by the modes that they have."""
-        key = z[:, -1].tobytes()
+        points = x[:, self._given]
+        key = points.tobytes()
         if self._known[0] != key:  # one point is asked for its multipliers, waves and conditions
-            self._known = key, self._grouped(z[:, -1].tolist())
+            self._known = key, self._grouped(points)
         return self._known[1]
 
-    def _grouped(self, values: list[float]) -> list[tuple[np.ndarray, Cycle, Numbers]]:
-        points = np.stack([self._point(value) for value in values])
+    def _grouped(self, points: np.ndarray) -> list[tuple[np.ndarray, ItineraryShape, Numbers]]:
         found = []
         for group in numbers_at(self.orbit.system, points):
             numbers = numbers_in(group.structure, group.flat)
@@ -311,7 +295,9 @@ class ComposedCurve:
         return found
 
 
-def _passed(cycle: Cycle, numbers: Numbers, dwell: np.ndarray, start: np.ndarray) -> Shooting:
+def _passed(
+    cycle: ItineraryShape, numbers: Numbers, dwell: np.ndarray, start: np.ndarray
+) -> Shooting:
     """Passages of many points; derivatives are infinite where a boundary is touched."""
     with np.errstate(all="ignore"):
         return shoot(cycle, numbers, dwell, start, np)

@@ -8,29 +8,23 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import complete_system
-from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
-from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
-from nonsmooth.runtime.proof.closure import (
-    Closing,
+from nonsmooth.runtime.proof.exact_closure import (
+    ClosureConditions,
     exact_translations,
     forcing_speeds,
-    symplectic_form,
 )
 from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.proof.motion.exact_rows import Row
-from nonsmooth.runtime.shooting.cycle_newton import fitting_start
-from nonsmooth.runtime.shooting.shooting_map import Cycle, cycle_of
+from nonsmooth.runtime.proof.symplectic_form import symplectic_form
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.translations import translations_of
 
 if TYPE_CHECKING:
@@ -42,8 +36,6 @@ __all__ = [
     "check_converged",
     "closing_of",
     "guess_of",
-    "period_name",
-    "period_of",
     "physical_values",
     "subject_near",
     "subject_of",
@@ -70,7 +62,7 @@ class Subject:
         All parameters of the system.
     chosen : tuple of str
         Parameters that the orbit leaves open and that were chosen.
-    cycle : Cycle
+    cycle : ItineraryShape
     period : Value or None
         Where it was given.
     start, dwell : list of arb
@@ -82,7 +74,7 @@ class Subject:
     kernels: SystemKernels
     values: dict[str, Value]
     chosen: tuple[str, ...]
-    cycle: Cycle
+    cycle: ItineraryShape
     period: Value | None
     start: list[arb]
     dwell: list[arb]
@@ -92,6 +84,16 @@ class Subject:
 
 def subject_of(orbit: Orbit) -> Subject:
     """The subject of a proof about an orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
+
+    Returns
+    -------
+    Subject
+        With its system's parameters, and balls around start and dwell times.
 
     Raises
     ------
@@ -105,93 +107,96 @@ def subject_of(orbit: Orbit) -> Subject:
 
 
 def system_of(orbit: Orbit) -> str:
-    """Name of the system that it is an orbit of."""
+    """Name of the system that it is an orbit of.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
+
+    Returns
+    -------
+    str
+        As the system is declared.
+    """
     return orbit.system.name
 
 
 def check_converged(orbit: Orbit) -> None:
-    """Refuse what is no orbit."""
+    """Refuse what is no orbit.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
+
+    Raises
+    ------
+    InputError
+        If it has not converged.
+    """
     if not orbit.converged:
         raise InputError(f"{orbit.name} cannot be certified: {orbit.message}")
 
 
 def subject_near(orbit: Orbit) -> Subject:
-    """As `subject_of`, where the orbit's equations may be singular too."""
-    return _composed(orbit) if orbit.problem.kernels is None else _derived(orbit)
+    """As `subject_of`, where the orbit's equations may be singular too.
 
+    Parameters
+    ----------
+    orbit : Orbit
+        The orbit in floating point.
 
-def _composed(orbit: Orbit) -> Subject:
-    names = tuple(orbit.unknowns)
-    count = len(orbit.dwell_times)
+    Returns
+    -------
+    Subject
+        With its system's parameters, and balls around start and dwell times.
+
+    Raises
+    ------
+    NotCovered
+        If a parameter was solved for, or the physical parameters do not follow.
+    """
+    problem = orbit.problem
+    solved_for = ", ".join(name for name in orbit.unknowns if name in problem.all_parameters)
+    if solved_for and not orbit.dwell_times.all():
+        raise NotCovered(
+            f"{orbit.name} is a border collision: {solved_for} has no exact value at it"
+        )
+    if solved_for:
+        raise NotCovered(f"{solved_for} was solved for and has no exact value")
+    try:
+        point = problem.physical(orbit)
+    except InputError as reason:
+        raise NotCovered(str(reason)) from None
     return Subject(
         orbit.name,
         orbit.system,
-        orbit.parameters,
-        (),
-        cycle_of(structure_of(orbit.system), orbit.itinerary),
-        orbit.given_period,
-        [exact_ball(x) for x in orbit.states[0].tolist()],
-        [exact_ball(x) for x in orbit.dwell_times.tolist()],
-        names[count:],
-        names[:count],
-    )
-
-
-def _derived(orbit: Orbit) -> Subject:
-    kernels = orbit.kernels
-    if kernels.table["vanishing"]:
-        raise NotCovered(
-            f"{orbit.name} is a border collision: {', '.join(kernels.solved_for)} has no exact"
-            " value at it"
-        )
-    exchanged = [name for name in orbit.unknowns if name not in kernels.unknowns]
-    if exchanged:
-        raise NotCovered(f"{', '.join(exchanged)} was solved for and has no exact value")
-    try:
-        point = physical_parameters(orbit)
-    except InputError as problem:
-        raise NotCovered(str(problem)) from None
-    values = point.values
-    structure = structure_of(kernels.system)
-    cycle = cycle_of(structure, [(c, b) for c, b, _ in kernels.table["phases"]])
-    dwell = orbit.dwell_times.tolist()
-    # closure and switching are linear in the start: these numbers are guesses, as all here
-    flat = numbers_of(piecewise(kernels.system, values))[None]
-    with np.errstate(all="ignore"):
-        start = fitting_start(cycle, flat, np.array([[float(t) for t in dwell]]))[0]
-    names = kernels.dwell_times
-    return Subject(
-        orbit.name,
-        kernels.system,
-        values,
+        point.values,
         point.chosen,
-        cycle,
-        period_of(kernels, orbit.given),
-        [exact_ball(x) for x in start.tolist()],
-        [exact_ball(x) for x in dwell],
-        start_names(structure.states, {*names, *values}),
-        names,
+        itinerary_shape(structure_of(orbit.system), orbit.itinerary),
+        problem.period(orbit),
+        [exact_ball(x) for x in problem.system_start(orbit, point.values)],
+        [exact_ball(x) for x in orbit.dwell_times.tolist()],
+        problem.start_names,
+        problem.dwell_time_names,
     )
-
-
-def period_name(kernels: OrbitKernels) -> str | None:
-    """The parameter that the dwell times sum up to, of a conservative orbit."""
-    total: dict[str, int] = {}
-    for terms in kernels.table["durations"]:
-        for name, factor in terms.items():
-            total[name] = total.get(name, 0) + factor
-    left = [name for name, factor in total.items() if factor]
-    return left[0] if len(left) == 1 and total[left[0]] == 1 else None
-
-
-def period_of(kernels: OrbitKernels, given: Mapping[str, Value]) -> Value | None:
-    """What the dwell times of a conservative orbit sum up to, if it is given."""
-    name = period_name(kernels)
-    return None if name is None else given.get(name)
 
 
 def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:
     """All parameters of the system from those of an orbit and the ones that it leaves open.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+        The orbit's generated functions.
+    given : dict of str to Value
+        Parameters of the orbit, and those that it leaves open.
+
+    Returns
+    -------
+    dict of str to Value
+        By name.
 
     Raises
     ------
@@ -205,7 +210,20 @@ def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[s
 
 
 def translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:
-    """Directions along which the subject's system does not change, as the tables show."""
+    """Directions along which the subject's system does not change, as the tables show.
+
+    Parameters
+    ----------
+    subject : Subject
+        The orbit that is to be proved.
+    tables : Tables
+        Of the system.
+
+    Returns
+    -------
+    tuple of Row
+        Exact; empty if one of them cannot be shown.
+    """
     near = translations_of(piecewise(subject.kernels, subject.values)).tolist()
     return exact_translations(tables, subject.cycle.structure, near)
 
@@ -215,19 +233,29 @@ def closing_of(
     tables: Tables,
     centre: Any,
     at: Sequence[Any] = (),
-) -> Closing:
+) -> ClosureConditions:
     """How the subject's cycle closes.
 
     Parameters
     ----------
+    subject : Subject
+        The orbit that is to be proved.
+    tables : Tables
+        Of the system.
     centre : floats (N)
         About where it starts: the coordinate whose closure the energy gives is chosen by it.
     at : sequence of arb
         Values at the orbit of what the tables are functions of.
 
+    Returns
+    -------
+    ClosureConditions
+        By the forcing, by the state, or by a period and an energy.
+
     Raises
     ------
     NotCovered
+        If it closes in another way, or its numbers are not rational where they have to be.
     """
     cycle, near = subject.cycle, partial(tables.near, values=at)
     shifts = translations_in(subject, tables)
@@ -248,7 +276,7 @@ def closing_of(
             ratio = speed * turns / speeds[0]
             if ratio != round(near(ratio)):
                 raise NotCovered("the forcings have no common period that is the orbit's")
-        return Closing(
+        return ClosureConditions(
             "forcing",
             speeds=speeds,
             turns=turns,
@@ -258,7 +286,7 @@ def closing_of(
     if shifts and subject.period is not None:
         raise NotCovered("it is periodic up to a shift, and of a family that a period singles out")
     if subject.period is None:
-        return Closing("state", translations=shifts)
+        return ClosureConditions("state", translations=shifts)
     if not tables.exact:
         raise NotCovered("the parameters of a conservative system have to be rational")
     form = symplectic_form(tables, cycle)
@@ -271,11 +299,30 @@ def closing_of(
         for i in range(size)
     ]
     largest = max(range(size), key=lambda i: abs(slopes[i]))
-    return Closing("period", period=subject.period, dropped=largest, form=form, translations=shifts)
+    return ClosureConditions(
+        "period", period=subject.period, dropped=largest, form=form, translations=shifts
+    )
 
 
-def guess_of(subject: Subject, closing: Closing, near: Callable[[Any], float]) -> list[arb]:
-    """Unknowns of the equations, about."""
+def guess_of(
+    subject: Subject, closing: ClosureConditions, near: Callable[[Any], float]
+) -> list[arb]:
+    """Unknowns of the equations, about.
+
+    Parameters
+    ----------
+    subject : Subject
+        The orbit that is to be proved.
+    closing : ClosureConditions
+        How the cycle closes.
+    near : callable
+        Gives an exact entry as a float.
+
+    Returns
+    -------
+    list of arb
+        Free states, the forcing's time, dwell times; in the system's units.
+    """
     if closing.kind != "forcing":
         return [*subject.start, *subject.dwell]
     from flint import arb

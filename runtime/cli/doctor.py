@@ -1,0 +1,197 @@
+"""The command doctor: what this installation has, what it lacks, and what to do about it."""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import shutil
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from functools import partial
+from importlib import import_module, metadata, util
+
+from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
+from nonsmooth.runtime.cli.options import AsJson
+
+__all__ = ["Diagnosis", "diagnoses", "doctor"]
+
+_NAME = "nonsmooth"
+_EXTENSIONS = ("nonsmooth.generated._kernels", "nonsmooth.runtime._engine")
+_LATEX = ("pdflatex", "lualatex", "tectonic")
+_EXTRAS = {
+    "plot": "pictures",
+    "html": "equations and reports in HTML",
+    "chart": "charts, also on a cluster",
+    "speed": "faster long numbers",
+}
+_REQUIREMENT = re.compile(r"([\w.-]+)(?:\[[^]]*\])?\s*(?:>=\s*([\w.]+))?[^;]*(?:;(.*))?")
+_EXTRA = re.compile(r"extra == ['\"](\w+)['\"]")
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """One thing that was looked at.
+
+    Attributes
+    ----------
+    name : str
+    good : bool
+    found : str
+        What there is.
+    remedy : str or None
+        What to do, if anything is to be done.
+    """
+
+    name: str
+    good: bool
+    found: str
+    remedy: str | None = None
+
+
+def diagnoses() -> Iterator[Diagnosis]:
+    """Look at versions, compiled code, threads, the cache, LaTeX and the extras.
+
+    Yields
+    ------
+    Diagnosis
+        One after the other.
+    """
+    yield Diagnosis(_NAME, True, metadata.version(_NAME))
+    machine = f"{platform.python_implementation()} {platform.python_version()}"
+    yield Diagnosis("Python", True, f"{machine}, {platform.platform()}")
+    yield from _required()
+    yield from (_extension(name) for name in _EXTENSIONS)
+    yield _backend()
+    yield _own_kernels()
+    yield _cache()
+    yield _threads()
+    yield _latex()
+    yield from map(_extra, _EXTRAS)
+
+
+def _requirements(extra: str | None) -> Iterator[tuple[str, str]]:
+    """Names of required packages and their lowest versions, of the package or of an extra."""
+    for line in metadata.requires(_NAME) or ():
+        found = _REQUIREMENT.fullmatch(line)
+        wanted = found and _EXTRA.search(found[3] or "")
+        if found and found[1] != _NAME and (wanted[1] if wanted else None) == extra:
+            yield found[1], found[2] or "0"
+
+
+def _numbers(version: str) -> list[int]:
+    return [int(part) for part in re.findall(r"\d+", version)]
+
+
+def _installed(name: str, lowest: str) -> tuple[str | None, bool]:
+    """Version of a package, and whether it is high enough."""
+    try:
+        version = metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return None, False
+    return version, _numbers(version) >= _numbers(lowest)
+
+
+def _required() -> Iterator[Diagnosis]:
+    for name, lowest in _requirements(None):
+        version, good = _installed(name, lowest)
+        remedy = None if good else f'pip install "{name}>={lowest}"'
+        yield Diagnosis(name, good, version or "not installed", remedy)
+
+
+def _extension(name: str) -> Diagnosis:
+    """Whether a part that is compiled with the package is there, and can be loaded."""
+    label = {"_kernels": "compiled kernels", "_engine": "compiled engine"}[name.split(".")[-1]]
+    again = f"install a C compiler, then: pip install --force-reinstall --no-deps {_NAME}"
+    if util.find_spec(name) is None:
+        return Diagnosis(label, False, "not built: everything runs on NumPy, slower", again)
+    try:
+        module = import_module(name)
+    except ImportError as problem:
+        return Diagnosis(label, False, f"built, but it does not load: {problem}", again)
+    return Diagnosis(label, True, str(module.__file__))
+
+
+def _backend() -> Diagnosis:
+    chosen = os.environ.get("NONSMOOTH_BACKEND", "")
+    built = all(util.find_spec(name) for name in _EXTENSIONS)
+    if chosen == "numpy":
+        told = "NumPy, because NONSMOOTH_BACKEND is numpy"
+        return Diagnosis("what computes", not built, told, "unset NONSMOOTH_BACKEND")
+    if chosen not in ("", "c"):
+        told = f"NONSMOOTH_BACKEND is {chosen!r}, neither 'c' nor 'numpy'"
+        return Diagnosis("what computes", False, told, "unset NONSMOOTH_BACKEND")
+    return Diagnosis("what computes", built, "compiled C" if built else "NumPy")
+
+
+def _own_kernels() -> Diagnosis:
+    from nonsmooth.runtime.model.loading.background import lacking
+    from nonsmooth.runtime.model.loading.compiling import compiler
+
+    reason = lacking()
+    if reason is None:
+        command = shutil.which(compiler()[0])
+        return Diagnosis("kernels of your own systems", True, f"compiled by {command}")
+    remedy = (
+        "install a C compiler and Python's headers (gcc and python3-dev on Debian and Ubuntu)"
+        if os.name == "posix"
+        else f"{_NAME} generate FILE.py --out DIR --compile"
+    )
+    return Diagnosis("kernels of your own systems", False, f"run on NumPy: {reason}", remedy)
+
+
+def _cache() -> Diagnosis:
+    from nonsmooth.runtime.model.loading.caching import cache_folder
+
+    folder = cache_folder()
+    if folder is not None:
+        return Diagnosis("cache of derivations", True, str(folder))
+    remedy = "set NONSMOOTH_CACHE to a folder that only you can write to"
+    return Diagnosis("cache of derivations", False, "none: systems are derived each time", remedy)
+
+
+def _threads() -> Diagnosis:
+    names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+    set_to = [f"{name}={os.environ[name]}" for name in names if name in os.environ]
+    return Diagnosis("threads", True, ", ".join([str(os.cpu_count() or 1), *set_to]))
+
+
+def _latex() -> Diagnosis:
+    found = next(filter(None, map(shutil.which, _LATEX)), None)
+    if found:
+        return Diagnosis("LaTeX", True, found)
+    remedy = "install texlive-latex-recommended (Debian, Ubuntu), MacTeX (macOS) or MiKTeX"
+    return Diagnosis("LaTeX", False, "none: equations cannot be written as PDF", remedy)
+
+
+def _extra(extra: str) -> Diagnosis:
+    packages = dict(_requirements(extra))
+    states = {name: _installed(name, lowest) for name, lowest in packages.items()}
+    lacking = [name for name, (_, good) in states.items() if not good]
+    label = f"extra {extra}: {_EXTRAS[extra]}"
+    if lacking:
+        told = f"not there or too old: {', '.join(lacking)}"
+        return Diagnosis(label, False, told, f'pip install "{_NAME}[{extra}]"')
+    return Diagnosis(label, True, ", ".join(f"{name} {v}" for name, (v, _) in states.items()))
+
+
+@app.command(epilog="Examples:\n\nnonsmooth doctor\n\nnonsmooth doctor --json")
+@answering
+def doctor(as_json: AsJson = False) -> int:
+    """Say what this installation has and lacks, and what to do about it."""
+    found = list(diagnoses())
+    if as_json:
+        print_json({"version": metadata.version(_NAME), "diagnoses": [asdict(f) for f in found]})
+        return ANSWERED
+    from rich.text import Text
+
+    from nonsmooth.runtime.cli.tables import console_as_wide
+
+    out = partial(console_as_wide().print, soft_wrap=True)
+    widest = max(len(diagnosis.name) for diagnosis in found)
+    for diagnosis in found:
+        sign = Text("ok  ", "green") if diagnosis.good else Text("-   ", "yellow")
+        out(Text.assemble(sign, f"{diagnosis.name:{widest}}  {diagnosis.found}"))
+        if diagnosis.remedy and not diagnosis.good:
+            out(Text(f"{'':{widest + 6}}do: {diagnosis.remedy}"))
+    return ANSWERED

@@ -1,0 +1,162 @@
+"""What a command answers: files and pictures that it writes, and what it shows of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    UNANSWERED,
+    WRONG_INPUT,
+    print_json,
+)
+from nonsmooth.runtime.cli.keeping import say
+from nonsmooth.runtime.core.errors import NonsmoothError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Written", "show_comparison", "show_kept"]
+
+
+class Written:
+    """The files that a command writes, which its answer names.
+
+    A picture that cannot be drawn is told of when all that was computed has been shown.
+
+    Attributes
+    ----------
+    files : list of str
+        Those that are written by now.
+    """
+
+    def __init__(self) -> None:
+        self.files: list[str] = []
+        self._problem: NonsmoothError | None = None
+
+    def save(self, save: Callable[[Path], object], path: Path | None) -> None:
+        """Save a result, if a file was asked for.
+
+        Parameters
+        ----------
+        save : callable
+            Takes the path.
+        path : Path or None
+            The file that was asked for.
+        """
+        if path is not None:
+            save(path)
+            self.files.append(str(path))
+
+    def draw(self, figure: Callable[[], Figure], path: Path) -> None:
+        """Draw a picture, if it can be drawn.
+
+        Parameters
+        ----------
+        figure : callable
+            Gives the figure.
+        path : Path
+            The picture's file.
+        """
+        from nonsmooth.runtime.present.pictures.plot import save_figure
+
+        try:
+            save_figure(figure(), path)
+        except NonsmoothError as problem:
+            self._problem = problem
+        else:
+            self.files.append(str(path))
+
+    def show(
+        self, told: Callable[[], Mapping[str, Any]], show: Callable[[], None], *, as_json: bool
+    ) -> int:
+        """Show an answer and the files, as JSON or for people; gives the exit code.
+
+        Parameters
+        ----------
+        told : callable
+            Gives the answer, ready for JSON.
+        show : callable
+            Shows the answer to people.
+        as_json : bool
+            Whether the answer is JSON.
+
+        Returns
+        -------
+        int
+            The exit code.
+        """
+        if as_json:
+            print_json({**told(), "files": self.files})
+        else:
+            show()
+            for path in self.files:
+                print(f"{path} written")
+        if self._problem is None:
+            return ANSWERED
+        say(f"error: no picture: {self._problem}")
+        return WRONG_INPUT
+
+
+def show_kept(
+    told: Callable[[], Mapping[str, Any]],
+    show: Callable[[], None],
+    save: Path | None,
+    *,
+    as_json: bool,
+) -> None:
+    """Show an answer and the one file that it is kept in, as JSON or for people.
+
+    Parameters
+    ----------
+    told : callable
+        Gives the answer, ready for JSON.
+    show : callable
+        Shows the answer to people.
+    save : Path or None
+        The file that the answer is kept in.
+    as_json : bool
+        Whether the answer is JSON.
+    """
+    if as_json:
+        print_json(told() if save is None else {**told(), "file": str(save)})
+        return
+    show()
+    if save is not None:
+        print(f"\n{save} written")
+
+
+def show_comparison(
+    told: Mapping[str, Any], differences: Sequence[str], source: str, *, as_json: bool
+) -> int:
+    """Show how the files in a folder differ from their source; gives the exit code.
+
+    Parameters
+    ----------
+    told : mapping
+        What the answer has beside that, ``folder`` among it.
+    differences : sequence of str
+        None if the files are up to date.
+    source : str
+        Which it is, and how to make the files again.
+    as_json : bool
+
+    Returns
+    -------
+    int
+        The exit code.
+    """
+    from nonsmooth.runtime.cli.display import show_differences
+
+    if as_json:
+        print_json({**told, "same": not differences, "differences": list(differences)})
+    elif differences:
+        show_differences(differences)
+    else:
+        print(f"{told['folder']}: up to date")
+    if not differences:
+        return ANSWERED
+    say(f"{told['folder']} differs from {source}")
+    return UNANSWERED

@@ -1,0 +1,353 @@
+"""Clusters of a matrix's eigenvalues with their projectors, whose sum is its exponential.
+
+In double precision: from eigenvectors where eigenvalues are apart, else from an ordered Schur
+decomposition. In many digits, rounded once: the same, Newton's interpolation of few eigenvalues
+that nearly meet, or the series of more. `nonsmooth.runtime.model.modes` chooses among them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import islice
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
+from nonsmooth.runtime.model.projectors import chain, newton, poles_of
+
+__all__ = [
+    "Cluster",
+    "eigenvectors_apart",
+    "precise_candidates",
+    "smallest_distance",
+    "smallest_projectors",
+]
+
+_EPSILON = float(np.finfo(float).eps)
+_NEARNESS = (1e-9, 1e-7, 3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, math.inf)  # of the largest modulus
+_LARGE = 30.0  # norm of a projector: as much, squared, may be lost of the digits
+_HUGE = 1e100  # entry of a power that belongs to no cluster
+_BITS = 320
+_LONGEST_CHAIN = 24
+_LONGEST_NEWTON = 7
+
+
+class Cluster(NamedTuple):
+    """Eigenvalues taken together: the terms ``t^k e^(mu t)`` with their matrices."""
+
+    centre: complex
+    norm: float  # of the projector
+    terms: list[np.ndarray] | None  # None where the powers do not end
+    poles: tuple[complex, ...] = ()  # of a chain: its terms are Newton's products
+
+
+def eigenvectors_apart(values: np.ndarray, right: np.ndarray, scale: float) -> list[Cluster] | None:
+    """A cluster for each eigenvalue, from eigenvectors; None where some are near each other.
+
+    Parameters
+    ----------
+    values : array (N,)
+        Eigenvalues.
+    right : array (N, N)
+        Their eigenvectors, one in each column.
+    scale : float
+        Largest modulus of an eigenvalue: the unit of their distances.
+
+    Returns
+    -------
+    list of Cluster or None
+    """
+    if smallest_distance(values) <= _NEARNESS[0] * scale:
+        return None
+    left = np.linalg.inv(right)
+    found = _singles(values, right, left, scale)
+    return found if _worst(found) <= _LARGE else None
+
+
+def smallest_projectors(
+    matrix: np.ndarray, values: np.ndarray, scale: float
+) -> list[Cluster] | None:
+    """Clusters whose projectors are smallest, among those whose powers end.
+
+    Parameters
+    ----------
+    matrix : array (N, N)
+    values : array (N,)
+        Its eigenvalues.
+    scale : float
+        Largest modulus of an eigenvalue: the unit of their distances.
+
+    Returns
+    -------
+    list of Cluster or None
+        None where the powers of no grouping end.
+    """
+    best: list[Cluster] | None = None
+    groupings: list[list[list[complex]]] = []
+    for nearness in _NEARNESS:
+        groups = _groups(values.tolist(), nearness * scale if scale else math.inf)
+        if groups in groupings:
+            continue
+        groupings.append(groups)
+        found = list(_clusters(matrix, groups, scale))
+        if all(cluster.terms is not None for cluster in found):
+            if best is None or _worst(found) < 0.1 * _worst(best):
+                best = found
+            if _worst(best) <= _LARGE:
+                break
+    return best
+
+
+def precise_candidates(
+    matrix: np.ndarray, values: list[complex], scale: float
+) -> Iterator[list[Cluster]]:
+    """Clusters in more digits, eigenvalue by eigenvalue, then further and further together.
+
+    Parameters
+    ----------
+    matrix : array (N, N)
+    values : list of complex
+        Its eigenvalues.
+    scale : float
+        Largest modulus of an eigenvalue: the unit of their distances.
+
+    Yields
+    ------
+    list of Cluster
+    """
+    single = _precise(matrix, scale)
+    if single is not None:
+        yield single
+    yield from _chains(matrix, scale)
+    known: list[list[list[complex]]] = []
+    for nearness in _NEARNESS:
+        groups = _groups(values, nearness * scale if scale else math.inf)
+        if groups in known:
+            continue
+        known.append(groups)
+        found = [_exact_cluster(matrix, group, groups, scale) for group in groups
+                 if _leads(group)]  # fmt: skip
+        if all(cluster.terms is not None for cluster in found):
+            yield found
+
+
+def _precise(matrix: np.ndarray, scale: float) -> list[Cluster] | None:
+    """The same in more digits, so that no more are lost than the projectors' sum cancels."""
+    from flint import acb_mat
+
+    with flint_precision(_BITS):
+        try:
+            values, left, right = acb_mat(matrix.tolist()).eig(left=True, right=True)
+        except ValueError:  # eigenvalues that are equal, or nearly
+            return None
+    rows, columns = (np.array(m.tolist()).astype(complex) for m in (left, right))
+    return _singles(np.array(values).astype(complex), columns, rows, scale)
+
+
+def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
+    """Chains of the eigenvalues that are near each other, further and further."""
+    tiny = _EPSILON * scale
+    poles = [
+        complex(p.real if abs(p.real) > tiny else 0.0, p.imag if abs(p.imag) > tiny else 0.0)
+        for p in poles_of(matrix)
+    ]
+    known: list[list[list[complex]]] = []
+    for nearness in _NEARNESS:
+        groups = _groups(poles, nearness * scale if scale else math.inf)
+        if groups in known or max(map(len, groups)) > _LONGEST_NEWTON:
+            continue
+        known.append(groups)
+        try:
+            yield [_newton_cluster(matrix, group, groups) for group in groups if _leads(group)]
+        except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
+            continue
+
+
+def _newton_cluster(
+    matrix: np.ndarray, group: list[complex], groups: list[list[complex]]
+) -> Cluster:
+    others = [v for other in groups if other is not group for v in other]
+    # zero first, then what is real, then pairs of conjugates
+    poles = tuple(sorted(group, key=lambda v: (v.imag != 0, abs(v.imag), abs(v), -v.imag)))
+    terms = newton(matrix, group, others, list(poles))
+    return Cluster(poles[0], float(np.abs(terms[0]).max()), terms, poles)
+
+
+def _exact_cluster(
+    matrix: np.ndarray, group: list[complex], groups: list[list[complex]], scale: float
+) -> Cluster:
+    """A cluster of which all terms are rounded once."""
+    others = [v for other in groups if other is not group for v in other]
+    constant = min(map(abs, group)) <= 8 * len(matrix) * _EPSILON * scale
+    longest = LONGEST_WAIT / scale if scale else math.inf
+    terms: list[np.ndarray] = []
+    silent, norm = 0, 0.0
+    try:
+        for k, (centre, term) in enumerate(
+            islice(chain(matrix, group, others, _is_real(group), constant), _LONGEST_CHAIN)
+        ):
+            centre = _snapped(centre, len(matrix), scale)
+            size = float(np.abs(term).max())
+            if not size < _HUGE:
+                break
+            if k:
+                # what the rounding of the matrix may make of zero is zero
+                shifted = np.abs(matrix - centre * np.eye(len(matrix)))
+                if (np.abs(term) <= 64 * _EPSILON * shifted @ np.abs(terms[-1])).all():
+                    return Cluster(centre, norm, terms)
+            else:
+                norm = size
+            silent = (
+                silent + 1 if size * _largest(k, centre.real, longest) <= _EPSILON * norm else 0
+            )
+            if silent == 2 and k >= len(group):
+                return Cluster(centre, norm, terms[:-1])
+            terms.append(term)
+    except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
+        pass
+    return Cluster(0j, math.inf, None)
+
+
+def _singles(
+    values: np.ndarray, right: np.ndarray, left: np.ndarray, scale: float
+) -> list[Cluster]:
+    """A cluster for each eigenvalue, from right eigenvectors (columns) and left ones (rows)."""
+    norms = np.linalg.norm(left, axis=1) * np.linalg.norm(right, axis=0)
+    found = []
+    for k, value in enumerate(values.tolist()):
+        centre = _snapped(complex(value), len(values), scale)
+        if centre.imag >= 0:
+            term = np.outer(right[:, k], left[k]).astype(complex)
+            found.append(Cluster(centre, float(norms[k]), [term]))
+    return found
+
+
+def _snapped(centre: complex, size: int, scale: float) -> complex:
+    """An exponent without what rounding makes of a part that is zero."""
+    tiny = 8 * size * _EPSILON * scale
+    return complex(
+        0.0 if abs(centre.real) <= tiny else centre.real,
+        0.0 if abs(centre.imag) <= tiny else centre.imag,
+    )
+
+
+def _worst(clusters: list[Cluster]) -> float:
+    return max(cluster.norm for cluster in clusters)
+
+
+def smallest_distance(values: np.ndarray) -> float:
+    """Smallest distance of two eigenvalues.
+
+    Parameters
+    ----------
+    values : array (N,)
+        Eigenvalues.
+
+    Returns
+    -------
+    float
+        inf for a single one.
+    """
+    gaps = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
+    return float(gaps.min())
+
+
+def _groups(values: list[complex], distance: float) -> list[list[complex]]:
+    """Eigenvalues linked by distances; conjugates are in one group, or in two conjugate ones."""
+    groups: list[list[complex]] = []
+    for value in values:
+        near = [g for g in groups if any(abs(value - other) <= distance for other in g)]
+        groups = [g for g in groups if g not in near]
+        groups.append([value, *(v for group in near for v in group)])
+    return [sorted(g, key=lambda v: (v.real, v.imag)) for g in groups]
+
+
+def _leads(group: list[complex]) -> bool:
+    """Whether a group is not the conjugate of one that is taken."""
+    return _is_real(group) or sum(group).imag > 0
+
+
+def _is_real(group: list[complex]) -> bool:
+    return {v.conjugate() for v in group} == set(group)
+
+
+def _clusters(matrix: np.ndarray, groups: list[list[complex]], scale: float) -> Iterator[Cluster]:
+    """Each cluster of which the conjugate is not another one."""
+    for group in groups:
+        if _leads(group):
+            yield _cluster(matrix, group, _is_real(group), scale)
+
+
+def _cluster(matrix: np.ndarray, group: list[complex], real: bool, scale: float) -> Cluster:
+    """Projector and powers of one cluster, from an ordered Schur decomposition."""
+    from scipy.linalg import schur, solve_sylvester
+
+    size, count = len(matrix), len(group)
+    others = [complex(v) for v in np.linalg.eigvals(matrix)]
+    for value in group:
+        others.remove(min(others, key=lambda v: abs(v - value)))
+
+    def belongs(value: complex) -> bool:
+        inside = min(abs(value - v) for v in group)
+        return inside <= min((abs(value - v) for v in others), default=math.inf)
+
+    if count == size:
+        block, right, left = matrix.astype(complex), np.eye(size), np.eye(size)
+    else:
+        triangle, basis, chosen = schur(matrix.astype(complex), output="complex", sort=belongs)
+        if chosen != count:
+            return Cluster(0j, math.inf, None)
+        block, rest = triangle[:count, :count], triangle[count:, count:]
+        solution = solve_sylvester(block, -rest, -triangle[:count, count:])
+        right = basis[:, :count]
+        left = np.hstack([np.eye(count), -solution]) @ basis.conj().T
+    centre = complex(np.trace(block)) / count
+    if min(map(abs, group)) <= 8 * size * _EPSILON * scale:
+        centre = 0j  # the eigenvalue of the constants is among them
+    centre = _snapped(complex(centre.real) if real else centre, size, scale)
+    norm = float(np.linalg.norm(left, 2))
+    error = 64 * _EPSILON * float(np.linalg.norm(matrix, 2))
+    longest = LONGEST_WAIT / scale if scale else math.inf
+    return Cluster(centre, norm, _terms(block, right, left, centre, error, longest))
+
+
+def _terms(
+    block: np.ndarray,
+    right: np.ndarray,
+    left: np.ndarray,
+    centre: complex,
+    error: float,
+    longest: float,
+) -> list[np.ndarray] | None:
+    """Matrices (B - mu)^k P until the rest counts no more over the longest wait.
+
+    The block of B errs by `error`: what that may make of zero is zero.
+    """
+    shifted = block - centre * np.eye(len(block))
+    before = 1.0
+    power, silent = np.eye(len(block), dtype=complex), 0
+    terms: list[np.ndarray] = []
+    for k in range(_LONGEST_CHAIN):
+        size = float(np.linalg.norm(power, 2))
+        if k and size <= error * before:
+            return terms
+        before = size
+        silent = silent + 1 if size * _largest(k, centre.real, longest) <= _EPSILON else 0
+        if silent == 2 and k >= len(block):
+            return terms[:-1]
+        terms.append(right @ power @ left)
+        power = power @ shifted
+    return None
+
+
+def _largest(k: int, rate: float, longest: float) -> float:
+    """Largest value of t^k/k! e^(rate t) over t < longest; relative to a growing e^(rate t)."""
+    peak = min(longest, k / -rate) if rate < 0 and k else longest
+    if k == 0 or peak == 0:
+        return 1.0
+    if peak == math.inf:
+        return math.inf
+    return math.exp(k * math.log(peak) - math.lgamma(k + 1) + min(rate, 0.0) * peak)

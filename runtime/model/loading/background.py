@@ -1,0 +1,264 @@
+"""Compiled kernels of declarations: made by another process beside the work, kept in the cache.
+
+The first answers come from NumPy; where many points are asked for, a process derives the C files,
+compiles them and puts the extension into the user's cache folder, from where it is loaded, now
+and later. Without a compiler, without Python's headers or without a folder that is the user's
+alone all stays with NumPy. A process that ends leaves the other one to finish.
+"""
+
+from __future__ import annotations
+
+import copyreg
+import logging
+import os
+import pickle
+import shutil
+import signal
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import time
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from threading import RLock
+from types import MappingProxyType, ModuleType
+from typing import Any
+
+from nonsmooth.runtime.core.files import PARTIAL
+from nonsmooth.runtime.model.loading.caching import (
+    cache_folder,
+    made_folder,
+    store_library,
+    stored_library,
+)
+from nonsmooth.runtime.model.loading.compiling import compile_files, compiler
+from nonsmooth.runtime.model.loading.extensions import load_extension
+
+__all__ = ["KernelLibrary", "build", "lacking"]
+
+_WORTH_BUILDING = 0.1  # seconds that NumPy takes for all that was asked for
+_WORTH_WAITING = 2.0  # seconds that NumPy takes for what is asked for at once
+_LONGEST_BUILD = 900.0  # seconds
+_FORGOTTEN = 3600.0  # seconds after which what a killed process left is removed
+_CHILD = "from nonsmooth.runtime.model.loading.background import build; build()"
+_LOG = logging.getLogger(__name__)
+
+
+@dataclass
+class KernelLibrary:
+    """The compiled kernels of one derivation of a declaration, once they are there.
+
+    Attributes
+    ----------
+    key : str
+        Hash of the declaration and of what derives it.
+    derivation : str
+        Hash of the kernels, which the compiled ones have to bear.
+    stem : str
+        Name of the system in identifiers.
+    """
+
+    key: str
+    derivation: str
+    stem: str
+    _declared: tuple[Any, tuple[Any, ...]] | None = None
+    _tried: bool = False
+    _module: ModuleType | None = None
+    _sought: bool = False
+    _building: _Build | None = None
+    _asked: float = 0.0
+    _lock: Any = field(default_factory=RLock)
+
+    def declare(self, system: Any, orbits: tuple[Any, ...]) -> None:
+        """Tell of what they are: without it, kernels are found and not made.
+
+        Parameters
+        ----------
+        system : System
+        orbits : tuple of Itinerary
+        """
+        self._declared = system, orbits
+
+    def module(self) -> ModuleType | None:
+        """The compiled kernels, if they are there by now.
+
+        Returns
+        -------
+        module or None
+        """
+        with self._lock:
+            if self._building is not None and self._building.ended():
+                self._building, self._sought = None, False
+            if not self._sought and self._building is None:
+                self._sought, self._module = True, self._found()
+            return self._module
+
+    def wanted(self, seconds: float, *, at_once: bool = False) -> ModuleType | None:
+        """The compiled kernels for a work, made if it is worth that.
+
+        Parameters
+        ----------
+        seconds : float
+            What NumPy takes for the work.
+        at_once : bool
+            Wait for them where they are made.
+
+        Returns
+        -------
+        module or None
+            None where the work is done by NumPy.
+        """
+        with self._lock:
+            found = self.module()
+            self._asked += seconds
+            if found is not None or self._asked < _WORTH_BUILDING:
+                return found
+            if self._declared is not None and not self._tried:
+                self._tried = True
+                self._building = _begin(self.key, self._declared)
+            building = self._building
+        if building is not None and (at_once or seconds >= _WORTH_WAITING):
+            # so it takes at most twice as long as with NumPy from the start
+            building.wait(_LONGEST_BUILD if at_once else min(seconds, _LONGEST_BUILD))
+        return self.module()
+
+    def _found(self) -> ModuleType | None:
+        path = stored_library(self.key)
+        module = None if path is None else load_extension(path)
+        if getattr(module, f"derivation_{self.stem}", None) != self.derivation:
+            return None
+        return module
+
+
+class _Pickler(pickle.Pickler):
+    """Writes declarations down; the mappings that nobody may change as what they are of."""
+
+    dispatch_table = copyreg.dispatch_table | {
+        MappingProxyType: lambda mapping: (_unchanging, (dict(mapping),))
+    }
+
+
+def _unchanging(entries: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    return MappingProxyType(entries)
+
+
+@dataclass
+class _Build:
+    """A process that compiles, and the folder that it works in."""
+
+    process: subprocess.Popen[bytes]
+    work: Path
+    begun: float
+
+    def ended(self) -> bool:
+        """Whether it has ended; then what it left is removed."""
+        if self.process.poll() is None:
+            if time.monotonic() - self.begun < _LONGEST_BUILD:
+                return False
+            self.stop()
+        told = self._close()
+        if self.process.returncode:
+            _LOG.info("kernels are not compiled and run on NumPy: %s", told or "it was stopped")
+        return True
+
+    def wait(self, seconds: float) -> None:
+        """Wait so long for its end; whoever interrupts that stops it."""
+        try:
+            self.process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            return
+        except BaseException:
+            self.stop()
+            self._close()
+            raise
+
+    def _close(self) -> str:
+        """Remove what an ended process left, and give the last line that it told."""
+        shutil.rmtree(self.work, ignore_errors=True)
+        stream = self.process.stderr
+        if stream is None or stream.closed:
+            return ""
+        with stream:
+            return stream.read().decode(errors="replace").strip().rpartition("\n")[2]
+
+    def stop(self) -> None:
+        """End it, with the compiler that it runs."""
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.wait()
+
+
+def _begin(key: str, declared: tuple[Any, tuple[Any, ...]]) -> _Build | None:
+    """Start to compile, if there is anything to do it with and a place to keep the result."""
+    missing = lacking()
+    if missing is not None:
+        _LOG.info("kernels are not compiled and run on NumPy: %s", missing)
+        return None
+    folder = cache_folder()
+    if folder is None or not made_folder(folder):
+        return None
+    work = folder / f"{key}-{os.getpid()}{PARTIAL}"
+    with tempfile.TemporaryFile() as given:
+        try:
+            _Pickler(given).dump((key, work, *declared))
+        except Exception as problem:  # parts of a user's own classes
+            _LOG.info("kernels are not compiled and run on NumPy: %s", problem)
+            return None
+        given.seek(0)
+        try:
+            process = subprocess.Popen(
+                [sys.executable, "-P", "-c", _CHILD],
+                stdin=given,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                cwd=folder,
+                env=os.environ | {"NONSMOOTH_CACHE": str(folder)},
+                start_new_session=True,  # an interrupt of the terminal is not its own
+            )
+        except OSError as problem:
+            _LOG.info("kernels are not compiled and run on NumPy: %s", problem)
+            return None
+    return _Build(process, work, time.monotonic())
+
+
+def lacking() -> str | None:
+    """What a compilation lacks.
+
+    Returns
+    -------
+    str or None
+        None if nothing is known to be missing.
+    """
+    if os.name != "posix":
+        return "they are compiled in the background on POSIX alone"
+    command = compiler()
+    if not command or shutil.which(command[0]) is None:
+        return "there is no C compiler"
+    if not Path(sysconfig.get_path("include"), "Python.h").is_file():
+        return "Python's headers are not installed"
+    return None
+
+
+def build() -> None:
+    """Derive, compile and keep what standard input tells: the work of the other process."""
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is open is closed
+    key, folder, system, orbits = pickle.load(sys.stdin.buffer)
+    _sweep(folder.parent)
+    try:
+        folder.mkdir(mode=0o700)
+        for name, content in compile_files(system.library(orbits), folder).items():
+            store_library(key, name, content)
+    except Exception as problem:
+        sys.exit(" ".join(f"{type(problem).__name__}: {problem}".split()))
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _sweep(folder: Path) -> None:
+    """Remove what killed processes left in the cache folder long ago."""
+    with suppress(OSError):
+        for path in folder.glob(f"*{PARTIAL}"):
+            if time.time() - path.lstat().st_mtime > _FORGOTTEN:
+                shutil.rmtree(path, ignore_errors=True)

@@ -1,0 +1,520 @@
+"""Systems as data: what files of results hold of a system that is not built in.
+
+A `SavedSystem` holds the system's tables, and its numbers as expressions in all its parameters.
+`saved_of` writes it down, `kernels_of_saved` makes tables and kernels of it again: nothing is
+executed, nothing but the data is needed, and the numbers are the same to the last bit.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from itertools import chain
+from types import ModuleType
+from typing import Any, Literal
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.expressions import Function, written
+from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.model.kernels import (
+    OrbitKernels,
+    ParameterTable,
+    SystemKernels,
+    load_orbit,
+    load_system,
+    orbit_names,
+    system_names,
+)
+from nonsmooth.runtime.model.loading.load import Loaded, remember
+
+__all__ = [
+    "SavedSystem",
+    "kernels_of_saved",
+    "named",
+    "orbit_in",
+    "same_system",
+    "saved_of",
+    "system_in",
+]
+
+_EXACT = ("fields", "rows", "resets")
+_MODES = ("spectrum", "modes")
+_PRODUCT = re.compile(r"1|[^\W\d]\w*(\*\*\d{1,3})?(\*[^\W\d]\w*(\*\*\d{1,3})?)*")
+_LONGEST_MODE = 64
+
+
+@dataclass(frozen=True, kw_only=True)
+class ConstraintEntries:
+    """Products of parameters with factors, whose sum must not be negative."""
+
+    text: str
+    terms: Mapping[str, int]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BoundaryEntries:
+    """A boundary of a configuration."""
+
+    name: str
+    acts_when: Literal["reached", "exceeded"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModeEntries:
+    """A mode of a configuration's flow."""
+
+    length: int
+    oscillates: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class TransitionEntries:
+    """What follows when these boundaries are reached; rows and resets by index, from 0."""
+
+    source: str
+    boundaries: tuple[str, ...]
+    conditions: tuple[tuple[int, str, bool], ...]
+    reset: int
+    target: str
+    order: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactEntries:
+    """Rows of a contact."""
+
+    forces: Mapping[str, int]
+    velocity: int
+    surface: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class LawContactEntries:
+    """Rows of a contact of the law."""
+
+    name: str
+    friction: bool
+    relative: int
+    gap: int
+    static: int
+    kinetic: int
+    slipping: int
+    overshooting: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class LawEntries:
+    """The law of coupled contacts."""
+
+    contacts: tuple[LawContactEntries, ...]
+    coupling: tuple[tuple[int, ...], ...]
+    couples: tuple[tuple[bool, ...], ...]
+    regimes: Mapping[str, tuple[str, ...]]
+    others: Mapping[str, str]
+    free: Mapping[str, tuple[int, ...]]
+    arrivals: Mapping[str, int]
+    limits: Mapping[str, int]
+    switches: Mapping[str, Mapping[str, str]]
+    idle: Mapping[str, tuple[int, ...]]
+    resets: Mapping[str, Mapping[str, int]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableEntries:
+    """What does not depend on parameters; rows and resets by index, from 0."""
+
+    name: str
+    description: str
+    states: tuple[str, ...]
+    parameters: tuple[ParameterTable, ...]
+    constraints: tuple[ConstraintEntries, ...]
+    configurations: Mapping[str, tuple[BoundaryEntries, ...]]
+    spectrum: tuple[str, ...]
+    spectrum_parameters: tuple[str, ...]
+    modes: Mapping[str, tuple[ModeEntries, ...]] | None
+    forcing: tuple[tuple[str, str], ...]
+    forcing_row: int | None
+    coordinates: tuple[tuple[str, str], ...]
+    held: Mapping[str, tuple[str, ...]]
+    constraint_rows: Mapping[str, tuple[int, ...]]
+    boundary_rows: Mapping[str, tuple[int, ...]]
+    transitions: tuple[TransitionEntries, ...]
+    contacts: Mapping[str, ContactEntries]
+    law: LawEntries | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class SavedSystem:
+    """A system as data.
+
+    Attributes
+    ----------
+    derivation : str
+        Hash of the declaration that it is of.
+    table : TableEntries
+    functions : mapping of str to Function
+        Fields, rows and resets; spectrum and modes where the flows have a closed form; the
+        functions of the orbits.
+    orbits : mapping of str to dict
+        Tables of those of its orbits that are in the file.
+    """
+
+    derivation: str
+    table: TableEntries
+    functions: Mapping[str, Function]
+    orbits: Mapping[str, Any]
+
+    @cached_property
+    def name(self) -> str:
+        """Name of the system, and the hash of its data: what a file calls it."""
+        data = {name: entry for name, entry in encode(self).items() if name != "derivation"}
+        content = json.dumps(data)  # in order: fields stand in that of the configurations
+        return f"{self.table.name}@{hashlib.sha256(content.encode()).hexdigest()[:16]}"
+
+
+def named(kernels: SystemKernels, orbit: str = "") -> tuple[str, str, SavedSystem | None]:
+    """What a file calls a system and an orbit of it, and the data that it holds.
+
+    A system that is not built in is called ``NAME@HASH``, the hash of its data.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    orbit : str
+        Its name, with that of the system in front or without.
+
+    Returns
+    -------
+    system, orbit : str
+    saved : SavedSystem or None
+        None for a built-in system.
+    """
+    if kernels.built_in:
+        return kernels.name, orbit, None
+    rest = orbit.removeprefix(kernels.name)
+    saved = saved_of(kernels, rest.removeprefix(":"))
+    assert saved is not None
+    return saved.name, orbit if rest == orbit else saved.name + rest, saved
+
+
+def same_system(kernels: SystemKernels, other: SystemKernels) -> bool:
+    """Whether two systems have the same tables, whatever they are called and derived from.
+
+    Parameters
+    ----------
+    kernels, other : SystemKernels
+
+    Returns
+    -------
+    bool
+    """
+    one, two = saved_of(kernels), saved_of(other)
+    if one is None or two is None:
+        return kernels.name == other.name
+    numbers = [[found.functions[name] for name in _EXACT] for found in (one, two)]
+    return one.table == two.table and numbers[0] == numbers[1]
+
+
+def saved_of(kernels: SystemKernels, orbit: str = "") -> SavedSystem | None:
+    """A system as data, with one of its orbits if it is to be; None for a built-in one.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    orbit : str
+        Empty for none; one that the system does not declare is left out.
+
+    Returns
+    -------
+    SavedSystem or None
+    """
+    if kernels.built_in:
+        return None
+    return _saved(kernels.module, orbit if orbit in kernels.module.ORBITS else "")
+
+
+@cache
+def _saved(module: ModuleType, orbit: str) -> SavedSystem:
+    known: SavedSystem | None = getattr(module, "SAVED", None)
+    if known is not None:
+        return known
+    table, orbits = module.SYSTEM, {orbit: module.ORBITS[orbit]} if orbit else {}
+    names = {
+        "parameters": [parameter["name"] for parameter in table["parameters"]],
+        "spectrum": table["spectrum"],
+        "spectrum_parameters": table["spectrum_parameters"],
+    }
+    wanted = [*_EXACT, *(_MODES if table["modes"] is not None else ())]
+    for name, found in orbits.items():
+        if found["derived"]:
+            prefix = f"{name}_".replace("-", "_")
+            flows = {f"flow_{c}".replace("-", "_") for c, _, _ in found["phases"]}
+            wanted += [k for k in module.KERNELS if k.startswith(prefix) or k in flows]
+            wanted += ["spectrum"] * ("spectrum" not in wanted)
+    full = {
+        **table,
+        "forcing_row": table.get("forcing_row"),
+        "law": table.get("law"),
+        "transitions": [{"order": 0, **entry} for entry in table["transitions"]],
+    }
+    return SavedSystem(
+        derivation=str(module.DERIVATION),
+        table=decode(TableEntries, _plain(full)),
+        functions={name: _function(module, name, names) for name in wanted},
+        orbits=_plain(orbits),
+    )
+
+
+def _function(module: ModuleType, name: str, names: Mapping[str, Sequence[str]]) -> Function:
+    inputs, outputs = module.KERNELS[name]
+    known = {
+        "spectrum": (names["spectrum_parameters"],),
+        "modes": (names["parameters"], names["spectrum"]),
+    }.get(name, (names["parameters"],) if name in _EXACT else ())
+    takes = known or [
+        [f"{chr(ord('a') + place)}{k + 1}" for k in range(math.prod(shape))]
+        for place, shape in enumerate(inputs)
+    ]
+    return written(getattr(module, name), takes, inputs, outputs)
+
+
+def _plain(entries: Any) -> Any:
+    """Entries as JSON has them."""
+    return json.loads(json.dumps(entries))
+
+
+def system_in(name: str, saved: SavedSystem | None) -> SystemKernels:
+    """The system of a file: the built-in one of that name, or the one that the file holds.
+
+    Parameters
+    ----------
+    name : str
+        What the file calls the system.
+    saved : SavedSystem or None
+        What the file holds.
+
+    Returns
+    -------
+    SystemKernels
+
+    Raises
+    ------
+    InputError
+        If it is neither, or the data are not in order; the message is one line.
+    """
+    if saved is None:
+        if name not in system_names():
+            raise unknown_name("system", name, system_names())
+        return load_system(name)
+    if saved.name != name:
+        raise InputError(f"'system' is {name!r}, and the file holds {saved.name!r}")
+    return kernels_of_saved(saved)
+
+
+def orbit_in(name: str, saved: SavedSystem | None) -> OrbitKernels:
+    """The orbit of a file: of the built-in systems, or of the one that the file holds.
+
+    Parameters
+    ----------
+    name : str
+        What the file calls the orbit.
+    saved : SavedSystem or None
+        What the file holds.
+
+    Returns
+    -------
+    OrbitKernels
+
+    Raises
+    ------
+    InputError
+        As for `system_in`, or for an orbit that the system has not.
+    """
+    if saved is not None:
+        system_in(name.rpartition(":")[0], saved)
+    elif name not in orbit_names():
+        raise unknown_name("orbit", name, orbit_names())
+    return load_orbit(name)
+
+
+def kernels_of_saved(saved: SavedSystem) -> SystemKernels:
+    """Tables and kernels of a system that is given as data; `load_system` finds it by its name.
+
+    Parameters
+    ----------
+    saved : SavedSystem
+
+    Returns
+    -------
+    SystemKernels
+
+    Raises
+    ------
+    InputError
+        If names, indices, shapes or expressions are not in order; the message is one line.
+    """
+    _check(saved)
+    module = ModuleType("nonsmooth_saved")
+    entries = encode(saved)
+    own = entries["table"]
+    kept = {name: entry for name, entry in own.items() if entry is not None or name == "modes"}
+    contents: dict[str, Any] = {
+        **saved.functions,
+        "SAVED": saved,
+        "SYSTEM": kept,
+        "ORBITS": dict(saved.orbits),
+        "KERNELS": {
+            name: (list(found.inputs), list(found.outputs))
+            for name, found in saved.functions.items()
+        },
+        "DERIVATION": saved.derivation,
+    }
+    vars(module).update(contents)
+    loaded = remember(Loaded(saved.name, module))
+    return load_system(loaded.name)
+
+
+def _check(saved: SavedSystem) -> None:
+    """Refuse data whose parts do not belong together: the engine in C takes them as they are."""
+    table, functions = saved.table, saved.functions
+    names = [parameter.name for parameter in table.parameters]
+    _once("parameter", names)
+    _once("state", table.states)
+    size, places = len(table.states), range(len(table.configurations))
+    if not re.fullmatch(r"[\w-]{1,200}", table.name) or not size or not places:
+        raise InputError("the system has no name, no states or no configurations")
+    for parameter in table.parameters:
+        _ = parameter.ends
+    for constraint in table.constraints:
+        for text in constraint.terms:
+            if not _PRODUCT.fullmatch(text):
+                raise InputError(f"{text[:60]!r} is no product of parameters")
+    wanted = {*_EXACT} if table.modes is None else {*_EXACT, *_MODES}
+    orbits = tuple(f"{name}_".replace("-", "_") for name in saved.orbits)
+    for name, function in functions.items():
+        own = name.startswith((*orbits, "flow_")) if orbits else False
+        if name.startswith("_") or not (own or name in {*wanted, "spectrum"}):
+            raise InputError(f"{name[:60]!r} is no function of a system")
+        try:
+            function.check(exactly=name in _EXACT)
+        except InputError as problem:
+            raise InputError(f"{name}: {problem}") from None
+    if missing := wanted - {*functions}:
+        raise InputError(f"{min(missing)!r} is missing among the functions")
+    for name in _EXACT:
+        _shapes(functions, name, [(len(names),)], [(None, size + 1)])
+    rows = functions["rows"].outputs[0][0]
+    resets, rest = divmod(functions["resets"].outputs[0][0], size)
+    if rest or functions["fields"].outputs[0][0] != size * len(places):
+        raise InputError("fields and resets are not as many as the configurations need")
+    if "spectrum" in functions:
+        given, found = len(table.spectrum_parameters), len(table.spectrum)
+        _known("parameter", table.spectrum_parameters, names)
+        _shapes(functions, "spectrum", [(given,)], [(found,), (found, given)])
+    if table.modes is not None:
+        _same_keys("modes", table.modes, table.configurations)
+        modes = [mode for name in table.configurations for mode in table.modes[name]]
+        if not all(0 < mode.length <= _LONGEST_MODE for mode in modes):
+            raise InputError("a mode of no possible length")
+        count = sum(mode.length * (1 + mode.oscillates) for mode in modes)
+        shapes = [(len(modes), 2), (count * size, size + 1)]
+        _shapes(functions, "modes", [(len(names),), (len(table.spectrum),)], shapes)
+    _check_table(table, rows, resets)
+    for name, orbit in saved.orbits.items():
+        for configuration, boundary, dwell in orbit["phases"]:
+            _known("configuration", [configuration], table.configurations)
+            if not isinstance(boundary, str) or not isinstance(dwell, str):
+                raise InputError(f"a phase of {name} is not in order")
+
+
+def _check_table(table: TableEntries, rows: int, resets: int) -> None:
+    """Refuse names and indices of what is not there."""
+    for name in ("held", "constraint_rows", "boundary_rows"):
+        _same_keys(name, getattr(table, name), table.configurations)
+    for name, boundaries in table.configurations.items():
+        _once(f"boundary of {name}", [boundary.name for boundary in boundaries])
+        if len(table.boundary_rows[name]) != len(boundaries):
+            raise InputError(f"the boundaries of {name} have other rows")
+        _known("state", table.held[name], table.states)
+    for pair in (*table.forcing, *table.coordinates):
+        _known("state", pair, table.states)
+    used = [*chain(*table.constraint_rows.values(), *table.boundary_rows.values())]
+    used += [0 if table.forcing_row is None else table.forcing_row]
+    reset = []
+    for transition in table.transitions:
+        configurations = [transition.source, transition.target]
+        configurations += [along for _, along, _ in transition.conditions]
+        _known("configuration", configurations, table.configurations)
+        known = [boundary.name for boundary in table.configurations[transition.source]]
+        _known("boundary", transition.boundaries, known)
+        used += [row for row, _, _ in transition.conditions]
+        reset.append(transition.reset)
+        _indices("order", [transition.order], 1 << 16)
+    for contact in table.contacts.values():
+        _known("configuration", contact.forces, table.configurations)
+        used += [*contact.forces.values(), contact.velocity, contact.surface]
+    if table.law is not None:
+        _check_law(table.law, table)
+        law = table.law
+        for entry in law.contacts:
+            used += [row for name, row in vars(entry).items() if name not in ("name", "friction")]
+        used += [*chain(*law.coupling, *law.free.values())]
+        reset += [place for found in law.resets.values() for place in found.values()]
+    _indices("row", used, rows)
+    _indices("reset", reset, resets)
+
+
+def _check_law(law: LawEntries, table: TableEntries) -> None:
+    count = len(law.contacts)
+    for name in ("regimes", "others", "idle"):
+        _same_keys(name, getattr(law, name), table.configurations)
+    square = (law.coupling, law.couples)
+    if any(len(matrix) != count or {*map(len, matrix)} - {count} for matrix in square):
+        raise InputError("'coupling' is not of the law's contacts")
+    if {*map(len, law.regimes.values()), *map(len, law.free.values())} - {count}:
+        raise InputError("'regimes' are not of the law's contacts")
+    _indices("contact", [*law.arrivals.values(), *law.limits.values()], count)
+    _indices("contact", chain(*law.idle.values()), count)
+
+
+def _shapes(
+    functions: Mapping[str, Function],
+    name: str,
+    inputs: Sequence[tuple[int, ...]],
+    outputs: Sequence[tuple[int | None, ...]],
+) -> None:
+    """Refuse a function of other shapes; None stands for any size but none."""
+    found = functions[name]
+    fits = list(found.inputs) == list(inputs) and len(found.outputs) == len(outputs)
+    for shape, wanted in zip(found.outputs, outputs, strict=False):
+        fits = fits and len(shape) == len(wanted)
+        fits = fits and all(
+            n > 0 if w is None else n == w for n, w in zip(shape, wanted, strict=False)
+        )
+    if not fits:
+        raise InputError(f"{name!r} is not of the system's size")
+
+
+def _once(kind: str, names: Sequence[str]) -> None:
+    if len({*names}) < len(names):
+        raise InputError(f"a {kind} is there twice")
+
+
+def _known(kind: str, names: Iterable[str], known: Iterable[str]) -> None:
+    if unknown := {*names} - {*known}:
+        raise InputError(f"unknown {kind} {min(unknown)[:60]!r}")
+
+
+def _same_keys(what: str, found: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
+    if found.keys() != wanted.keys():
+        raise InputError(f"{what!r} is not of the system's configurations")
+
+
+def _indices(kind: str, found: Iterable[int], count: int) -> None:
+    if not all(0 <= place < count for place in found):
+        raise InputError(f"there is no such {kind}")

@@ -1,0 +1,242 @@
+"""The equations of an orbit by its kernels, at many points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from nonsmooth.runtime.core.matrices import eigenvalues
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.events.boundary_functions import PhaseWaves
+from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.motion import Motion
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.shooting.kernel_newton import equations_at, error_bound
+
+__all__ = ["KernelEquations"]
+
+_SMALLEST = 0.05  # size of an unknown in units of the largest one, at least
+
+
+class KernelEquations:
+    """The equations of an orbit with kernels, near it; see `OrbitEquations`.
+
+    An unknown may have been given, and a parameter solved for in its place.
+    """
+
+    order = 1
+    condition_places: tuple[int, ...] = ()
+
+    def __init__(self, orbit: Orbit) -> None:
+        self.orbit, self._kernels = orbit, orbit.kernels
+        kernels, table = self._kernels, self._kernels.table
+        self.names = (*kernels.unknowns, *kernels.parameter_names)
+        self.unknowns = tuple(orbit.unknowns)
+        self.values = np.array([float(orbit.values[name]) for name in self.names])
+        self._count = len(kernels.unknowns)
+        self._places = [self.names.index(name) for name in self.unknowns]
+        self._timed = [
+            k for k, name in enumerate(kernels.dwell_times) if name not in table["vanishing"]
+        ]
+        self.dwell_names = tuple(kernels.dwell_times[k] for k in self._timed)
+        self._sums = [
+            [(self.names.index(name), factor) for name, factor in table["durations"][k].items()]
+            for k in self._timed
+        ]
+        self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
+        self.conservative = bool(table["conservative"])
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """See `OrbitEquations`."""
+        unknowns = abs(self.values[self._places])
+        waits = np.array([name in self._kernels.dwell_times for name in self.unknowns])
+        largest = max(unknowns[~waits].tolist(), default=1.0)
+        period = float(self.orbit.period)
+        sizes = np.where(waits, period, np.maximum(unknowns, _SMALLEST * largest))
+        return np.where(sizes > 0, sizes, 1.0)
+
+    def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """See `OrbitEquations`."""
+        found = equations_at(self._kernels, x)
+        return found.residual, found.jacobian[:, [*self._places, place]]
+
+    def dwell(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        found = np.zeros((len(x), len(self._sums)))
+        for phase, terms in enumerate(self._sums):
+            for place, factor in terms:
+                found[:, phase] += factor * x[:, place]
+        return found
+
+    def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
+        """See `OrbitEquations`: an orbit with kernels repeats no part."""
+        return []
+
+    def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
+        """See `OrbitEquations`."""
+        waves = self._trigonometric if self._kernels.trigonometric else self._along_motions
+        return [(np.arange(len(x)), list(waves(x)))]
+
+    def _watched(self, phase: int) -> list[tuple[int, str, float]]:
+        """Rows of a phase's boundaries, their names, and what open parameters add to them."""
+        found = []
+        for row, boundary in enumerate(self._kernels.boundaries):
+            opened = boundary.open_parameter
+            if boundary.phase != phase or (opened and opened not in self.orbit.opened):
+                continue  # one that is open is as large as it has to be
+            added = boundary.open_coefficient * float(self.orbit.opened[opened]) if opened else 0.0
+            found.append((row, boundary.name, added))
+        return found
+
+    def _trigonometric(self, x: np.ndarray) -> Iterator[PhaseWaves]:
+        """Where all flows are trigonometric sums."""
+        kernels, table = self._kernels, self._kernels.table
+        rows, frequencies = kernels.evaluate("boundary_functions", *self._arguments(x))
+        dwell, ends = self.dwell(x), np.cumsum([0, *table["terms"]])
+        widths = [2 + 2 * table["terms"][boundary.phase] for boundary in kernels.boundaries]
+        begins = np.cumsum([0, *widths])
+        for position, phase in enumerate(self._timed):
+            watched = self._watched(phase)
+            coefficients = np.stack([rows[:, begins[k] : begins[k + 1]] for k, *_ in watched], 1)
+            coefficients[..., 0] += [added for *_, added in watched]
+            names = tuple(name for _, name, _ in watched)
+            yield _phase_waves(
+                position,
+                names,
+                names.index(table["phases"][phase][1]),
+                coefficients,
+                frequencies[:, ends[phase] : ends[phase + 1]],
+                dwell[:, position],
+            )
+
+    def _along_motions(self, x: np.ndarray) -> Iterator[PhaseWaves]:
+        """Along damped and forced motions: the functions of time are the states themselves."""
+        kernels, table = self._kernels, self._kernels.table
+        arguments, dwell = self._arguments(x), self.dwell(x)
+        fields, starts, _, rows = kernels.evaluate("phase_fields", *arguments)
+        fields = fields.reshape(*starts.shape, -1)
+        for position, phase in enumerate(self._timed):
+            watched, field = self._watched(phase), fields[:, phase]
+            row = rows[:, [k for k, *_ in watched]].copy()
+            row[..., -1] += [added for *_, added in watched]
+            rate = row[..., :-1] @ field
+            names = tuple(name for _, name, _ in watched)
+            yield PhaseWaves(
+                position,
+                names,
+                names.index(table["phases"][phase][1]),
+                dwell[:, position],
+                float(np.max(abs(eigenvalues(field[..., :-1])), initial=0.0)),
+                partial(self._states, phase, *arguments[:2], starts[:, phase]),
+                np.stack([row, rate, rate[..., :-1] @ field]),
+            )
+
+    def _states(
+        self,
+        phase: int,
+        parameters: np.ndarray,
+        spectrum: np.ndarray,
+        starts: np.ndarray,
+        points: np.ndarray,
+        times: np.ndarray,
+    ) -> np.ndarray:
+        """States of points at times since a phase has begun, and 1."""
+        name = self._kernels.table["phases"][phase][0].replace("-", "_")
+        states = self._kernels.evaluate(
+            f"flow_{name}", parameters[points], spectrum[points], times, starts[points]
+        )
+        return np.concatenate([states, np.ones((len(times), 1))], axis=-1)
+
+    def conditions(self, x: np.ndarray) -> np.ndarray:
+        """None: a phase that begins where the one before it has ended shows them."""
+        return np.empty((len(x), 0))
+
+    def taken(self, conditions: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        return np.zeros((len(conditions), len(self.phases)), dtype=int)
+
+    def multipliers(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        table = self._kernels.table
+        if table["rank"] == 1:
+            return self.traces(x)[:, None].astype(complex)
+        if table["conservative"] and len(table["section"]) == 3:
+            half = (self.traces(x) - 1) / 2
+            with np.errstate(all="ignore"):
+                root = np.sqrt(half.astype(complex) ** 2 - 1)
+                larger = np.where(half > 0, half + root, half - root)
+                return np.stack([larger, 1 / larger], axis=-1)
+        with np.errstate(all="ignore"):  # infinite where a boundary is touched
+            matrices = self._kernels.evaluate("poincare_jacobian", *self._arguments(x))
+        return eigenvalues(matrices)[:, : table["rank"]]
+
+    def traces(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        with np.errstate(all="ignore"):
+            return np.asarray(self._kernels.evaluate("trace", *self._arguments(x)))
+
+    def admissible(self, x: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        parameters, _, unknowns = self._arguments(x)
+        allowed, bounds = admissible_points(self._kernels, parameters, unknowns)
+        allowed = allowed & (self.dwell(x) > 0).all(axis=-1)
+        for column, table in enumerate(self._kernels.open_parameters):
+            if table.name in self.orbit.opened:
+                allowed &= float(self.orbit.opened[table.name]) > bounds[:, column]
+        return np.asarray(allowed)
+
+    def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
+        """See `OrbitEquations`."""
+        equations = equations_at(self._kernels, x)
+        error = error_bound(self._kernels, x, self._places, equations)
+        digits = math.floor(-math.log10(max(error, 1e-300))) if math.isfinite(error) else 0
+        return replace(
+            self.orbit,
+            given=given,
+            unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
+            residual=float(abs(equations.residual).max()),
+            digits=max(0, min(DOUBLE, digits)),
+        )
+
+    def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion:
+        """See `OrbitEquations`."""
+        return self.orbit_at(x, given).motion()
+
+    def _arguments(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Parameters, spectrum and unknowns in the kernels' order."""
+        unknowns, parameters = x[:, : self._count], x[:, self._count :]
+        return parameters, self._kernels.spectrum(parameters)[0], unknowns
+
+
+def _phase_waves(
+    phase: int,
+    names: tuple[str, ...],
+    leaving: int,
+    rows: np.ndarray,
+    frequencies: np.ndarray,
+    durations: np.ndarray,
+) -> PhaseWaves:
+    """Rows (k, b, 2 + 2 w): constant, slope, cosines, sines; frequencies (k, w)."""
+    count = frequencies.shape[1]
+    w = frequencies[:, None, :]
+
+    def rate(row: np.ndarray) -> np.ndarray:
+        cosine, sine = row[..., 2 : 2 + count], row[..., 2 + count :]
+        parts = [row[..., 1:2], np.zeros_like(row[..., :1]), sine * w, -cosine * w]
+        return np.concatenate(parts, axis=-1)
+
+    def basis(points: np.ndarray, times: np.ndarray) -> np.ndarray:
+        angles = frequencies[points] * times[:, None]
+        ones = np.ones_like(times)[:, None]
+        return np.concatenate([ones, times[:, None], np.cos(angles), np.sin(angles)], axis=-1)
+
+    first = rate(rows)
+    fastest = float(np.max(frequencies, initial=0.0))
+    return PhaseWaves(
+        phase, names, leaving, durations, fastest, basis, np.stack([rows, first, rate(first)])
+    )

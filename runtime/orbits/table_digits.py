@@ -1,0 +1,158 @@
+"""How many digits rounding leaves of orbits that are composed from tables."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.model.time_functions import functions_at
+from nonsmooth.runtime.orbits.orbit import DOUBLE
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.newton import CONVERGED, UNSURE
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in, shoot
+from nonsmooth.runtime.shooting.table_newton import TableSolution, sizes
+from nonsmooth.runtime.shooting.translations import directions_of, up_to_shift
+from nonsmooth.runtime.shooting.variational import Shooting
+
+__all__ = ["digits_of", "without_digits"]
+
+_EPSILON = float(np.finfo(float).eps)
+_TERM = 8.0  # roundings of one term of a flow
+_TURNED = 1.0  # radians of the fastest mode in which rounding of exponents adds another one
+_MOST_ERROR = 1e-4  # by a bound that is a hundred times the error, or more
+_WIDE = 1e4  # between a flow's rates, or in radians: nearer together rounding loses few digits
+
+
+def digits_of(
+    cycle: ItineraryShape, flat: np.ndarray, found: TableSolution, period: np.ndarray
+) -> np.ndarray:
+    """Decimal digits of orbits in double precision: 0 where there is none.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+        That closes: up to translations, or by a symmetry.
+    flat : array (n, size)
+        Its numbers, as `numbers_at` gives them.
+    found : TableSolution
+        At n points.
+    period : array (n,)
+        Sum of the dwell times, or NaN where that is free. In the system's unit of time.
+
+    Returns
+    -------
+    array (n,) of int
+    """
+    digits = np.zeros(len(flat), dtype=int)
+    places = np.flatnonzero(found.status == CONVERGED)
+    if len(places):
+        dwell, start = found.dwell[places], found.starts[places, 0]
+        with np.errstate(all="ignore"):  # of what is not finite there are no digits
+            errors = _errors(cycle, flat[places], dwell, start, period[places])
+            known = np.floor(-np.log10(np.maximum(errors, 1e-300)))
+        digits[places] = np.where(np.isfinite(known), np.clip(known, 0, DOUBLE), 0)
+    return digits
+
+
+def without_digits(
+    cycle: ItineraryShape, flat: np.ndarray, found: TableSolution, period: np.ndarray
+) -> np.ndarray:
+    """Tell what has converged apart from what rounding leaves too few digits of.
+
+    It is looked at where rates of the flows are far apart, or turn many times in a phase.
+
+    Parameters
+    ----------
+    cycle, flat, found, period
+        As for `digits_of`.
+
+    Returns
+    -------
+    array (n,) of int
+        The status of each: `UNSURE` in place of `CONVERGED` where four digits are not sure.
+    """
+    status = found.status.copy()
+    with np.errstate(all="ignore"):
+        places = np.flatnonzero((status == CONVERGED) & _far_apart(cycle, flat, found.dwell))
+        if len(places):
+            dwell, start = found.dwell[places], found.starts[places, 0]
+            errors = _errors(cycle, flat[places], dwell, start, period[places])
+            status[places[~(errors < _MOST_ERROR)]] = UNSURE
+    return status
+
+
+def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
+    exponents = numbers_in(cycle.structure, flat).exponents
+    speeds = [np.hypot(*np.moveaxis(exponents[c], -1, 0)) for c in {*cycle.configurations}]
+    every = np.concatenate(speeds, axis=-1)
+    fastest = every.max(axis=-1)
+    slowest = np.where(every > 0, every, np.inf).min(axis=-1)
+    turned = fastest * dwell.max(axis=-1)
+    return np.asarray(~((fastest < _WIDE * slowest) & (turned < _WIDE)))
+
+
+def _errors(
+    cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, start: np.ndarray, period: Any
+) -> np.ndarray:
+    """Errors of orbits (n,), the largest of the unknowns' in units of max(1, |x|).
+
+    What closure and switching miss, and rounding, move the start by as much as the inverse of
+    the linearised equations lets them, and the dwell times with it.
+    """
+    numbers = numbers_in(cycle.structure, flat)
+    now = shoot(cycle, numbers, dwell, start, np)
+    size_of = sizes(_without_drift(cycle, numbers, now), dwell)
+    matrix, right = linearised_closure(now, dwell, size_of, period)
+    matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, FLOATS)
+    errors = np.full(len(flat), math.inf)
+    sound = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
+    missed, gaps = np.abs(right), []
+    for place, configuration in enumerate(cycle.configurations):
+        rounding = _rounding(cycle, numbers, configuration, dwell[:, place], now.starts[place])
+        rounding = rounding + _TERM * _EPSILON * size_of
+        row = np.abs(numbers.rows[:, cycle.rows[place], :-1])
+        gap = np.abs(now.residual[place]) + (row * rounding).sum(axis=-1)
+        gaps.append(gap / np.abs(now.speeds[place]))
+        moved = rounding + np.abs(now.velocities[place]) * gaps[-1][:, None]
+        missed[:, : size_of.shape[-1]] += moved / size_of
+    inverse = np.abs(np.linalg.pinv(matrix[sound], rcond=0.0))
+    by_state = (inverse * missed[sound, None, :]).sum(axis=-1) * size_of[sound]
+    by_start = (np.abs(now.rates[:, sound, :-1]) * by_state).sum(axis=-1) + np.array(gaps)[:, sound]
+    own = by_state / np.maximum(1, np.abs(start[sound]))
+    waits = by_start / np.maximum(1, dwell[sound]).T
+    errors[sound] = np.maximum(own.max(axis=-1), waits.max(axis=0))
+    return errors
+
+
+def _rounding(
+    cycle: ItineraryShape, numbers: Numbers, configuration: int, time: Any, start: np.ndarray
+) -> np.ndarray:
+    """Rounding of the state (n, N) at the end of a phase, by the terms that it is a sum of."""
+    shapes, exponents = cycle.structure.shapes[configuration], numbers.exponents[configuration]
+    functions = functions_at(shapes, exponents, time)
+    speeds = np.hypot(exponents[..., 0], exponents[..., 1])
+    turned = speeds.max(axis=-1) * time / _TURNED  # eigenvalues are known as well as the largest
+    flows, extended = np.abs(numbers.flows[configuration]), np.abs(start)
+    total = np.zeros_like(start)
+    for shape in shapes:
+        for place in shape.places:
+            term = (flows[:, place, :, :-1] * extended[:, None, :]).sum(axis=-1)
+            term = (term + flows[:, place, :, -1]) * np.abs(functions[place])[:, None]
+            total += (_TERM + turned[:, None]) * _EPSILON * term
+    return total
+
+
+def _without_drift(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Shooting:
+    """States up to translations: how far an orbit drifts is no size."""
+    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
+    directions = [directions_of(cycle.structure, *each) for each in arrays]
+    if not any(map(len, directions)):
+        return now
+    starts, ends, fields = (
+        np.stack([up_to_shift(part[:, k], d) for k, d in enumerate(directions)], axis=1)
+        for part in (now.starts, now.ends, now.velocities)
+    )
+    return now._replace(starts=starts, ends=ends, velocities=fields)

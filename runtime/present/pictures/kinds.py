@@ -1,0 +1,41 @@
+"""The kinds of pictures of an orbit, or of a motion: a new one is one entry here."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = ["KINDS", "Kind"]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of picture.
+
+    Attributes
+    ----------
+    size : (float, float)
+        Of a new figure, or of each of its phase portraits, in inches.
+    draw : str
+        The function that draws it, of a Scene and a list of Axes, with its module in this
+        package, which is imported when it is first drawn.
+    draw_view : str
+        The same of a View: a motion, or an orbit without kernels. `draw` does both when this
+        is empty.
+    of_motions : bool
+        Whether a motion that is no orbit has it too.
+    """
+
+    size: tuple[float, float]
+    draw: str
+    draw_view: str = ""
+    of_motions: bool = True
+
+
+KINDS = {
+    "time": Kind((6.4, 3.6), "panels.draw_positions", "motion_panels.draw_positions"),
+    "velocity": Kind((6.4, 3.6), "panels.draw_velocities", "motion_panels.draw_velocities"),
+    "phase": Kind((4.9, 4.4), "panels.draw_portraits", "motion_panels.draw_portraits"),
+    "strip": Kind((6.4, 2.4), "panels.draw_strip", "motion_panels.draw_strip"),
+    "multipliers": Kind((4.8, 5.0), "panels.draw_multipliers", of_motions=False),
+    "all": Kind((11.0, 8.0), "layout.draw_all"),
+}

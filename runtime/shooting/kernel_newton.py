@@ -1,0 +1,379 @@
+"""Newton's method on the equations of an orbit's kernels: reduced and batched, or full.
+
+Full equations take any choice of unknowns at one point; reduced ones have few unknowns and are
+solved at many points by the compiled solver, or as it does on NumPy.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.kernels import OrbitKernels
+from nonsmooth.runtime.shooting.newton import (
+    CONVERGED,
+    GOING,
+    INVALID,
+    NEGATIVE,
+    SINGULAR,
+    STALLED,
+    TOLERANCE,
+    damping,
+    iterate,
+)
+
+__all__ = [
+    "Full",
+    "LinearisedEquations",
+    "Solved",
+    "condition_number",
+    "equations_at",
+    "error_bound",
+    "error_bounds",
+    "frequency_spread",
+    "solve_full",
+    "solve_reduced",
+]
+
+DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
+MOST_CONDITION = 1e12  # condition number beyond which a choice of unknowns is refused
+LEAST_DETERMINANT = 1e-12  # in units of its bound; the compiled solver's number
+_EPSILON = float(np.finfo(float).eps)
+
+
+class Solved(NamedTuple):
+    """Result of a solver: unknowns (..., n), then arrays (...)."""
+
+    unknowns: Any
+    trace: Any
+    residual: Any
+    iterations: Any
+    status: Any
+
+
+def solve_reduced(
+    kernels: OrbitKernels, parameters: Any, guess: Any, out: np.ndarray | None = None
+) -> Solved:
+    """Newton's method on the reduced equations, elementwise over leading axes.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    parameters : array (..., p)
+    guess : array (..., m)
+        Start of the reduced unknowns; of none where all is explicit.
+    out : array (..., n), optional
+        Where the unknowns go.
+
+    Returns
+    -------
+    Solved
+        With the compiled solver's meaning of `status`.
+    """
+    if kernels.solver is not None:
+        given = (parameters, guess) if kernels.reduced else (parameters,)
+        with np.errstate(all="ignore"):
+            return Solved(*kernels.solver(*given, out=(out, None, None, None, None)))
+    parameters, guess = np.asarray(parameters, float), np.asarray(guess, float)
+    lead = np.broadcast_shapes(parameters.shape[:-1], guess.shape[:-1])
+    count = math.prod(lead)
+    flat, x = (
+        np.broadcast_to(a, (*lead, a.shape[-1])).reshape(count, a.shape[-1])
+        for a in (parameters, guess)
+    )
+    with np.errstate(all="ignore"):
+        solved = _solve_flat(kernels, flat, x.copy())
+    unknowns = solved.unknowns.reshape(*lead, -1)
+    if out is not None:
+        out[...] = unknowns
+        unknowns = out
+    return Solved(unknowns, *(array.reshape(lead)[()] for array in solved[1:]))
+
+
+def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) -> Solved:
+    """The compiled solver's algorithm on NumPy; converged points are left alone."""
+    spectrum, _ = kernels.spectrum(parameters)
+    timed = np.array([name in kernels.dwell_times for name in kernels.reduced])
+
+    def advance(running: np.ndarray) -> np.ndarray:
+        here = x[running]
+        residual, jacobian = kernels.evaluate(
+            "reduced", parameters[running], spectrum[running], here
+        )
+        step = _steps(jacobian, residual)
+        wanted = here - step
+        limited = np.where(wanted < 0.25 * here, 0.25 * here, wanted)
+        limited = np.where(limited > 4.0 * here, 4.0 * here, limited)
+        x[running] = following = np.where(timed, limited, wanted)
+        size = np.maximum(np.abs(following), 1.0)
+        done = (np.abs(wanted - here) <= TOLERANCE * size).all(axis=-1)
+        return np.where(done, CONVERGED, GOING)
+
+    if kernels.reduced:
+        taken, status = iterate(len(x), advance)
+    else:
+        taken, status = np.zeros((2, len(x)), dtype=np.int32)
+    residual = np.zeros((len(x), 1))
+    if kernels.reduced:
+        residual, _ = kernels.evaluate("reduced", parameters, spectrum, x)
+    unknowns, determinants = kernels.expand(parameters, spectrum, x)
+    trace = kernels.evaluate("trace", parameters, spectrum, unknowns)
+    values = dict(zip(kernels.parameter_names, parameters.T, strict=True))
+    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
+    for name, duration in durations.items():
+        if name not in kernels.table["vanishing"]:
+            status[(duration <= 0) & (status == CONVERGED)] = NEGATIVE
+    status[~(np.isfinite(unknowns).all(axis=-1) & np.isfinite(trace))] = INVALID
+    status[(np.abs(determinants) <= LEAST_DETERMINANT).any(axis=-1)] = SINGULAR
+    return Solved(unknowns, trace, np.abs(residual).max(axis=-1), taken, status)
+
+
+def _steps(jacobian: np.ndarray, residual: np.ndarray) -> np.ndarray:
+    """Newton steps; NaN where a Jacobian is singular, so that its point alone is lost."""
+    sound = np.isfinite(jacobian).all(axis=(-2, -1)) & (np.linalg.det(jacobian) != 0)
+    steps = np.full_like(residual, np.nan)
+    if sound.any():
+        steps[sound] = np.linalg.solve(jacobian[sound], residual[sound][..., None])[..., 0]
+    return steps
+
+
+class Full(NamedTuple):
+    """Values of all parameters and unknowns, and how the full equations were solved."""
+
+    values: dict[str, float]
+    residual: float
+    iterations: int
+    status: int
+    error: float
+
+
+def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequence[str]) -> Full:
+    """Damped Newton's method on the full equations, for any choice of what is unknown.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    values : dict of str to float
+        All parameters and unknowns: those in `solved_for` are a guess, the rest stay.
+    solved_for : sequence of str
+        As many names as there are equations.
+
+    Returns
+    -------
+    Full
+
+    Raises
+    ------
+    InputError
+        If the equations do not determine these names: the Jacobian's condition number is
+        beyond 1e12, or no digit of a solution is sure (as where the only one is zero).
+    """
+    names = (*kernels.unknowns, *kernels.parameter_names)
+    places = [names.index(name) for name in solved_for]
+    timed = np.array([name in kernels.dwell_times for name in solved_for])
+    count = len(kernels.unknowns)
+    x = np.array([values[name] for name in names], dtype=float)
+    residual, jacobian = np.full(count, np.nan), np.full((count, count), np.nan)
+
+    def advance(_: np.ndarray) -> list[int]:
+        nonlocal residual, jacobian
+        equations = equations_at(kernels, x)
+        residual, jacobian = equations.residual, equations.jacobian[:, places]
+        if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
+            return [INVALID]
+        if np.linalg.det(jacobian) == 0:
+            return [STALLED]
+        step = np.linalg.solve(jacobian, residual)
+        here = x[places]
+        falling = timed & (here > 0) & (step > 0.5 * here)  # near what damping allows
+        fraction = damping(here[falling], -step[falling]) if np.count_nonzero(falling) else 1.0
+        x[places] = here - fraction * step
+        small = (abs(step) <= TOLERANCE * np.maximum(abs(here), 1)).all()
+        return [CONVERGED if fraction == 1 and small else GOING]
+
+    with np.errstate(all="ignore"):
+        (iterations,), (status,) = (ended.tolist() for ended in iterate(1, advance))
+    if status != INVALID and (condition := condition_number(jacobian)) > MOST_CONDITION:
+        raise _undetermined(solved_for, condition)
+    error = np.inf
+    if status == CONVERGED:
+        equations = equations_at(kernels, x)
+        residual, jacobian = equations.residual, equations.jacobian
+        error = error_bound(kernels, x, places, equations)
+        if not error < DETERMINED:
+            size = np.maximum(np.abs(x[places]), 1)
+            raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
+        durations = kernels.durations(dict(zip(names, x, strict=True)))
+        if any(durations[n] <= 0 for n in durations if n not in kernels.table["vanishing"]):
+            status = NEGATIVE
+    found = {name: float(value) for name, value in zip(names, x, strict=True)}
+    return Full(found, float(np.abs(residual).max()), iterations, status, error)
+
+
+def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
+    return InputError(
+        f"the equations do not determine {', '.join(solved_for)} here:"
+        f" condition number {condition:.1e}"
+    )
+
+
+class LinearisedEquations(NamedTuple):
+    """Residual (n), Jacobian (n, n + p) by unknowns, then parameters, and the spectrum."""
+
+    residual: np.ndarray
+    jacobian: np.ndarray
+    spectrum: np.ndarray
+
+
+def equations_at(kernels: OrbitKernels, x: np.ndarray) -> LinearisedEquations:
+    """Evaluate the full equations at unknowns, then parameters (n + p,).
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    x : array (n + p,)
+
+    Returns
+    -------
+    LinearisedEquations
+    """
+    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
+    spectrum, derivatives = kernels.spectrum(parameters)
+    residual, by_unknowns = kernels.evaluate(
+        "residual_and_jacobian", parameters, spectrum, unknowns
+    )
+    by_parameters = kernels.evaluate(
+        "parameter_jacobian", parameters, spectrum, derivatives, unknowns
+    )
+    jacobian = np.concatenate([by_unknowns, by_parameters], axis=1)
+    return LinearisedEquations(residual, jacobian, spectrum)
+
+
+def error_bound(
+    kernels: OrbitKernels,
+    x: np.ndarray,
+    places: Sequence[int] | slice,
+    equations: LinearisedEquations,
+) -> float:
+    """Bound on the error of the numbers at some places of x, in units of max(1, |x|).
+
+    By J^-1, from the residual and the rounding of all that enters the equations: parameters
+    and unknowns, and the states along the orbit, of which they are differences.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    x : array (n + p,)
+    places : sequence of int, or slice
+    equations : LinearisedEquations
+        Those at x.
+
+    Returns
+    -------
+    float
+        inf where J is singular.
+    """
+    residual, jacobian, spectrum = equations
+    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
+    states = kernels.evaluate("states", parameters, spectrum, unknowns)
+    size = np.abs(x)
+    scale = size[places] = np.maximum(size[places], 1.0)
+    rounding = np.vecdot(np.abs(jacobian), size) + np.abs(states).max()
+    noise = np.abs(residual) + 4 * _EPSILON * rounding
+    with np.errstate(all="ignore"):
+        try:
+            inverse = np.linalg.inv(jacobian[:, places])
+        except np.linalg.LinAlgError:
+            return math.inf
+        error = np.vecdot(np.abs(inverse), noise) / scale
+    worst = float(error.max())
+    return worst if math.isfinite(worst) else math.inf
+
+
+def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.ndarray) -> np.ndarray:
+    """Give `error_bound` of all unknowns at many points.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    unknowns : array (count, n)
+    parameters : array (count, p)
+
+    Returns
+    -------
+    array (count,)
+        In units of max(1, |x|); inf where nothing is known.
+    """
+    with np.errstate(all="ignore"):
+        spectrum, derivatives = kernels.spectrum(parameters)
+        residual, jacobian = kernels.evaluate(
+            "residual_and_jacobian", parameters, spectrum, unknowns
+        )
+        by_parameters = kernels.evaluate(
+            "parameter_jacobian", parameters, spectrum, derivatives, unknowns
+        )
+        states = np.abs(kernels.evaluate("states", parameters, spectrum, unknowns))
+        scale = np.maximum(np.abs(unknowns), 1)
+        rounding = (np.abs(jacobian) @ scale[..., None])[..., 0]
+        rounding += (np.abs(by_parameters) @ np.abs(parameters)[..., None])[..., 0]
+        rounding += states.reshape(len(unknowns), -1).max(axis=-1, keepdims=True)
+        noise = np.abs(residual) + 4 * _EPSILON * rounding
+        sound = np.isfinite(jacobian).all(axis=(-2, -1)) & (np.linalg.det(jacobian) != 0)
+        found = np.full(len(unknowns), np.inf)
+        inverse = np.abs(np.linalg.inv(jacobian[sound]))
+        found[sound] = ((inverse @ noise[sound, :, None])[..., 0] / scale[sound]).max(axis=-1)
+    return np.where(np.isfinite(found), found, np.inf)
+
+
+def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray | float:
+    """Ratio (...) of the largest to the smallest frequency of a spectrum (..., k).
+
+    The equations' rounding errors grow with the ratio, those of the Poincare map with its
+    square. It is 1 of fewer than two frequencies.
+
+    Parameters
+    ----------
+    kernels : OrbitKernels
+    spectrum : array (..., k)
+
+    Returns
+    -------
+    array (...)
+        inf where the ratio is not finite.
+    """
+    places = kernels.frequency_places
+    if len(places) < 2:
+        return np.ones(np.shape(spectrum)[:-1])
+    frequencies = np.abs(spectrum[..., places])
+    if frequencies.ndim == 1:  # of few numbers Python finds the ends sooner
+        sizes = sorted(frequencies.tolist())
+        known = sizes[0] > 0 and math.isfinite(sum(sizes))
+        return float(sizes[-1] / sizes[0]) if known else math.inf
+    with np.errstate(all="ignore"):
+        ratio = frequencies.max(axis=-1) / frequencies.min(axis=-1)
+    return np.where(np.isfinite(ratio), ratio, np.inf)
+
+
+def condition_number(jacobian: np.ndarray) -> float:
+    """Condition number after scaling the rows, and then the columns, to unit size.
+
+    Parameters
+    ----------
+    jacobian : array (n, m)
+
+    Returns
+    -------
+    float
+        In the 2-norm; inf where an entry is not finite.
+    """
+    rows = np.abs(jacobian).max(axis=1, keepdims=True)
+    scaled = jacobian / np.where(rows > 0, rows, 1)
+    columns = np.abs(scaled).max(axis=0, keepdims=True)
+    scaled = scaled / np.where(columns > 0, columns, 1)
+    if not np.isfinite(scaled).all():
+        return np.inf
+    return float(np.linalg.cond(scaled))

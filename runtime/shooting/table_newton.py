@@ -1,0 +1,264 @@
+"""Newton's method on the start and the dwell times of an itinerary, at many points at once.
+
+The compiled engine does it where it is built; the same on NumPy serves elsewhere.
+"""
+
+from __future__ import annotations
+
+import os
+from importlib import import_module
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.engine_layout import layout_of
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.fitting_start import fitting_start, least_squares
+from nonsmooth.runtime.shooting.newton import (
+    BEYOND,
+    CONVERGED,
+    GOING,
+    INVALID,
+    LEAST,
+    NEGATIVE,
+    SINGULAR,
+    STALLED,
+    TOLERANCE,
+    UNSURE,
+    damping,
+    iterate,
+)
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    numbers_in,
+    shoot,
+)
+from nonsmooth.runtime.shooting.variational import Shooting
+
+__all__ = [
+    "TableSolution",
+    "message_of",
+    "sizes",
+    "solve_in_python",
+    "solve_shape",
+]
+
+# the compiled solver's numbers
+MOST_RESIDUAL = 1e-9  # in units of the terms that cancel
+SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
+
+_MESSAGES = {
+    CONVERGED: "converged",
+    STALLED: "not converged: give a guess nearer to the orbit",
+    INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
+    NEGATIVE: "a dwell time goes to zero: near the guess no motion has this itinerary;"
+    " leave that phase out, or change the parameters",
+    SINGULAR: "singular: one of a family of orbits, as there is where a first integral is kept;"
+    " give its period",
+    UNSURE: BEYOND,
+}
+_TIMED = {
+    STALLED: "not converged: near the guess there may be no orbit of this period; give none, or"
+    " a guess nearer to the orbit",
+    SINGULAR: "singular: the period does not single an orbit out here; change a parameter",
+}
+
+
+class TableSolution(NamedTuple):
+    """What a solver gives at n points.
+
+    Attributes
+    ----------
+    dwell : array (n, p)
+    starts : array (n, p, N)
+        State at the start of each phase.
+    maps : array (n, N, N)
+        Derivative of the start behind one period by the start.
+    residual : array (n,)
+    iterations, status : array (n,) of int32
+    """
+
+    dwell: np.ndarray
+    starts: np.ndarray
+    maps: np.ndarray
+    residual: np.ndarray
+    iterations: np.ndarray
+    status: np.ndarray
+
+
+def solve_shape(
+    cycle: ItineraryShape,
+    flat: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray | None,
+    period: np.ndarray,
+) -> TableSolution:
+    """Solve at many points, compiled where that is possible.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    flat : array (n, size)
+        Numbers of each point, as `numbers_at` gives them.
+    dwell : array (n, p)
+        Guess. In the system's unit of time.
+    start : array (n, N), optional
+        Guess; without one the start that fits the dwell times best is taken. In the system's
+        units.
+    period : array (n,)
+        Sum of the dwell times, or NaN where that is free. In the system's unit of time.
+
+    Returns
+    -------
+    TableSolution
+    """
+    engine = _compiled()
+    try:
+        layout = layout_of(cycle.structure)
+    except InputError:  # larger than the engine takes
+        engine = None
+    if engine is None or len(cycle.structure.forcing) > 1:
+        return solve_in_python(cycle, flat, dwell, start, period)
+    if start is None and cycle.structure.forcing:
+        with np.errstate(all="ignore"):
+            start = fitting_start(cycle, flat, dwell)
+    count, size = len(flat), len(cycle.structure.states)
+    found = TableSolution(
+        np.array(dwell, dtype=float, order="C"),
+        np.full((count, len(cycle), size), np.nan),
+        np.full((count, size, size), np.nan),
+        np.full(count, np.nan),
+        np.zeros(count, dtype=np.int32),
+        np.full(count, INVALID, dtype=np.int32),
+    )
+    if start is not None:
+        found.starts[:, 0] = start
+    flat = np.ascontiguousarray(flat, dtype=float)
+    period = np.ascontiguousarray(period, dtype=float)
+    engine.compose(layout, cycle.packed, period, flat, *found, start is not None)
+    return found
+
+
+def message_of(status: int, *, timed: bool = False) -> str:
+    """What a status means and suggests, where the period was given or not.
+
+    Parameters
+    ----------
+    status : int
+    timed : bool
+        Whether the period was given.
+
+    Returns
+    -------
+    str
+    """
+    return _TIMED.get(status, _MESSAGES[status]) if timed else _MESSAGES[status]
+
+
+def _compiled() -> ModuleType | None:
+    """The engine, unless it was not built or NONSMOOTH_BACKEND asks for NumPy."""
+    if os.environ.get("NONSMOOTH_BACKEND") == "numpy":
+        return None
+    try:
+        return import_module("nonsmooth.runtime._engine")
+    except ImportError:  # without a compiler
+        return None
+
+
+def solve_in_python(
+    cycle: ItineraryShape,
+    flat: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray | None,
+    period: np.ndarray,
+) -> TableSolution:
+    """Solve as `solve_shape` does, on NumPy.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    flat : array (n, size)
+        Numbers of each point, as `numbers_at` gives them.
+    dwell : array (n, p)
+        Guess. In the system's unit of time.
+    start : array (n, N) or None
+        Guess. In the system's units.
+    period : array (n,)
+        Sum of the dwell times, or NaN where that is free. In the system's unit of time.
+
+    Returns
+    -------
+    TableSolution
+    """
+    dwell = np.array(dwell, dtype=float)
+    count, size = len(flat), len(cycle.structure.states)
+    least = np.ones(count)
+
+    def advance(running: np.ndarray) -> np.ndarray:
+        numbers, here = numbers_in(cycle.structure, flat[running]), dwell[running]
+        now = shoot(cycle, numbers, here, state[running], np)
+        size_of = sizes(now, here)
+        matrix, right = linearised_closure(now, here, size_of, period[running])
+        matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, FLOATS)
+        step, least[running] = least_squares(matrix, right)
+        step = step * size_of
+        change = now.rates[..., size].T + np.einsum("pnk,nk->np", now.rates[..., :size], step)
+        total = here.sum(axis=-1, keepdims=True)
+        relative = np.concatenate([step / size_of, change / total], axis=-1)
+        fraction = damping(here, change, growth=3.0)
+        state[running] += fraction[:, None] * step
+        dwell[running] += fraction[:, None] * change
+        done = (fraction == 1) & (np.abs(relative) <= TOLERANCE).all(axis=-1)
+        lost = ~np.isfinite(relative).all(axis=-1)
+        return np.where(lost, INVALID, np.where(done, CONVERGED, GOING))
+
+    with np.errstate(all="ignore"):
+        state = np.array(fitting_start(cycle, flat, dwell) if start is None else start, float)
+        taken, status = iterate(count, advance)
+        last = shoot(cycle, numbers_in(cycle.structure, flat), dwell, state, np)
+        size_of = sizes(last, dwell)
+        residual, missed = _residuals(cycle, flat, last, size_of, dwell.T)
+        total = dwell.sum(axis=-1)
+        status[~np.isfinite(residual)] = INVALID
+        status[(status == CONVERGED) & ~(missed <= MOST_RESIDUAL)] = STALLED
+        status[(status == CONVERGED) & ~(least > LEAST)] = SINGULAR
+        status[(status == STALLED) & (dwell.min(axis=-1) < SHORTEST * total)] = NEGATIVE
+    starts = np.moveaxis(last.starts[:-1], 0, 1)
+    return TableSolution(dwell, starts, last.variational[..., :size], residual, taken, status)
+
+
+def sizes(now: Shooting, dwell: Any) -> Any:
+    """Size of each state along a passage (..., N): its unit of measure.
+
+    Parameters
+    ----------
+    now : Shooting
+    dwell : array (..., p)
+        In the system's unit of time.
+
+    Returns
+    -------
+    array (..., N)
+        1 for a state that stays zero.
+    """
+    waits = np.moveaxis(np.asarray(dwell), -1, 0)[..., None]
+    found = np.concatenate([np.abs(now.starts), np.abs(now.ends), np.abs(now.velocities * waits)])
+    largest = found.max(axis=0)
+    return np.where(largest == 0, 1, largest)
+
+
+def _residuals(
+    cycle: ItineraryShape, flat: np.ndarray, now: Shooting, size_of: np.ndarray, waits: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Largest absolute value of closure and switching, and in units of what cancels."""
+    rows = np.moveaxis(numbers_in(cycle.structure, flat).rows[:, list(cycle.rows)], 1, 0)
+    reach = np.maximum(np.abs(now.ends), np.abs(now.velocities * waits[..., None]))
+    terms = (np.abs(rows[..., :-1]) * reach).sum(axis=-1) + np.abs(rows[..., -1])
+    gaps = np.abs(now.residual)
+    closure = np.abs(now.starts[-1] - now.starts[0])
+    absolute = np.maximum(gaps.max(axis=0), closure.max(axis=-1))
+    relative = np.where(terms > 0, gaps / terms, 0).max(axis=0)
+    return absolute, np.maximum(relative, (closure / size_of).max(axis=-1))
