@@ -21,7 +21,7 @@ from nonsmooth.runtime.proof.counting.certify_all import certify_all
 from nonsmooth.runtime.proof.enclosure import locate
 from nonsmooth.runtime.proof.events.certify_event import certify_event
 from nonsmooth.runtime.proof.multipliers import product_of, trace_of
-from nonsmooth.runtime.proof.orbit_cycle import subject_of
+from nonsmooth.runtime.proof.orbit_to_prove import subject_of
 
 __all__ = ["boxed", "certified", "counted"]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import numpy as np
+from benchmark_batches import batches
 from benchmark_simulation import DATA, START
 from measuring import Row, interleaved, timed
 
@@ -53,7 +54,7 @@ def belt(damping: float) -> SystemKernels:
 
 
 def declared(quick: bool) -> Iterator[Row]:
-    """Declaring, deriving and emitting; motions of declared systems, per transition."""
+    """Declaring, deriving and emitting; motions per transition, orbits per point."""
 
     def emitted() -> object:
         system, orbit = chain()
@@ -79,3 +80,4 @@ def declared(quick: bool) -> Iterator[Row]:
         own = label == "built in"
         limit = None if own else 2 * float(np.median(found["built in"]))
         yield Row(label, seconds, limit, None if own else "built in")
+    yield from batches(quick)

@@ -16,8 +16,8 @@ from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, numbers_at, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
-from nonsmooth.runtime.shooting.cycle_newton import solve_cycle
-from nonsmooth.runtime.shooting.shooting_map import cycle_of
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
+from nonsmooth.runtime.shooting.table_newton import solve_shape
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
 from nonsmooth.runtime.simulation.simulate import follow, simulate_many
 from nonsmooth.runtime.simulation.starting import configuration_of
@@ -69,13 +69,13 @@ def composed(quick: bool) -> Iterator[Row]:
     guess = np.array([1.02, 2.0, 1.57, 3.28])
     kernels = load_system("dry-friction")
     points, _ = parameter_points(kernels, values)
-    cycle = cycle_of(structure_of(kernels), phases)
+    cycle = itinerary_shape(structure_of(kernels), phases)
     (group,) = numbers_at(kernels, points[:256])
     dwell, free = np.tile(guess, (256, 1)), np.full(256, np.nan)
 
     def engine() -> None:
         for _ in range(20):
-            solve_cycle(cycle, group.flat, dwell, None, free)
+            solve_shape(cycle, group.flat, dwell, None, free)
 
     def whole() -> object:
         return solve_itineraries(kernels_of("dry-friction"), phases, values, guess, threads=1)

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import os
+import platform
+import re
 import statistics
+import subprocess
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 
-__all__ = ["Row", "interleaved", "timed"]
+__all__ = ["Row", "interleaved", "machine", "timed"]
+
+PACKAGES = ("nonsmooth", "numpy", "scipy", "sympy", "python-flint", "casadi", "heyoka")
 
 
 @dataclass(frozen=True)
@@ -52,3 +60,40 @@ def interleaved(
             work()
             found[name].append((time.perf_counter() - begin) / units)
     return found
+
+
+def machine() -> dict[str, object]:
+    """What the figures depend on: processor, system, compiler, versions, and what else ran."""
+    return {
+        "processor": processor(),
+        "cores": os.cpu_count(),
+        "load": round(os.getloadavg()[0], 1),
+        "system": f"{platform.system()} {platform.machine()}",
+        "compiler": compiler(),
+        "python": platform.python_version(),
+        "versions": {name: found for name in PACKAGES if (found := installed(name))},
+    }
+
+
+def processor() -> str:
+    """Name of the processor, as far as the system tells it."""
+    try:
+        told = Path("/proc/cpuinfo").read_text("utf-8")
+    except OSError:
+        return platform.processor()
+    found = re.search(r"model name\s*: (.*)", told)
+    return found[1] if found else platform.processor()
+
+
+def compiler() -> str:
+    """First line in which the C compiler tells its version."""
+    told = subprocess.run(["cc", "--version"], capture_output=True, text=True, check=False).stdout
+    return told.partition("\n")[0]
+
+
+def installed(name: str) -> str | None:
+    """Version of a package, if it is there."""
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return None

@@ -1,0 +1,115 @@
+"""Draw the pictures of README.md and of the gallery's index into docs/pictures.
+
+python scripts/pictures.py
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("agg")
+
+from matplotlib.figure import Figure
+
+import nonsmooth as ns
+from nonsmooth.runtime.explore.finding.basins import basins
+from nonsmooth.runtime.present.pictures.maps import draw_basins
+from nonsmooth.runtime.present.pictures.plot import save_figure
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+
+# what stands for a file of the gallery: an orbit, or a start and how long it is followed
+ORBITS = {
+    "backlash_gear": ("rattle", "phase"),
+    "brake_pad": ("lifting", "phase"),
+    "den_hartog": ("without-rest", "phase"),
+    "impact_oscillator": ("one-period", "phase"),
+    "jenkins": ("yielding-both-ways", "velocity"),
+    "mass_on_belt": ("stick-slip", "phase"),
+    "piecewise_stiffness": ("doubled", "phase"),
+    "switched_damping": ("limit-cycle", "phase"),
+    "three_masses": ("two-each", "time"),
+    "two_belts": ("both-stick", "velocity"),
+    "two_stops": ("broken", "phase"),
+}
+MOTIONS = {
+    "bouncing_ball": ({"gravity": 1, "r": "0.7"}, {"x": 1, "v": 0}, 9),
+    "spring_and_ground": (
+        {"m": "1e-3", "k": 100, "gravity": "9.81", "e": "0.9"},
+        {"x": 1, "v": 0},
+        0.06,
+    ),
+}
+
+
+def declared_in_readme():
+    """The system of README's first block of Python."""
+    text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
+    names = {}
+    exec(text.partition("```python\n")[2].partition("```")[0], names)
+    return names["system"]
+
+
+def response_and_basins(folder: Path) -> None:
+    """The two pictures of README: a frequency response, and basins where two orbits attract."""
+    system, data = declared_in_readme(), {"F": 2, "Omega": 26}
+    found = ns.find_orbits(
+        system, data, 200, transitions=500, box={"x": (-0.02, 0.02), "v": (-0.5, 0.5)}
+    )
+    striking, quiet = sorted(found.orbits, key=lambda entry: -len(entry.itinerary))[:2]
+    figure = Figure(figsize=(5.6, 3.9), layout="constrained")
+    axes = figure.add_subplot()
+    branch = ns.continue_orbit(striking.orbit, "Omega", (16, 30))
+    branch.plot("amplitude_x", axes=axes)
+    below = ns.continue_orbit(quiet.orbit, "Omega", (16, 30), stop="admissible")
+    below.plot("amplitude_x", axes=axes)
+    handles, labels = axes.get_legend_handles_labels()
+    once = dict(zip(labels, handles, strict=True))
+    axes.legend(once.values(), once.keys(), frameon=False)
+    axes.set_title("a machine that strikes a rubber stop: frequency response")
+    save_figure(figure, folder / "response.svg")
+
+    plane = basins(found, ("x", -0.02, 0.02, 300), ("v", -0.5, 0.5, 300), {"c1": 1})
+    figure = draw_basins(plane)
+    figure.set_size_inches(5.6, 3.9)
+    save_figure(figure, folder / "basins.png")
+
+
+def thumbnails(folder: Path) -> None:
+    """One small picture for each file of the gallery."""
+    for name in sorted(ORBITS | MOTIONS):
+        figure = Figure(figsize=(3.2, 2.4), layout="constrained")
+        axes = figure.add_subplot()
+        file = str(CHECKOUT / "docs" / "gallery" / f"{name}.py")
+        if name in ORBITS:
+            orbit, kind = ORBITS[name]
+            solved = ns.solve(f"{file}:{orbit}")
+            solved.plot(kind, axes=axes, **({"masses": [0]} if kind == "phase" else {}))
+        else:
+            data, start, until = MOTIONS[name]
+            ns.simulate(file, data, start, until=until).plot("time", axes=axes)
+        for label in (axes.set_xlabel, axes.set_ylabel, axes.set_title):
+            label("")
+        axes.set_title("", loc="left")
+        for legend in (axes.get_legend(), *figure.legends):
+            if legend is not None:
+                legend.remove()
+        figure.savefig(folder / f"{name}.png", dpi=80, metadata={"Software": None})
+
+
+def main() -> int:
+    """Draw all of them."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--out", type=Path, default=CHECKOUT / "docs" / "pictures")
+    folder = parser.parse_args().out
+    (folder / "gallery").mkdir(parents=True, exist_ok=True)
+    with matplotlib.rc_context({"svg.hashsalt": "nonsmooth"}):
+        response_and_basins(folder)
+        thumbnails(folder / "gallery")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
