@@ -10,16 +10,18 @@ from setuptools.command.build_ext import build_ext
 # No contraction into fused multiply-adds: every build gives the same bits.
 FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"]
 FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
+FLAGS_OF_MSVC = ["/std:c11", "/O2", "/fp:precise"]  # C89 without the first: no `restrict`
 
 
 class BuildKernels(build_ext):
-    """Build with flags that only GCC and Clang know, and forget what did not build."""
+    """Build with the flags of the compiler, and forget what did not build."""
 
     def build_extensions(self) -> None:
         """Build; without a working compiler there is no extension, and that is no error."""
-        if self.compiler.compiler_type != "msvc":
-            for extension in self.extensions:
-                extension.extra_compile_args, extension.libraries = FLAGS, ["m"]
+        msvc = self.compiler.compiler_type == "msvc"
+        for extension in self.extensions:
+            extension.extra_compile_args = FLAGS_OF_MSVC if msvc else FLAGS
+            extension.libraries = [] if msvc else ["m"]
         super().build_extensions()
         # An editable install would otherwise link to an extension that is missing or old.
         self.extensions = [
@@ -29,19 +31,21 @@ class BuildKernels(build_ext):
         ]
 
 
+# Wheels for other machines are compiled or not made at all.
+needed = os.environ.get("NONSMOOTH_NEEDS_EXTENSION", "0") not in ("", "0")
 kernels = Extension(
     "nonsmooth.generated._kernels",
     sources=sorted(glob("generated/*.c")),
     depends=sorted(glob("generated/*.h")),
     include_dirs=[numpy.get_include(), "generated"],
-    optional=True,
+    optional=not needed,
 )
 engine = Extension(
     "nonsmooth.runtime._engine",
     sources=sorted(glob("runtime/engine/*.c")),
-    depends=[*sorted(glob("runtime/engine/*.h")), "generated/support.h"],
+    depends=sorted([*glob("runtime/engine/*.h"), *glob("generated/*.h")]),
     include_dirs=["generated", "runtime/engine"],
-    optional=True,
+    optional=not needed,
 )
 # `runtime/face` is the package `nonsmooth` itself.
 packages = ["nonsmooth"]

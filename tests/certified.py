@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import math
+import re
 from functools import cache
 
 import sympy as sp
@@ -24,7 +26,7 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "rooted", "struck", "struck_together"]
+__all__ = ["FORCED", "forced", "kicked", "loop", "rooted", "struck", "struck_together", "unhashed"]
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -148,3 +150,8 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     motion = ns.simulate(kernels, given, [0, 0, 0.1, 0.1, 1, 0], transitions=200)
     found = ns.itinerary_of(motion)
     return ns.solve(kernels, given, itinerary=found)
+
+
+def unhashed(told: object) -> str:
+    """An answer without the hashes in names, of declarations here and of data in a file."""
+    return re.sub("@[0-9a-f]{16}", "", json.dumps(told, sort_keys=True))

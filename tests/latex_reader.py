@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from formulas.values import Reading, name_of
 
 import nonsmooth as ns
 from nonsmooth.derive.declaration.itinerary import Itinerary
@@ -26,6 +25,7 @@ from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
+from tests.formulas.values import Reading, name_of
 
 REVERSIBLE = ["rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"]
 CONSERVATIVE = ["rigid-stop/one-impact", "elastic-stop/one-contact"]

@@ -55,7 +55,9 @@ int main(int count, char **arguments)
         int32_t configuration = (int32_t)*where;
         for (size_t k = 0; k < n; ++k)
             exact[k] = state[k];
-        const outcome end = engine_run(&all, exact, &configuration, HUGE_VAL, sizes[4], &kept, NULL);
+        patience endless = {0};
+        const outcome end =
+            engine_run(&all, exact, &configuration, HUGE_VAL, sizes[4], &kept, NULL, &endless);
         printf("%d %" PRId64 " %d %.17g", end.status, end.transitions, (int)configuration, end.end);
         for (size_t k = 0; k < n; ++k)
             printf(" %.17g", exact[k]);

@@ -13,12 +13,14 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from flint import arb, fmpq
 from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.parameters import independent
+from nonsmooth.runtime.checker.tiles import _Tile
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.rational_functions import symbols
@@ -244,8 +246,6 @@ def test_other_constants_are_refused(content: dict[str, Any]) -> None:
 
 
 def test_constants_may_not_depend_on_each_other() -> None:
-    from flint import arb, fmpq
-
     parameter, constant = symbols(["p", "c"])
     box = [(fmpq(0), fmpq(1))]
     for divisor, alright in (
@@ -326,6 +326,41 @@ def test_no_false_enclosure_passes(seed: int) -> None:
         check_tiles(content)  # smaller tiles tell
 
 
+def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With halves exchanged all enclosures hold, of orbits that are not those of the tile."""
+    content = json.loads(written("flip"))
+    tile = proved(content)[0]
+    (step, level), (low, high) = tile["place"][0], map(Fraction, content["box"]["r"])
+    width = (high - low) / 2**level
+    ends = [1 / (1 - low - (step + k) * width) for k in (0, 1)]
+    middle, radius = sum(ends) / 2, abs(ends[1] - ends[0]) / 2
+    entry = tile["enclosures"]["v0"]  # so narrow that halves tell
+    entry["mid"], entry["rad"] = (f"{round(x * 10**30)}e-30" for x in (middle, radius * 101 / 100))
+    totalled(content)
+    check_tiles(content)
+
+    box = [low + step * width, low + (step + 1) * width]
+    orbit, seen = _Tile._orbit, []
+
+    def exchanged(self: _Tile, where: Any, guess: Any) -> Any:
+        here = [Fraction(int(x.p), int(x.q)) for x in where[0]]
+        if self.tile is tile and here != box:
+            seen.append(here)
+            where = [tuple(fmpq(*x.as_integer_ratio()) for x in _other(here, box))]
+            guess = [arb(x) for x in tile["guess"]]
+        return orbit(self, where, guess)
+
+    monkeypatch.setattr(_Tile, "_orbit", exchanged)
+    refused(content, "another orbit is found on a part of it")
+    assert seen
+
+
+def _other(part: list[Fraction], whole: list[Fraction]) -> list[Fraction]:
+    """The part of the other half that is placed as this one in its own."""
+    half = (whole[1] - whole[0]) / 2
+    return [x - half if part[0] >= whole[0] + half else x + half for x in part]
+
+
 def saved(content: dict[str, Any], path: Path) -> Path:
     """With the checksum made right again."""
     path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
@@ -351,12 +386,11 @@ def test_a_map_is_compared_with_its_system(content: dict[str, Any], tmp_path: Pa
     assert "declaration is not that of" in str(told), name
 
 
-def test_a_map_of_a_system_that_is_not_here(tmp_path: Path) -> None:
-    content = {**json.loads(written("irrational")), "system": "nowhere.py"}
+def test_a_map_of_a_system_that_is_neither_built_in_nor_held(tmp_path: Path) -> None:
+    content = {**json.loads(written("irrational")), "system": "nowhere.py", "tables": None}
     path = saved(content, tmp_path / "map.json")
     found = ns.check_certificate(path)
-    assert found.difference is None
-    assert "not here" in str(found.note)
+    assert "unknown system 'nowhere.py'" in str(found.difference)
 
 
 OWN = """
@@ -380,10 +414,17 @@ def test_a_map_of_a_users_file(tmp_path: Path) -> None:
     source.write_text(OWN)
     orbit = ns.solve(f"{source}:loop")
     ns.certify_box(orbit, {"r": ("0.78", "0.82")}, tiles=5).save(path)
+    source.unlink()
     found = ns.check_certificate(path)
+    assert found.difference is None
+    assert "no declaration was run" in str(found.note)
+    source.write_text(OWN)
+    found = ns.check_certificate(path, f"{source}:loop")
     assert (found.difference, found.note) == (None, None)
     source.write_text(OWN.replace('"1/10"', '"1/11"'))
-    assert "declaration is not that of" in str(ns.check_certificate(path).difference)
+    assert ns.check_certificate(path).difference is None
+    told = str(ns.check_certificate(path, f"{source}:loop").difference)
+    assert "is not that of the file, or has changed" in told
 
 
 def test_a_state_of_another_system_is_not_resumed(tmp_path: Path) -> None:
@@ -413,7 +454,7 @@ def test_the_command_checks_maps(tmp_path: Path) -> None:
     ("change", "match"),
     [
         (lambda text: text[:-9], "cut, or not JSON"),
-        (lambda text: text.replace('"version": 2', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"version": 3', '"version": 9', 1), "version 9"),
         (lambda text: text.replace('"tiles"', '"tile"', 1), "missing|unknown"),
         (lambda text: text.replace("nonsmooth box certificate", "map"), "not a certificate"),
     ],

@@ -12,9 +12,11 @@ import pytest
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker.census import _check_side
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
-from tests.certified import LOOP, kicked
+from tests.certified import LOOP, kicked, unhashed
 
 
 @cache
@@ -51,7 +53,7 @@ def test_the_certificates_are_proved_again_and_the_search_is_not(
     assert "no other orbits was NOT proved again" in found.note
     assert found.claims == {"listed": "proved", "no others": "undecided"}
     assert isinstance(found.certificate, ns.Census)
-    assert found.certificate.to_json() == _census().to_json()
+    assert unhashed(found.certificate.to_json()) == unhashed(_census().to_json())
 
 
 def test_an_edited_file_is_refused(content: dict[str, Any], tmp_path: Path) -> None:
@@ -99,3 +101,17 @@ def test_the_command_says_what_was_proved_again(content: dict[str, Any], tmp_pat
     result = CliRunner().invoke(app, ["certify", "--check", str(tmp_path / "changed.json")])
     assert result.exit_code == 1
     assert "orbit 1: trace" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("side", "inside"),
+    [("0.5 < tau", False), ("0.5 <= tau", True), ("0.25 < tau <= 0.5", True),
+     ("0.75 <= tau", False), ("0 <= tau <= 0.25", False), ("0.5 < other", False)],
+)  # fmt: skip
+def test_a_side_that_is_open_is_not_reached(side: str, inside: bool) -> None:
+    told = {"tau": {"mid": "0.5", "rad": "0"}}
+    if inside:
+        _check_side(side, told)
+        return
+    with pytest.raises(Failure):
+        _check_side(side, told)

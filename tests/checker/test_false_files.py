@@ -166,14 +166,9 @@ def test_an_orbit_that_begins_later_is_not_counted_twice(tmp_path: Path) -> None
     assert "may be one" in told
 
 
-def test_a_file_of_another_place_shows_no_name(folder: Path, tmp_path: Path) -> None:
+def test_a_file_names_no_system_of_another_place(folder: Path, tmp_path: Path) -> None:
     content = exchanged(json.loads(written("point", folder)), "dry-friction", "nowhere.py")
-    assert refusal(content, tmp_path / "away.json") is None
-    found = ns.check_certificate(tmp_path / "away.json")
-    assert not found.compared
-    assert "nowhere.py is not here" in str(found.note)
-    content["parameters"]["chi"] = "0.6"  # the declaration is over it
-    assert refusal(content, tmp_path / "away.json") is not None
+    assert "unknown system 'nowhere.py'" in str(refusal(content, tmp_path / "away.json"))
 
 
 def test_names_that_are_there_twice_are_refused(folder: Path, tmp_path: Path) -> None:

@@ -59,9 +59,9 @@ def test_people_see_claims_reasons_and_margins() -> None:
         ([STICK, "--bits", "128", "--digits", "30"], 2, "--digits and --bits"),
         ([STICK, "eta=0"], 2, "eta"),
         ([STICK, "etta=1"], 2, "did you mean"),
-        ([STICK, "--check", "x.json"], 2, "nothing else"),
+        ([STICK, "--check", "x.json"], 2, "cannot be read"),
         (["--check", "nowhere.json"], 2, "nowhere.json"),
-        ([STICK, "--save", "no/such/folder/x.json"], 2, "no folder"),
+        ([STICK, "--save", "."], 2, "it is a folder"),
     ],
 )
 def test_exit_codes(arguments: list[str], code: int, told: str) -> None:

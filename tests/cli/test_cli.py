@@ -24,6 +24,7 @@ from nonsmooth.derive.document import describe
 from nonsmooth.derive.document.writers import latex
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.files import write_files
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
 from nonsmooth.runtime.orbits import kernel_problem, solve
 from tests.places import CHECKOUT
@@ -119,9 +120,10 @@ def test_every_command_has_help_with_examples_and_json(name: str) -> None:
 
 
 @cache
-def _found_in_readme() -> dict[str, bytes]:
-    """README's own oscillator, and the orbits that are found in it."""
-    blocks = re.findall(r"```python\n(.*?)```", (CHECKOUT / "README.md").read_text(), re.DOTALL)
+def _found_in_page() -> dict[str, bytes]:
+    """The own oscillator of the page of commands, and the orbits that are found in it."""
+    page = (CHECKOUT / "docs/how_to/commands.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     declared = next(block for block in blocks if "# my_oscillator.py" in block)
     with tempfile.TemporaryDirectory() as folder:
         file, kept = Path(folder) / "my_oscillator.py", Path(folder) / "found.json"
@@ -152,9 +154,9 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         if "F.zarr" in example:
             nonsmooth.chart(ORBIT, V=[0.9, 1.0, 1.1], eta=[0.9, 1.0], store="F.zarr")
     if "pdf" in example:
-        monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_bytes(b"%PDF"))
+        monkeypatch.setattr(latex, "compile_pdf", lambda text: b"%PDF")
     if "found.json" in example and "--save found.json" not in example:
-        for name, content in _found_in_readme().items():
+        for name, content in _found_in_page().items():
             (tmp_path / name).write_bytes(content)
     if "--check certificate.json" in example:
         nonsmooth.certify(nonsmooth.solve(ORBIT)).save("certificate.json")
@@ -169,7 +171,9 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         if "--check" in example:
             run("generate", "my_oscillator.py", "--out", "my_kernels")
     elif "--check" in example:
-        generation.regenerate(tmp_path)
+        write_files(
+            tmp_path, {n: text.encode() for n, text in generation.outdated(tmp_path).items()}
+        )
         monkeypatch.setattr(generation, "find_generated", lambda writing=True: tmp_path)
     code, out, err = run(*shlex.split(example)[1:])
     assert (code, err) == (0, "")
@@ -216,7 +220,7 @@ def test_json_of_solve_and_verify() -> None:
     assert found.keys() == told("verify", ORBIT).keys()
     assert list(found) == [
         *("orbit", "parameters", "unknowns", "period", "residual", "digits", "multipliers"),
-        *("trace", "margin", "stability", "admissible", "requires"),
+        *("trace", "margin", "stability", "admissible", "requires", "phases"),
     ]
     assert found["orbit"] == ORBIT
     assert found["digits"] == 15
@@ -399,12 +403,13 @@ def test_an_orbit_that_misses_a_requirement_is_saved(tmp_path: Path) -> None:
     assert nonsmooth.load(target).admissibility.verdict is False
 
 
-def test_saving_into_no_folder_is_2(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_saving_below_a_file_is_2(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(solve, "solve", None)  # refused before the work is done
-    target = tmp_path / "missing" / "orbit.json"
+    (tmp_path / "file").write_text("mine")
+    target = tmp_path / "file" / "orbit.json"
     code, out, err = run("solve", ORBIT, "--save", str(target))
     assert (code, out) == (2, "")
-    assert err == (f"nonsmooth: error: cannot write {target}: there is no folder {target.parent}\n")
+    assert err == f"nonsmooth: error: cannot write {target}: {target.parent} is not a folder\n"
 
 
 @pytest.fixture
@@ -439,7 +444,7 @@ def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
     cut.write_bytes(saved.read_bytes()[:300])
     picture = tmp_path / "orbit.png"
     picture.write_bytes(saved.read_bytes())
-    missing = tmp_path / "missing" / "orbit.png"
+    below = cut / "orbit.png"
     for arguments, part in (
         ((cut,), f"{cut}: cut, or not JSON"),
         ((tmp_path / "none.json",), "there is no file"),
@@ -447,7 +452,7 @@ def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
         ((picture,), f"cannot write {picture}: it is the saved file"),
         ((saved, "--out", saved), f"cannot write {saved}: it is the saved file"),
         ((saved, "--out", tmp_path / "a.gif"), "a.gif does not end in .png, .svg, .pdf"),
-        ((saved, "--out", missing), f"cannot write {missing}: there is no folder"),
+        ((saved, "--out", below), f"cannot write {below}: {cut} is not a folder"),
         ((saved, "--periods", "0"), "periods = 0 is not a positive integer"),
     ):
         code, out, err = run("plot", *map(str, arguments))
@@ -646,7 +651,9 @@ def test_wrong_input_is_2_with_one_line(command: str, arguments: str, part: str)
 def test_wrong_usage_is_2(arguments: list[str]) -> None:
     code, out, err = run(*arguments)
     assert (code, out) == (2, "")
-    assert "Usage:" in err
+    (line,) = err.splitlines()
+    assert line.startswith("nonsmooth: error: ")
+    assert line.endswith(" --help shows the usage")
 
 
 def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -700,7 +707,7 @@ def test_equations_as_json_name_the_file(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("described")
 def test_pdf_names_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(latex, "compile_pdf", lambda text, out: out.write_text(text))
+    monkeypatch.setattr(latex, "compile_pdf", str.encode)
     code, out, _ = run("equations", "dry-friction", "--format", "pdf")
     assert (code, out) == (0, "dry-friction.pdf written\n")
     assert (tmp_path / "dry-friction.pdf").read_text().startswith("\\documentclass")
@@ -721,7 +728,7 @@ def test_pdf_without_latex_says_what_to_install(
 
 @pytest.mark.usefixtures("described")
 def test_latex_that_fails_is_1(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(text: str, out: Path) -> None:
+    def fail(text: str) -> None:
         raise RuntimeError("pdflatex failed:\n! Undefined control sequence.")
 
     monkeypatch.setattr(latex, "compile_pdf", fail)
@@ -758,8 +765,7 @@ def test_equations_of_unknown_names(name: str, part: str) -> None:
 
 
 def test_out_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    missing = tmp_path / "missing" / "equations.tex"
-    for target in (missing, tmp_path):
+    for target in (Path("/dev/null/equations.tex"), tmp_path):
         code, out, err = run("equations", "dry-friction", "--out", str(target))
         assert (code, out) == (2, "")
         assert err.startswith(f"nonsmooth: error: cannot write {target}: ")

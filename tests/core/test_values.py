@@ -103,7 +103,7 @@ REFUSED = {
     "sin(*(1))": "is not allowed",
     "sin(**(1))": "is not allowed",
     "pi(2)": "is not allowed",
-    "sqr(2)": "unknown name 'sqr'; did you mean 'sqrt'? known: pi, sqrt, sin, cos, exp, log",
+    "sqr(2)": "unknown name 'sqr'; did you mean 'sqrt'? known: pi, sqrt, sin, cos, exp, log, asin",
     "tan(1)": "unknown name 'tan'",
     "eta": "unknown name 'eta'",
     "e": "unknown name 'e'",

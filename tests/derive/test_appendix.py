@@ -5,12 +5,12 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.equations.appendix import MISPRINTS, appendix_kernel
 from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.model.kernels import load_orbit
+from tests.derive.appendix import MISPRINTS, appendix_kernel
 
 DIGITS = 50
 NAME = "dry-friction/global-stick"

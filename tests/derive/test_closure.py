@@ -12,9 +12,12 @@ from nonsmooth.derive.declaration.itinerary import Itinerary, Reference
 from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import evaluate
+from nonsmooth.derive.equations.section import section_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import rigid_stop
+from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.orbits.solve import solve
+from tests.places import GALLERY
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "T": 2 * sp.pi}
 GUESS = {"y": "0.162", "u": "-0.372", "w": "0"}
@@ -66,3 +69,15 @@ def test_without_a_reference_or_for_a_lossy_impact_it_is_refused() -> None:
     lossy = replace(rigid_stop.one_impact, reversor={})
     with pytest.raises(DerivationError, match="4 equations for 3 unknowns"):
         derive_equations(lossy)
+
+
+def test_a_section_keeps_the_constraints_of_the_last_phase() -> None:
+    """A pad that is dragged along starts with the belt's velocity: one state less is unknown."""
+    itinerary = declaration_in(GALLERY / "brake_pad.py").orbits[-1]
+    section = section_of(itinerary, itinerary.system)
+    (constraint,) = itinerary.system.configuration("stick").constraints
+    row, constant = itinerary.system.gradient(constraint)
+    assert (row * section.embedding).is_zero_matrix
+    assert sp.simplify((row * section.constant)[0] + constant) == 0
+    # what is left of x, y, their velocities and the phase: y breaks the pad loose at one x
+    assert [str(itinerary.system.states[p]) for p in section.places] == ["y", "v_y", "c1", "s1"]

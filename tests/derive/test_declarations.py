@@ -20,8 +20,9 @@ from scipy.linalg import expm
 
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration
 from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError

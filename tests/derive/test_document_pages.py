@@ -1,9 +1,9 @@
 """Every formula of every document: the same on the page in each format, and none left out."""
 
 import pytest
-from formulas.pages import on_pages
 
 from tests.documents import declarations, document_of
+from tests.formulas.pages import on_pages
 
 pytest.importorskip("latex2mathml")
 

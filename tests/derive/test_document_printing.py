@@ -5,16 +5,16 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from formulas.latex import read_latex
-from formulas.layout import Unreadable
-from formulas.mathml import read_mathml
-from formulas.values import Reading, name_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.document.notation.arrange import by_function, signed
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.writers.mathml import mathml
+from tests.formulas.latex import read_latex
+from tests.formulas.layout import Unreadable
+from tests.formulas.mathml import read_mathml
+from tests.formulas.values import Reading, name_of
 
 converter = pytest.importorskip("latex2mathml.converter")
 

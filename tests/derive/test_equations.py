@@ -6,17 +6,24 @@ declares; the Poincare map is computed a second time, by matrix exponentials and
 
 from __future__ import annotations
 
+import ctypes
 import random
+import shutil
+import subprocess
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, cached_property
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import sympy as sp
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import spectrum_kernel
+from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.codegen.solver import solve_source
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
@@ -25,11 +32,16 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.equations.equation_system import EquationSystem, spectral_derivative
+from nonsmooth.derive.equations.explicit import RETURN, Angle, explicit_time
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
+from nonsmooth.derive.equations.saltation import monodromy, saltation_matrix
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.flows.modal import TIME
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import Mpmath
+from tests.places import CHECKOUT
 
+COMPILER = shutil.which("gcc") or shutil.which("cc")
 LIB = Mpmath(60)
 MP = LIB.mp
 X, Y, V, W = sp.symbols("x y v w", real=True)
@@ -267,6 +279,11 @@ class Derived:
         if name == "trace_gradient":
             stages, entries = o.trace_gradient
             return o.unknowns, stages, [sp.sympify(e) for e in entries]
+        if name == "monodromy":
+            first = o.chain.links[0]
+            stages, matrix = monodromy(o.chain, o.system.states)
+            velocity = first.flow.velocity(first.before)
+            return o.unknowns, (*chain, *stages), [*matrix, *velocity]
         if name == "reduced":
             return reduction.unknowns, reduction.stages, [e for _, e in reduction.equations]
         if name == "reduced_jacobian":
@@ -352,6 +369,16 @@ class Solved:
         size = len(self.derived.orbit.system.states)
         return [entries[i : i + size] for i in range(0, len(entries), size)]
 
+    @property
+    def reduced(self) -> list[Any]:
+        """Unknowns of the reduced equations."""
+        orbit = self.derived.orbit
+        known = {str(s): v for s, v in self.known.items()} | self.dwell_times
+        for index, state in enumerate(self.states):
+            for symbol, value in zip(orbit.system.states, state, strict=True):
+                known.setdefault(f"{symbol}_{index}", value)
+        return [known[str(u)] for u in orbit.reduction.unknowns]
+
     @cached_property
     def poincare(self) -> Any:
         return self.derived.matrix("poincare_jacobian", self.values, self.unknowns)
@@ -429,6 +456,35 @@ def test_the_trace_is_that_of_the_general_jacobian(name: str, rotation: int) -> 
     assert close(trace, general, 40)
 
 
+@pytest.mark.parametrize("name", ["bounce", "clock", "bilinear"])
+def test_the_monodromy_matrix_keeps_the_field_and_has_all_multipliers(name: str) -> None:
+    example = solved(name)
+    size = len(example.derived.orbit.system.states)
+    entries = example.derived.run("monodromy", example.values, example.unknowns)
+    rows = [entries[i : i + size] for i in range(0, size * size, size)]
+    field, matrix = MP.matrix(entries[size * size :]), MP.matrix(rows)
+    assert MP.norm(matrix * field - field, MP.inf) < MP.mpf(10) ** -45
+    for multiplier in (*example.multipliers(), 1):
+        singular = matrix - multiplier * MP.eye(size)
+        assert abs(MP.det(singular)) < MP.mpf(10) ** -25
+
+
+def test_a_saltation_matrix_maps_field_to_field_and_the_boundary_by_the_reset() -> None:
+    source = random.Random(3)
+    for size in (1, 2, 4):
+        reset, *columns = (
+            sp.Matrix(size, width, lambda i, j: sp.Rational(source.randint(-9, 9), 4))
+            for width in (size, 1, 1, 1, 1)
+        )
+        normal, before, behind, moved = columns
+        before[0] += 20 * (1 if normal[0] > 0 else -1)  # it crosses the boundary
+        normal[0] += 10 * (1 if normal[0] > 0 else -1)
+        matrix = saltation_matrix(reset, normal.T, before, behind)
+        assert matrix * before == behind
+        along = moved - before * (normal.T * moved)[0] / (normal.T * before)[0]
+        assert matrix * along == reset * along
+
+
 def test_the_global_stick_map_has_rank_one() -> None:
     for rotation in rotations("dry-friction"):
         jacobian = solved("dry-friction", rotation).poincare
@@ -477,6 +533,83 @@ def test_bounces_against_a_wall_in_closed_form() -> None:
     arrival = MP.sqrt(q**2 + 1 + 2 * point["push"])
     assert close(q, -point["r"] * arrival - point["kick"], 45)
     assert close(base.multipliers()[0], -point["r"] * q / arrival, 40)
+
+
+def test_the_first_return_is_the_first_rise_through_zero() -> None:
+    """Of a cos(w t) + b sin(w t) + c, from a start at zero or below, against 60 digits."""
+    rate, dwell, *parts = sp.symbols("w tau a b c", real=True)
+    cosine, sine = sp.cos(rate * TIME), sp.sin(rate * TIME)
+    source = random.Random(5)
+    for case in range(12):
+        a, b = (source.choice((-1, 1)) * MP.mpf(source.uniform(0.2, 2)) for _ in range(2))
+        c = 0 if case % 3 == 0 else MP.sqrt(a**2 + b**2) * MP.mpf(source.uniform(-0.9, 0.9))
+        level = parts[2] if c else sp.Integer(0)
+        found = explicit_time(
+            {cosine: parts[0], sine: parts[1], sp.Integer(1): level}, dwell, set()
+        )
+        assert found is not None
+        assert found.rule == RETURN
+        known = {rate: MP.mpf(source.uniform(0.5, 2))} | dict(zip(parts, (a, b, c), strict=True))
+        for stage in found.stages:
+            known |= {symbol: number(value, known) for symbol, value in stage.assignments}
+        (angle,) = found.time.atoms(Angle)
+        turned = MP.atan2(*(number(x, known) for x in angle.args)) % (2 * MP.pi)
+        time = number(
+            found.time.subs(angle, sp.Symbol("turned")), known | {sp.Symbol("turned"): turned}
+        )
+        w = known[rate]
+        assert 0 < w * time < 2 * MP.pi
+        assert close(number(found.functions[cosine], known), MP.cos(w * time), 50)
+        assert close(number(found.functions[sine], known), MP.sin(w * time), 50)
+        assert close(a * MP.cos(w * time) + b * MP.sin(w * time) + c, 0, 50)
+        assert b * MP.cos(w * time) > a * MP.sin(w * time)
+
+
+def in_c(equations: EquationSystem, folder: Path) -> Callable[..., tuple[int, list[float]]]:
+    """The emitted solver, compiled: status and unknowns from parameters and a guess."""
+    source, library = folder / "solver.c", folder / "solver.so"
+    head = "".join(f"#include <{name}.h>\n" for name in ("math", "stddef", "stdint"))
+    source.write_text(f'{head}#include "support.h"\n{solve_source(equations)}')
+    support = CHECKOUT / "derive" / "codegen"
+    command = [COMPILER, "-shared", "-fPIC", "-O1", f"-I{support}", source, "-o", library, "-lm"]
+    subprocess.run(command, check=True)
+    name = c_function(equations.system.name, "solve", equations.itinerary.name)
+    solver = getattr(ctypes.CDLL(str(library)), name)
+
+    def solve(values: Sequence[Any], guess: Sequence[Any]) -> tuple[int, list[float]]:
+        given = [np.array(values, dtype=float)] + [np.array(guess, dtype=float)] * (len(guess) > 0)
+        unknowns = np.zeros(len(equations.unknowns))
+        told = [np.zeros(1), np.zeros(1), np.zeros(1, np.int32), np.zeros(1, np.int32)]
+        arrays = [array.ctypes.data_as(ctypes.c_void_p) for array in (*given, unknowns, *told)]
+        solver(ctypes.c_ssize_t(1), *arrays)
+        return int(told[-1][0]), unknowns.tolist()
+
+    return solve
+
+
+@pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+@pytest.mark.parametrize("name", ["bounce", "bilinear", "belt", "one-contact"])
+def test_the_solver_in_c_finds_the_orbit(name: str, tmp_path: Path) -> None:
+    example = solved(name)
+    equations = example.derived.orbit
+    solve = in_c(equations, tmp_path)
+    guess = [u * MP.mpf("1.1") for u in example.reduced]
+    status, unknowns = solve(example.values, guess)
+    assert status == 0
+    assert unknowns == pytest.approx([float(u) for u in example.unknowns], rel=1e-12, abs=1e-13)
+
+
+@pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+def test_the_solver_in_c_tells_of_a_dwell_time_that_is_negative(tmp_path: Path) -> None:
+    """Of one that is no unknown: what is left of the period."""
+    equations = solved("one-contact").derived.orbit
+    solve = in_c(equations, tmp_path)
+    values = dict(m1=1, m2=2, k1=1, k2=5, k3=1, T=6)
+    point = [values[str(p)] for p in equations.parameters]
+    for guess, expected in ((2.0, 0), (24.4, 3)):
+        status, unknowns = solve(point, [guess])
+        assert status == expected
+        assert (0 < unknowns[-1] < 6) == (status == 0)
 
 
 # --- derivatives ------------------------------------------------------------------------
@@ -615,18 +748,11 @@ def test_the_reduced_equations_have_the_same_orbit(name: str, rotation: int) -> 
     example = solved(name, rotation)
     derived, reduction = example.derived, example.derived.orbit.reduction
     assert len(reduction.equations) == len(reduction.unknowns)
-    rest = [str(u) for u in reduction.unknowns]
-    states = example.states
-    count = len(states) - 1
-    known = {str(s): v for s, v in example.known.items()} | example.dwell_times
-    for index in range(count + 1):
-        for symbol, value in zip(derived.orbit.system.states, states[index], strict=True):
-            known.setdefault(f"{symbol}_{index}", value)
-    point = [known[n] for n in rest]
+    point = example.reduced
     assert all(abs(e) < MP.mpf(10) ** -45 for e in derived.run("reduced", example.values, point))
     unknowns = derived.run("expand", example.values, point)
     assert all(close(a, b, 45) for a, b in zip(unknowns, example.unknowns, strict=True))
-    if rest:
+    if point:
         source = random.Random(rotation)
         at = [p * (1 + MP.mpf(source.uniform(-0.02, 0.02))) for p in point]
         found = derived.matrix("reduced_jacobian", example.values, at)
@@ -700,14 +826,6 @@ def test_a_start_that_no_state_satisfies_is_refused(reset: dict[sp.Symbol, sp.Ex
     loop = Itinerary("loop", system, (Phase("slip", "far", "ta"), Phase("stick", "fast", "tb")))
     with pytest.raises(DerivationError, match="'loop': its start satisfies no state"):
         derive_equations(loop)
-
-
-def test_damping_is_refused_by_the_name_of_its_configuration() -> None:
-    loop = bilinear()
-    damped = Configuration("left", SecondOrder([[1]], [[1]], damping=[[1]]), (Boundary("up", X),))
-    system = replace(loop.system, configurations=(loop.system.configurations[0], damped))
-    with pytest.raises(DerivationError, match="configuration 'left'"):
-        derive_equations(replace(loop, system=system))
 
 
 # --- the source paper's numbers ---------------------------------------------------------

@@ -21,12 +21,10 @@ from hypothesis import strategies as st
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
 from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
+from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, differentiate
-from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.flows.entire import EntireDifference, EntirePair
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
@@ -48,20 +46,6 @@ def mp_number(mp: Any, value: Fraction) -> Any:
     return mp.mpf(value.numerator) / value.denominator
 
 
-class Remembering(Mpmath):
-    """mpmath that computes each entire function once for all the states it is applied to."""
-
-    def __init__(self, digits: int) -> None:
-        super().__init__(digits)
-        self.found: dict[Any, Any] = {}
-
-    def _entire(self, matrix: Any, k: int, t: Any) -> Any:
-        key = (k, t, tuple(map(tuple, matrix)))
-        if key not in self.found:
-            self.found[key] = super()._entire(matrix, k, t)
-        return self.found[key]
-
-
 def arb_number(value: Fraction) -> Any:
     return flint.arb(value.numerator) / value.denominator
 
@@ -76,7 +60,6 @@ class Case:
     held: dict[int, Any] | None = None
     parameters: tuple[Parameter, ...] = ()
     values: tuple[Fraction, ...] = ()
-    complex_eigenvalues: bool = False
 
     @property
     def size(self) -> int:
@@ -153,7 +136,7 @@ CASES = {
     "three-equal": Case(THREE, [[2, 0, 0], [0, 2, 0], [0, 0, 2]], (1, 0, 2)),
     "three-defective": Case(THREE, [[2, 1, 0], [0, 2, 1], [0, 0, 2]], (1, 0, 2)),
     "three-negative": Case(THREE, [[-1, 1, 0], [0, 2, 1], [0, 0, -3]], (1, 0, 2)),
-    "three-complex": Case(THREE, [[1, 2, 0], [-3, 1, 1], [0, 0, 2]], (1, 0, 2), None, (), (), True),
+    "three-complex": Case(THREE, [[1, 2, 0], [-3, 1, 1], [0, 0, 2]], (1, 0, 2)),
 }  # fmt: skip
 
 
@@ -180,13 +163,6 @@ def spectral_numbers(name: str) -> list[Any]:
     for symbol, expression in spectrum.entries:
         values[symbol] = expression.subs(values)
     numbers = {s: sp.N(values[s], 2 * DIGITS) for s, _ in spectrum.entries}
-    for group, matrix in spectrum.eigenvalues:
-        with mpmath.workdps(6 * DIGITS):  # a triple root costs two thirds of the digits
-            rows = sp.Matrix(matrix.subs(values)).tolist()
-            found = mpmath.eig(
-                mpmath.matrix([[mpmath.mpf(e.p) / e.q for e in r] for r in rows]), right=False
-            )
-            numbers |= dict(zip(group, found, strict=True))
     return [numbers[s] for s in spectrum.symbols]
 
 
@@ -236,7 +212,7 @@ def mp_flow(name: str, t: Fraction, lib: Mpmath) -> Any:
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_flow_is_a_matrix_exponential_in_fifty_digits(name: str) -> None:
-    lib = Remembering(DIGITS + 10)
+    lib = Mpmath(DIGITS + 10)
     for t in (F(11, 4), F(-7, 5)):
         found, expected = mp_flow(name, t, lib), reference(name, t)
         size = expected.rows - 1
@@ -246,11 +222,9 @@ def test_the_flow_is_a_matrix_exponential_in_fifty_digits(name: str) -> None:
                 assert difference < mpmath.mpf(10) ** -DIGITS * (1 + abs(expected[i, j]))
 
 
-@pytest.mark.parametrize("name", [n for n, c in CASES.items() if not c.complex_eigenvalues])
+@pytest.mark.parametrize("name", CASES)
 def test_the_flow_is_a_matrix_exponential_in_doubles(name: str) -> None:
     spectrum = [float(mpmath.re(mpmath.mpmathify(s))) for s in spectral_numbers(name)]
-    if name == "three-defective":  # the numeric eigenvalues of a Jordan block are its weakness
-        spectrum = [2.0] * 3
     system, _, flow, _ = derived(name)
     values = substitution(system, CASES[name].values)
     matrix, offset = (np.array(m.subs(values), dtype=float) for m in flow.field)
@@ -267,21 +241,16 @@ def test_the_flow_is_a_matrix_exponential_in_doubles(name: str) -> None:
         )
 
 
-@pytest.mark.parametrize("name", [n for n, c in CASES.items() if not c.complex_eigenvalues])
+@pytest.mark.parametrize("name", CASES)
 def test_balls_enclose_the_matrix_exponential(name: str) -> None:
     system, spectrum, _, _ = derived(name)
     lib = Balls()
     with lib.working(BITS):
         parameters = [arb_number(v) for v in CASES[name].values]
-        if spectrum.eigenvalues:
-            numbers = [
-                flint.arb(mpmath.nstr(mpmath.re(s), 150), "1e-90") for s in spectral_numbers(name)
-            ]
-        else:
-            # only the parameters of the spectrum, in its order
-            names = [p.name for p in system.parameters]
-            needed = [parameters[names.index(str(s))] for s in spectrum.parameters]
-            numbers = list(executed(spectrum_kernel(spectrum))(needed, lib=lib)[0])
+        # only the parameters of the spectrum, in its order
+        names = [p.name for p in system.parameters]
+        needed = [parameters[names.index(str(s))] for s in spectrum.parameters]
+        numbers = list(executed(spectrum_kernel(spectrum))(needed, lib=lib)[0])
         for t in (F(0), F(11, 4)):
             found, expected = columns(name, arb_number, numbers, t, lib), reference(name, t)
             for j, column in enumerate(found):
@@ -294,7 +263,7 @@ def test_balls_enclose_the_matrix_exponential(name: str) -> None:
 
 @pytest.mark.parametrize("name", CASES)
 def test_group_laws_of_the_flow(name: str) -> None:
-    lib = Remembering(DIGITS + 10)
+    lib = Mpmath(DIGITS + 10)
     s, t = F(2, 3), F(9, 7)
     at_zero, at_s, at_t, at_both = (mp_flow(name, x, lib) for x in (F(0), s, t, s + t))
     size = at_s.rows
@@ -321,7 +290,7 @@ def evaluated(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, Any], lib:
 @pytest.mark.parametrize("name", CASES)
 def test_the_derivative_of_the_flow_is_the_vector_field(name: str) -> None:
     system, spectrum, flow, _ = derived(name)
-    lib = Remembering(DIGITS + 10)
+    lib = Mpmath(DIGITS + 10)
     state = sp.Matrix(system.states)
     end = flow.matrix() * state + flow.offset()
     defects = list(end.diff(TIME) - flow.velocity(end))
@@ -346,7 +315,7 @@ SYMMETRIC = [
 
 @pytest.mark.parametrize("name", SYMMETRIC)
 def test_symmetric_motions_conserve_their_energy(name: str) -> None:
-    lib = Remembering(DIGITS + 10)
+    lib = Mpmath(DIGITS + 10)
     system, _, _, _ = derived(name)
     dynamics = system.configurations[0].dynamics
     values = substitution(system, CASES[name].values)
@@ -415,42 +384,7 @@ def test_dry_friction_flows_in_three_arithmetics(
             assert found.rad() < 1e-40
 
 
-# --- entire functions -------------------------------------------------------------------
-
-
-def c_of(mp: Any, k: int, node: Any, t: Any) -> Any:
-    """c_k by its elementary form, for a node that is not zero."""
-    root = mp.sqrt(mp.mpc(node))
-    c0, c1 = mp.cos(root * t), mp.sin(root * t) / root
-    return (c0, c1, (1 - c0) / node, (t - c1) / node)[k]
-
-
-def test_divided_differences_of_distinct_nodes_are_those_of_the_elementary_functions() -> None:
-    lib = Mpmath(80)
-    mp, source = lib.mp, random.Random(3)
-    for k in range(4):
-        for count in (1, 2, 3, 4):
-            nodes = [mp.mpf(source.uniform(-4, 6)) for _ in range(count)]
-            t = mp.mpf(source.uniform(0.1, 4))
-            expected = mp.mpf(0)
-            for i, node in enumerate(nodes):
-                others = [node - other for j, other in enumerate(nodes) if j != i]
-                expected += c_of(mp, k, node, t) / mp.fprod(others)
-            found = lib.entire_difference(k, t, *nodes)
-            assert abs(found - expected) < mp.mpf(10) ** -60
-    assert lib.entire_difference(2, mp.mpf(3), mp.mpf(0)) == mp.mpf(9) / 2
-
-
-@pytest.mark.parametrize("d", ["2.25", "-1.5"])
-def test_pairs_are_the_mean_and_the_difference_at_both_eigenvalues(d: str) -> None:
-    lib = Mpmath(80)
-    mp, t, m = lib.mp, lib.mp.mpf("1.7"), lib.mp.mpf("0.6")
-    s = mp.sqrt(mp.mpc(d))
-    for k in range(4):
-        upper, lower = c_of(mp, k, m + s, t), c_of(mp, k, m - s, t)
-        for part, expected in enumerate(((upper + lower) / 2, (upper - lower) / (2 * s))):
-            found = lib.entire_pair(k, 0, part, t, m, mp.mpf(d))
-            assert abs(found - expected) < mp.mpf(10) ** -70
+# --- derivatives ----------------------------------------------------------------------------
 
 
 def slope_of(mp: Any, function: Callable[[Any], Any], at: Any) -> Any:
@@ -458,54 +392,6 @@ def slope_of(mp: Any, function: Callable[[Any], Any], at: Any) -> Any:
     h = mp.mpf(10) ** -9
     near, far = function(at + h) - function(at - h), function(at + 2 * h) - function(at - 2 * h)
     return (8 * near - far) / (12 * h)
-
-
-NODES = [(2,), (0,), (-3,), (2, 5), (2, 2), (0, 0), (3, 3, 3), (2, -1, 2)]
-
-
-@pytest.mark.parametrize("nodes", NODES, ids=str)
-@pytest.mark.parametrize("k", range(4))
-def test_derivatives_of_divided_differences(k: int, nodes: tuple[int, ...]) -> None:
-    lib = Mpmath(60)
-    mp = lib.mp
-    symbols = sp.symbols(f"l1:{len(nodes) + 1}", real=True)
-    expression = EntireDifference(k, TIME, *symbols)
-    values = {TIME: mp.mpf("1.3")} | {s: mp.mpf(n) for s, n in zip(symbols, nodes, strict=True)}
-    for symbol in (TIME, *symbols):
-        (found,) = evaluated([expression.diff(symbol)], values, lib)
-
-        def along(x: Any, symbol: sp.Symbol = symbol) -> Any:
-            t, *rest = ((values | {symbol: x})[s] for s in (TIME, *symbols))
-            return lib.entire_difference(k, t, *rest)
-
-        assert abs(found - slope_of(mp, along, values[symbol])) < mp.mpf(10) ** -30
-
-
-@pytest.mark.parametrize(
-    ("level", "d"), [(0, "1e-9"), (0, "0"), (0, "-3"), (1, "0"), (1, "2"), (2, "-3")]
-)
-def test_derivatives_of_pairs(level: int, d: str) -> None:
-    lib = Mpmath(60)
-    mp = lib.mp
-    m, spread = sp.symbols("m spread", real=True)
-    values = {TIME: mp.mpf("1.3"), m: mp.mpf("0.8"), spread: mp.mpf(d)}
-    for k in (range(4), (0, 3), (0,))[level]:
-        for part in (0, 1):
-            expression = EntirePair(k, level, part, TIME, m, spread)
-            for symbol in values:
-                (found,) = evaluated([expression.diff(symbol)], values, lib)
-
-                def along(x: Any, symbol: sp.Symbol = symbol, k: int = k, part: int = part) -> Any:
-                    point = values | {symbol: x}
-                    return lib.entire_pair(k, level, part, *point.values())
-
-                assert abs(found - slope_of(mp, along, values[symbol])) < mp.mpf(10) ** -30
-
-
-def test_at_zero_the_divided_differences_are_powers_of_time() -> None:
-    assert EntireDifference(1, TIME, 0) == TIME
-    assert EntireDifference(0, TIME, 0, 0) == -(TIME**2) / 2
-    assert EntireDifference(3, TIME, 0, 0, 0) == TIME**7 / sp.factorial(7)
 
 
 @pytest.mark.parametrize(
@@ -584,16 +470,3 @@ def test_equal_frequencies_of_two_configurations_share_a_symbol() -> None:
     spectrum, flows = derive_flows(dry_friction.system)
     assert len({e for _, e in spectrum.entries}) == len(spectrum.entries)
     assert flows["stick-slip"].matrices == flows["stick-overshoot"].matrices
-
-
-@pytest.mark.parametrize(
-    "dynamics",
-    [SecondOrder([[1]], [[1]], damping=[["0.1"]]), FirstOrder([[0, 1], [-1, 0]])],
-    ids=["damping", "first order"],
-)
-def test_what_has_no_closed_form_here_is_refused_by_name(dynamics: Any) -> None:
-    fine = Configuration("fine", SecondOrder([[1]], [[1]]), ())
-    states = sp.symbols("x v", real=True)
-    system = System("case", "", states, (), (fine, Configuration("murky", dynamics, ())))
-    with pytest.raises(DerivationError, match="configuration 'murky': the closed form covers"):
-        derive_flows(system)

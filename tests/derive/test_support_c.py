@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum, maximum
+from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
 from tests.places import CHECKOUT
 
 compiler = shutil.which("gcc") or shutil.which("cc")
@@ -20,7 +20,7 @@ FLAGS = "-std=c99 -Wall -Wextra -Werror -ffp-contract=off -fno-math-errno -fno-t
 DRIVER = """
 #include "support.h"
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
-#define CLONED __attribute__((target_clones("avx2", "default")))
+#define CLONED __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define CLONED
 #endif
@@ -228,7 +228,7 @@ def agree(vector, frequency, rows, duration, floor):
     for value, time, row, least in zip(values, times, np.atleast_2d(rows), floor, strict=True):
         function = as_sum(frequency, row)
         tolerance = function.rounding(duration)
-        expected = maximum(function, duration, float(least))
+        expected = function.maximum(duration, float(least))
         assert abs(value - expected.value) <= tolerance
         assert math.isnan(time) == (value == least)
         if value > least:

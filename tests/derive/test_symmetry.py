@@ -11,8 +11,9 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Presentation, Reference
+from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
 from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.equations.derivation import derive_equations

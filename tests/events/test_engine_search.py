@@ -107,3 +107,58 @@ def test_a_double_zero_counts_by_its_depth(depth: float, reached: bool, expected
     assert (time is not None) == expected
     if time is not None:
         assert time == pytest.approx(math.pi / 2 - math.sqrt(2 * depth), abs=1e-7)
+
+
+def bump(frequencies: list[float], cell: int) -> Sums:
+    """A sum that rises above zero inside one cell alone: below its cubic there, but for the ends.
+
+    Frequencies of at most 1 make cells of length 1. About the cell's middle the sum is even, zero
+    and flat at both ends, and 1 in the middle.
+    """
+    waves, middle = np.array(frequencies), cell + 0.5
+    half = waves / 2
+    conditions = [
+        [1, *np.cos(half)],
+        [0, *(waves * np.sin(half))],
+        [1, *np.ones(len(waves))],
+    ]
+    even = np.linalg.lstsq(np.array(conditions), np.array([0.0, 0, 1]), rcond=None)[0]
+    values = [even[0]]
+    for amplitude, wave in zip(even[1:], waves, strict=True):
+        values += [amplitude * math.cos(wave * middle), amplitude * math.sin(wave * middle)]
+    exponents = [[0, 0], *([0, wave] for wave in waves)]
+    return one(((1, False), *[(1, True)] * len(waves)), exponents, values)
+
+
+def dense_first(sums: Sums, end: float) -> float | None:
+    """The first zero by many samples, where the sum begins below zero."""
+    times = np.linspace(0, end, 200_001)
+    many = Sums(sums.shape, *(np.broadcast_to(a, (len(times), *a.shape[1:]))
+                              for a in (sums.exponents, sums.values)))  # fmt: skip
+    above = np.flatnonzero(many.at(times) > 0)
+    return float(times[above[0]]) if len(above) else None
+
+
+def test_a_rise_between_two_samples_is_found_by_the_bound_on_the_fourth_derivative() -> None:
+    """Cubics between the samples stay below zero: only what they err by shows the crossing."""
+    rng, inside = np.random.default_rng(5), 0
+    for _ in range(40):
+        others = rng.uniform(0.3, 0.95, int(rng.integers(1, 3)))
+        cell = int(rng.integers(0, 3))
+        sums = bump([1.0, *others], cell)
+        sums.values[0, 0] -= 10.0 ** rng.uniform(-4, -1)
+        if sums.at(np.zeros(1))[0] >= 0:
+            continue
+        expected = dense_first(sums, cell + 1.0)
+        found = first(sums, cell + 1.0)
+        assert (found is None) == (expected is None)
+        if expected is not None:
+            inside += cell < expected < cell + 1
+            assert found == pytest.approx(expected, abs=1e-4)
+    assert inside > 10
+
+
+def test_a_rise_of_a_polynomial_within_one_cell_is_found() -> None:
+    """As a^2 t^2 (1 - t)^2 less a little, whose first cell is from 0 to 1."""
+    sums = one(((5, False),), [[0, 0]], [-1e-3, 0, 1, -2, 1])
+    assert first(sums, 1.0) == pytest.approx((1 - math.sqrt(1 - 4 * math.sqrt(1e-3))) / 2)

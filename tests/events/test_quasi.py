@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.first_crossing import first_crossing
+from nonsmooth.runtime.events.first_crossing import Start, _Search, first_crossing
 from nonsmooth.runtime.model.quasi_polynomials import UNIT, QuasiPolynomial
 
 HIGH = mp.MPContext()
@@ -187,6 +187,33 @@ def test_a_start_at_zero_is_left_and_the_way_back_is_relative(half, odd, factor)
     # the coefficients of these derivatives round, absolutely: a small root feels it
     assert found.time == pytest.approx(expected, rel=1e-13)
     assert abs(found.time - expected) <= found.error + 4 * math.ulp(expected)
+
+
+def starting_at_zero(generator):
+    """A polynomial, or waves, that leave zero downwards with a root of a random order."""
+    order = generator.integers(1, 4)
+    if generator.random() < 0.5:
+        return fourier(order // 2, 2.0 ** generator.uniform(0, 8), bool(order % 2))
+    rest = generator.normal(size=generator.integers(1, 6))
+    shape = np.concatenate([np.zeros(order), [-abs(rest[0])], rest[1:]])
+    return QuasiPolynomial((0j,), (tuple(complex(c) for c in shape),))
+
+
+def test_no_step_behind_a_start_at_zero_passes_the_way_back():
+    """Until a start is left g is negative, and nowhere is it bent more than its series says."""
+    generator = np.random.default_rng(30)
+    for _ in range(60):
+        function = starting_at_zero(generator)
+        start = Start.of(function)
+        assert start.sign < 0
+        series, window = start.series, min(3.0, start.series.radius)
+        until = _Search(function, window, series, False).leave(window)
+        assert until > 0
+        for t in generator.uniform(0, until, 8):
+            assert exact(function, t) < 0
+        for end in window * 10.0 ** generator.uniform(-4, 0, 4):
+            for t in generator.uniform(0, end, 4):
+                assert abs(exact(function, t, 2)) <= series.bend(end)
 
 
 @pytest.mark.parametrize("power", [-3, -6, -9, -11])

@@ -127,6 +127,27 @@ def test_the_leading_derivative_is_the_same_in_every_arithmetic() -> None:
     assert {order for order, _ in seen} >= {-1, 0, 1, 2, 3}
 
 
+def test_what_an_error_of_the_time_moves_away_from_zero_is_zero() -> None:
+    """Along either field: the one that led to the event, and the one behind it."""
+    rng, error = np.random.default_rng(1), 1e-6
+    for case in range(60):
+        size = int(rng.integers(2, 6))
+        before, behind = rng.normal(size=(2, size, size + 1))
+        row, exact = rng.normal(size=size + 1), np.append(rng.normal(size=size), 1.0)
+        row[-1] -= row @ exact
+        field = (before, behind)[case % 2]
+        state = exact + error * rng.uniform(-0.9, 0.9) * np.append(field @ exact, 0.0)
+        moved = error * np.append(before @ state, 0.0)
+        rate = row @ np.append(behind @ exact, 0.0)
+        if abs(row @ (state - exact)) < 1e-9 or abs(rate) < 1e-2:
+            continue
+        for of_time, expected in ((error, (1, np.sign(rate))), (0.0, (0, np.sign(row @ state)))):
+            located = Located(state, abs(state), moved * (of_time > 0), of_time)
+            assert told(located.leading(*orders(row, behind, size + 2))) == expected
+            rows = np.array([row, -row])
+            assert located.signs(rows, abs(rows), behind).tolist() == [expected[1], -expected[1]]
+
+
 @cache
 def systems() -> dict[str, EnclosedSystem]:
     return {

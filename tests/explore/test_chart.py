@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import xarray
 from typer.testing import CliRunner
 
 import nonsmooth as ns
@@ -20,6 +22,8 @@ from nonsmooth.runtime.explore.charting import problem as problems
 from nonsmooth.runtime.explore.charting.chart import Work, chart_problem, work_on
 from nonsmooth.runtime.explore.charting.classes import counts_of, parts_of
 from nonsmooth.runtime.explore.charting.grid import axis_of, chunk_shape, linear_axis
+from nonsmooth.runtime.explore.charting.lock import locked
+from nonsmooth.runtime.explore.charting.store import _seal
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.present.pictures.charts import chart_figure
 from tests.user_systems import DAMPED, declare
@@ -56,8 +60,6 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def store(finished: Path, tmp_path: Path) -> Path:
     """A copy of it."""
-    import shutil
-
     return Path(shutil.copytree(finished, tmp_path / "F.zarr"))
 
 
@@ -185,6 +187,14 @@ def test_damaged_chunk_is_computed_anew(
     assert contents(store) == contents(finished)
 
 
+def test_a_chunk_of_fill_values_is_done_too(tmp_path: Path) -> None:
+    """None is admissible, as in a chunk that was not computed; that it was is known."""
+    plane = {"V": np.linspace(2.9, 3, 4), "eta": np.linspace(2.9, 3, 4)}
+    assert work(tmp_path / "F.zarr", 4, **plane).computed == 4
+    assert not ns.load_chart(tmp_path / "F.zarr").admissible.values.any()
+    assert work(tmp_path / "F.zarr", 4, **plane) == Work(4, 0, 0, 0)
+
+
 def test_lost_objects_and_coordinates_come_back(finished: Path, store: Path) -> None:
     (store / "status" / "c" / "0" / "0").unlink()
     (store / "limit" / "c" / "2" / "2").unlink()
@@ -200,6 +210,59 @@ def test_flipped_byte_is_not_read_silently(store: Path) -> None:
     file.write_bytes(content)
     with pytest.raises(ValueError, match="checksum"):
         ns.load_chart(store).trace.values.sum()
+
+
+def test_a_forged_chunk_is_not_unpacked(store: Path) -> None:
+    """A small object that claims gigabytes, its CRC renewed, and one that is large itself."""
+    from google_crc32c import value
+
+    file = store / "trace" / "c" / "0" / "0"
+    right = file.read_bytes()
+    header = right[:4] + (2**31 - 1).to_bytes(4, "little") + right[8:-4]
+    for forged in (header, right[:-4] + bytes(1 << 20)):
+        file.write_bytes(forged + value(forged).to_bytes(4, "little"))
+        with pytest.raises(ValueError, match="trace/c/0/0 claims to be larger than a chunk"):
+            ns.load_chart(store).trace.values.sum()
+        found = CliRunner().invoke(app, ["plot", str(store)])
+        assert found.exit_code == 2
+        assert "is damaged: trace/c/0/0 claims to be larger" in found.stderr
+
+
+def test_forged_chunks_larger_than_the_memory_are_refused(store: Path) -> None:
+    file = store / "trace" / "zarr.json"
+    record = json.loads(file.read_text())
+    for change in (
+        {"chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [10**6, 10**9]}}},
+        {"codecs": [{"name": "bytes"}, {"name": "gzip", "configuration": {"level": 1}}]},
+    ):
+        file.write_text(json.dumps({**record, **change}))
+        _seal(store)
+        with pytest.raises(InputError, match=r"trace/zarr\.json (the chunks|is no metadata)"):
+            ns.load_chart(store)
+
+
+def test_a_chart_goes_on_alone(finished: Path, store: Path) -> None:
+    (store / "trace" / "c" / "0" / "0").unlink()
+    assert ns.chart(str(store)).sizes == {"V": 40, "eta": 33}
+    assert contents(store) == contents(finished)
+    with pytest.raises(InputError, match="is a chart that is begun"):
+        ns.chart(str(store), V=[1.0, 2.0])
+    (store / "V" / "c" / "0").write_bytes(b"")
+    with pytest.raises(InputError, match="values of V are damaged"):
+        ns.chart(str(store))
+
+
+def test_a_simulated_chart_goes_on(tmp_path: Path) -> None:
+    place = tmp_path / "S.zarr"
+    given = {**MOTIONS, "V": [0.6, 0.7], "eta": 4}
+    ns.chart("dry-friction", store=place, simulate=True, start=REST, transitions=100, **given)
+    before = contents(place)
+    (place / "period" / "c" / "0").unlink()
+    ns.chart("dry-friction", store=place, simulate=True, start=REST, transitions=100, **given)
+    assert contents(place) == before
+    (place / "period" / "c" / "0").unlink()
+    ns.chart(str(place))
+    assert contents(place) == before
 
 
 @pytest.mark.parametrize(
@@ -221,6 +284,9 @@ def test_store_of_another_derivation_is_refused(store: Path) -> None:
     record = json.loads((store / "zarr.json").read_text())
     record["attributes"]["nonsmooth"]["derivation"] = "0123"
     (store / "zarr.json").write_text(json.dumps(record))
+    with pytest.raises(InputError, match=r"zarr\.json is damaged or edited"):
+        work(store)
+    _seal(store)
     with pytest.raises(InputError, match="derivation 0123 there"):
         work(store)
 
@@ -240,11 +306,68 @@ def test_what_is_no_chart_is_refused(tmp_path: Path, store: Path) -> None:
         ns.load_chart(tmp_path / "absent")
     with pytest.raises(InputError, match="it is a file"):
         work(tmp_path / "other" / "notes")
-    with pytest.raises(InputError, match="there is no folder"):
-        work(tmp_path / "absent" / "F.zarr")
-    (store / "trace" / "zarr.json").write_text("{")
-    with pytest.raises(InputError, match=r"trace/zarr\.json is gone or damaged"):
-        work(store)
+    with pytest.raises(InputError, match="is not a folder"):
+        work(tmp_path / "other" / "notes" / "F.zarr")
+    with pytest.raises(InputError, match="give the folder a name"):
+        work(Path(""))
+
+
+def test_metadata_that_is_gone_or_foreign_is_named(store: Path) -> None:
+    shutil.copytree(store / "trace", store / "more")
+    for opened in (work, ns.load_chart):
+        with pytest.raises(InputError, match=r"F\.zarr: more is no array of this chart"):
+            opened(store)
+    shutil.rmtree(store / "more")
+    (store / "trace" / "zarr.json").unlink()
+    for opened in (work, ns.load_chart):
+        with pytest.raises(InputError, match=r"trace/zarr\.json cannot be read: no such file"):
+            opened(store)
+
+
+def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
+    """Each is told of, or changes nothing."""
+    right = ns.load_chart(store).load()
+    random = np.random.default_rng(11)
+    files = sorted(store.rglob("zarr.json"))
+    told = []
+    for _ in range(300):
+        file = files[random.integers(len(files))]
+        content = file.read_bytes()
+        flipped = bytearray(content)
+        flipped[random.integers(len(flipped))] ^= 1 << random.integers(8)
+        file.write_bytes(flipped)
+        try:
+            xarray.testing.assert_identical(ns.load_chart(store).load(), right)
+        except InputError as problem:
+            told.append(str(problem))
+        finally:
+            file.write_bytes(content)
+    assert len(told) > 250
+    assert all(line.startswith(f"{store}") and "\n" not in line for line in told)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [("trace", '"separator": "/"', '"separator": "."'), ("V", "40", "41"), ("limit", "-2", "-3")],
+)
+def test_damaged_metadata_is_named(store: Path, name: str, old: str, new: str) -> None:
+    file = store / name / "zarr.json"
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new))
+    for opened in (work, ns.load_chart):
+        with pytest.raises(InputError, match=rf"{name}/zarr\.json is damaged or edited"):
+            opened(store)
+    code = CliRunner().invoke(app, ["plot", str(store)]).exit_code
+    assert code == 2
+
+
+def test_a_chart_of_another_release_is_refused(store: Path) -> None:
+    record = json.loads((store / "zarr.json").read_text())
+    record["attributes"]["nonsmooth"]["format"] = "nonsmooth chart 1"
+    (store / "zarr.json").write_text(json.dumps(record))
+    with pytest.raises(InputError, match="'nonsmooth chart 1', where 'nonsmooth chart 3' is known"):
+        ns.load_chart(store)
 
 
 @pytest.mark.parametrize(
@@ -294,6 +417,24 @@ def test_two_processes_on_one_store(store: Path, tmp_path: Path) -> None:
     assert store.with_name("F.zarr.lock").exists()
     assert work(store).computed == 0
     assert not store.with_name("F.zarr.lock").exists()
+
+
+def test_a_lost_lock_is_left_to_who_took_it_over(tmp_path: Path) -> None:
+    store, lock = tmp_path / "F.zarr", tmp_path / "F.zarr.lock"
+    with locked(store):
+        lock.unlink()
+        with locked(store):
+            assert lock.exists()
+    assert not lock.exists()
+    first = locked(store)
+    first.__enter__()
+    lock.unlink()
+    with locked(store):
+        first.__exit__(None, None, None)
+        assert lock.exists()
+        with pytest.raises(InputError, match="is being computed"), locked(store):
+            pass
+    assert not lock.exists()
 
 
 def test_full_disk(finished: Path, store: Path) -> None:

@@ -9,10 +9,10 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.charting import phases
 from nonsmooth.runtime.explore.charting.chart import chart_problem
 from nonsmooth.runtime.explore.charting.grid import Grid
-from nonsmooth.runtime.explore.charting.table_orbits import _family_margins
+from nonsmooth.runtime.orbits import table_limits
+from nonsmooth.runtime.orbits.table_points import _family_margins
 from tests.places import GALLERY
 from tests.user_systems import DAMPED, declare
 
@@ -68,7 +68,7 @@ def test_limits_are_those_of_the_guaranteed_search(
 ) -> None:
     plane = {name: values[::4] for name, values in PLANES[orbit].items()}
     fast = ns.chart(orbit, **plane)
-    monkeypatch.setattr(phases, "compiled_engine", lambda: None)
+    monkeypatch.setattr(table_limits, "compiled_engine", lambda: None)
     np.testing.assert_array_equal(fast.limit.values, ns.chart(orbit, **plane).limit.values)
 
 

@@ -11,11 +11,10 @@ from scipy.linalg import expm
 
 import nonsmooth
 from nonsmooth.runtime.core.matrices import exponentials
-from nonsmooth.runtime.events.trigonometric_sums import maximum
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.family_of_orbit import curve_of
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.intervals import admissible_intervals
-from nonsmooth.runtime.orbits.admissible import boundary_sums
+from nonsmooth.runtime.orbits.admissible import boundary_curves
 from tests.certified import loop
 
 STICK = "dry-friction/global-stick"
@@ -80,7 +79,7 @@ def test_composed_and_derived_branches_agree() -> None:
 
 def test_derivatives_of_composed_equations() -> None:
     for parameter in ("V", "chi", "eta", "ur2"):
-        curve = curve_of(composed(), parameter, 1.0)
+        curve = OrbitFamily(composed(), parameter, 1.0)
         _, jacobian = curve.equations(curve.first)
         for column, unit in enumerate(np.eye(len(curve.first))):
             difference = sum(
@@ -106,12 +105,12 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     (event,) = [e for e in branch.events if e.kind == "grazing"]
     assert (event.configuration, event.boundary) == ("slip-slip", "first-reaches-belt")
     at = branch.orbit_at(event)
-    sums = {(b.phase, b.name): g for b, g in boundary_sums(at.kernels, at)}
+    sums = {(b.phase, b.name): g for b, g in boundary_curves(at.kernels, at)}
     function = sums[event.phase, event.boundary]
     assert event.time is not None
     assert abs(function(event.time)) < 1e-11
     assert abs(function.derivative()(event.time)) < 1e-6
-    assert maximum(function, at.values["tau"]).value < 1e-9
+    assert function.maximum(at.values["tau"]).value < 1e-9
     limits = admissible_intervals("dry-friction/symmetric", "V", 0.5, 0.8, points=200)
     assert min(abs(event.value - interval.lower) for interval in limits) < 1e-9
     before, behind = math.floor(event.place), math.ceil(event.place)
@@ -211,7 +210,7 @@ def test_no_orbit_to_follow() -> None:
     with pytest.raises(nonsmooth.InputError, match="no orbit, such as"):
         nonsmooth.continue_orbit("dry-friction/global-stick", "V", (0, 1))
     with pytest.raises(nonsmooth.InputError, match="the period is determined"):
-        curve_of(composed(), "period", 1.0)
+        OrbitFamily(composed(), "period", 1.0)
     with pytest.raises(nonsmooth.InputError, match="no point 1000"):
         stick().orbit_at(1000)
     with pytest.raises(nonsmooth.InputError, match="unknown quantity 'tb'"):

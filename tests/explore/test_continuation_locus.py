@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import nonsmooth
+from nonsmooth.runtime.model.naming import shown_name
 from tests.explore.test_continuation_forced import branch as impacts
-from tests.present.test_continuation_files import run
+from tests.present.test_continuation_files import damages, refuses, run
 
 SYMMETRIC = "dry-friction/symmetric"
 
@@ -36,7 +37,8 @@ def composed_folds() -> nonsmooth.Locus:
 def same(first: nonsmooth.Locus, second: nonsmooth.Locus) -> None:
     for name in ("values", "unknowns"):
         np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
-    for name in ("name", "kind", "boundary", "parameters", "unknown_names", "ends", "start"):
+    assert shown_name(first.name) == shown_name(second.name)
+    for name in ("kind", "boundary", "parameters", "unknown_names", "ends", "start"):
         assert getattr(first, name) == getattr(second, name)
 
 
@@ -74,23 +76,12 @@ def test_saved_and_read(tmp_path: Path, locus) -> None:
     assert read.orbit_at(2).trace == locus().orbit_at(2).trace
 
 
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        (lambda text: text[:-40], "cut, or not JSON"),
-        (lambda text: text.replace('"start": ', '"start": 1'), "the checksum differs"),
-        (lambda text: text.replace("nonsmooth locus", "nonsmooth branch"), "not a saved curve"),
-        (lambda text: "[]", "not a saved curve"),
-        (lambda text: text.replace('"version": 1', '"version": 9', 1), "version 9"),
-    ],
-)
+@pytest.mark.parametrize(("change", "message"), damages("nonsmooth locus", "curve"))
 def test_damaged_files_are_refused(tmp_path: Path, change, message: str) -> None:
     path = tmp_path / "locus.json"
     flips().save(path)
     path.write_text(change(path.read_text()))
-    with pytest.raises(nonsmooth.InputError, match=message) as refusal:
-        nonsmooth.load_locus(path)
-    assert str(path) in str(refusal.value)
+    refuses(path, nonsmooth.load_locus, message)
 
 
 def test_picture() -> None:

@@ -23,6 +23,7 @@ from nonsmooth.runtime.explore.finding.settled import (
     settled,
 )
 from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import simulate_many
 
@@ -411,6 +412,7 @@ def test_files_and_words(tmp_path):
             assert float(one["period"]) == pytest.approx(float(other["period"]), rel=1e-13)
             assert one["itinerary"][0]["boundary"] == other["itinerary"][0]["boundary"]
             assert (one["forcing_periods"], one["symmetric"]) == ([1], False)
+        assert shown_name(told.pop("system")) == shown_name(wanted.pop("system"))
         assert told == wanted
         np.testing.assert_array_equal(again.labels, found.labels)
 

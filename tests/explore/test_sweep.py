@@ -11,9 +11,10 @@ from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.cli.display_motions import show_sweep
 from nonsmooth.runtime.cli.report_motions import sweep_json
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.finding.basins import basins
 from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.sweep import basins, sweep
+from nonsmooth.runtime.explore.finding.sweep import sweep
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.simulation.simulate import simulate

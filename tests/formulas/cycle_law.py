@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from formulas.latex import read_latex
-from formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
-from formulas.layout import plain
-from formulas.pages import inline
-from formulas.values import Reading, name_of
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.runtime.orbits import orbit as solved_orbits
+from tests.formulas.latex import read_latex
+from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
+from tests.formulas.layout import plain
+from tests.formulas.pages import inline
+from tests.formulas.values import Reading, name_of
 
 __all__ = ["CycleLaw", "Orbit"]
 
@@ -214,8 +214,8 @@ class CycleLaw(SystemLaw):
 
     phase = 0
 
-    def with_functions(self, names: dict[str, Any], row: Any, condition: Any) -> dict[str, Any]:
-        names = super().with_functions(names, row, () if self.phase else condition)
+    def with_functions(self, names: dict[str, Any], row: Any) -> dict[str, Any]:
+        names = super().with_functions(names, row)
         if not self.phase or "g(" not in plain(row):
             return names
         # boundary functions on the way through a phase

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from formulas.layout import (
+from tests.formulas.layout import (
     PRIME,
     Accent,
     Atom,
@@ -28,7 +28,7 @@ _GREEK_NAMES = (
 )
 _GREEK = dict(zip(_GREEK_NAMES.split(), "αβγδϵεζηθϑικλμνξπρϱστυϕφχψωΓΔΘΛΞΠΣΥΦΨΩℓ", strict=True))
 _SIGNS = {
-    "ge": "≥", "le": "≤", "in": "∈", "mapsto": "↦", "to": "→", "pm": "±", "ldots": "…",
+    "ge": "≥", "neq": "≠", "le": "≤", "in": "∈", "mapsto": "↦", "to": "→", "pm": "±", "ldots": "…",
     "sum": "∑", "prod": "∏", "partial": "∂", "cdot": "·", "infty": "∞",
 }  # fmt: skip
 _WORDS = {"cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log", "det"}

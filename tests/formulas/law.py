@@ -5,29 +5,29 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 import sympy as sp
 from scipy.linalg import expm
 
-from formulas.latex import read_latex
-from formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
-from formulas.pages import inline
-from formulas.values import UNIT, Reading, Unit, name_of, split, without_spaces
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
 from nonsmooth.derive.document.notation.letters import letters_of
 from nonsmooth.derive.document.notation.wording import Naming
-from nonsmooth.derive.document.sections.describe_damped import damped_coordinate
 from nonsmooth.derive.document.views.centres import Centres
 from nonsmooth.derive.flows.modal import Spectrum
+from tests.formulas.latex import read_latex
+from tests.formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
+from tests.formulas.pages import inline
+from tests.formulas.values import UNIT, Reading, Unit, name_of, split, without_spaces
 
 __all__ = ["Broken", "Facts", "Motion", "SystemLaw", "drawn"]
 
-_RELATIONS = "=<>≤≥∈"
+_RELATIONS = "=<>≤≥∈≠"
 _INDEX_TEXTS = {"k=0"}
 Numbers = dict[sp.Symbol, float]
 
@@ -49,6 +49,10 @@ class Motion(np.ndarray):
 
     def __call__(self, time: float) -> Any:
         return self.flow(time)
+
+
+def _response(companion: np.ndarray, order: int, time: float) -> float:
+    return float(expm(companion * time)[order, -1])
 
 
 def drawn(system: System, seed: int) -> Numbers:
@@ -95,9 +99,6 @@ class Facts:
     def numbers(self) -> Numbers:
         """All that follows from the parameters."""
         found = dict(self.given)
-        for group, matrix in self.spectrum.eigenvalues:
-            roots = np.sort(np.linalg.eigvals(array(matrix, found)).real)
-            found |= dict(zip(group, map(float, roots), strict=True))
         for symbol, value in (*self.spectrum.entries, *self.centres.values.items()):
             found[symbol] = float(value.xreplace(found))
         return found
@@ -183,7 +184,43 @@ class Facts:
             "Φ": lambda t: self.flow(configuration, t)[0],
             name_of(letters.forcing): lambda t: self.flow(configuration, t)[1],
         }  # fmt: skip
+        return found | self.responses
+
+    @cached_property
+    def responses(self) -> dict[str, Any]:
+        """Characteristic factors and impulse responses, by the numbers of the document."""
+        known = self.naming.notation.responses
+        found: dict[str, Any] = {}
+        for factor in (sp.Tuple(0), *known.factors):
+            coefficients = [
+                1.0,
+                *(float(sp.sympify(c).xreplace(self.numbers)) for c in reversed(factor)),
+            ]
+            name = name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")
+            found[name] = np.poly1d(coefficients)
+        products = {
+            p for q in known.products for n in range(1, len(q) + 1) for p in combinations(q, n)
+        }
+        for product in products:
+            polynomial = np.poly1d([1.0])
+            for factor in product:
+                polynomial *= found[name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")]
+            companion = np.diag(np.ones(polynomial.order - 1), 1)
+            companion[-1] = -polynomial.coeffs[:0:-1]
+            for order in range(polynomial.order):
+                name = name_of(known.latex(order, product, "").partition(r"\left(")[0])
+                found[name] = partial(_response, companion, order)
+        # of any factor, and of any two
+        for letter, factor in zip("jk", (sp.Tuple(0), *known.factors), strict=False):
+            name = name_of(rf"{known.polynomial}_{{{letter}}}")
+            found[name] = found[name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")]
+        for label in ("j", "k", "jk"):
+            found[name_of(rf"{known.letter}_{{{label}}}")] = lambda t: t
         return found
+
+    def is_response(self, left: Row) -> bool:
+        """Whether a relation says what an impulse response is."""
+        return plain(left).startswith(f"{name_of(self.naming.notation.responses.letter)}_")
 
     def one_cluster(self, configuration: str) -> dict[str, Any]:
         """All eigenvalues as one cluster: what is said of clusters holds for it too."""
@@ -363,7 +400,7 @@ class SystemLaw:
 
     def statement(self, row: Row, condition: Row) -> None:
         sides, signs = relations_of(row)
-        names = self.with_functions(self.names, row, condition)
+        names = self.with_functions(self.names, row)
         if "∑" in plain(row):
             names |= self.facts.one_cluster(self.inside)
         reading = Reading(names, self.indices, {"j": (1,)})
@@ -371,6 +408,8 @@ class SystemLaw:
             reading(row)
             return
         self.used |= {plain((i,)) for i in _all_items(row)} & set(self.defined)
+        if signs and self.facts.is_response(sides[0]) and not self.holds(condition):
+            return
         values: list[Any] = []
         unknown: list[Row] = []
         for side in sides:
@@ -396,36 +435,25 @@ class SystemLaw:
             raise Broken(f"false at {values}")
         self.count += 1
 
+    def holds(self, condition: Row) -> bool:
+        """Whether a case of an impulse response is the one at hand."""
+        sides, signs = relations_of(condition)
+        if len(signs) != 1:
+            return True
+        one, other = map(Reading(self.names), sides)
+        return {"<": one < other, "=": one == other, ">": one > other, "≠": one != other}[signs[0]]
+
     def is_open(self, row: Row) -> bool:
         """Whether a relation holds for some values and not for others."""
         return "∈" in plain(row)
 
-    def with_functions(self, names: dict[str, Any], row: Row, condition: Row) -> dict[str, Any]:
-        """Functions of one damped coordinate, for the sign of the discriminant that is meant."""
-        system, given = self.facts.system, self.facts.given
+    def with_functions(self, names: dict[str, Any], row: Row) -> dict[str, Any]:
+        """Coordinates as functions, where one is meant."""
         for name in list(names):
             # a coordinate is a function where it stands in front of one time
             if name.endswith("()") and re.search(rf"{re.escape(name[:-2])}\([t0]\)", plain(row)):
                 names[name[:-2]] = names[name]
-        motion = damped_coordinate(
-            system.configuration(self.inside).dynamics.field(system.states), system.parameters
-        )
-        if motion is None:
-            return names
-        discriminant = float(motion.discriminant.xreplace(given))
-        letter = name_of(
-            letters_of(
-                self.facts.naming, (*system.states, *self.facts.naming.notation.constants)
-            ).discriminant
-        )
-        signs = relations_of(condition)[1]
-        if len(signs) == 1:
-            discriminant = {"<": -0.77, "=": 0.0, ">": 0.77}[signs[0]]
-
-        def function(place: int) -> Any:
-            return lambda t: expm(np.array([[0, 1], [discriminant, 0]]) * t)[0, place]
-
-        return names | {letter: discriminant, "`C": function(0), "`S": function(1)}
+        return names
 
     # -- tables
 
@@ -631,7 +659,7 @@ def is_name(row: Row) -> bool:
 def _condition(row: Row) -> tuple[Row, Row]:
     for place, item in enumerate(row):
         if isinstance(item, Atom) and item.kind == "text":
-            return without_spaces(row[:place]), without_spaces(row[place + 1 :])
+            return without_spaces(row[:place]), without_spaces(_condition(row[place + 1 :])[0])
     return row, ()
 
 

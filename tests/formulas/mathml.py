@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-from formulas.layout import (
+from tests.formulas.layout import (
     PRIME,
     Accent,
     Atom,

@@ -7,14 +7,14 @@ from collections import Counter
 from collections.abc import Iterator
 from xml.etree import ElementTree
 
-from formulas.latex import read_latex
-from formulas.layout import Row
-from formulas.mathml import read_element
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
 from nonsmooth.derive.document.layout import rows
 from nonsmooth.derive.document.writers.hypertext import to_html
 from nonsmooth.derive.document.writers.latex import to_latex
 from nonsmooth.derive.document.writers.markdown import to_markdown
+from tests.formulas.latex import read_latex
+from tests.formulas.layout import Row
+from tests.formulas.mathml import read_element
 
 __all__ = ["inline", "on_pages", "texts_of"]
 

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from scipy.linalg import expm
 
-from formulas.latex import read_latex
-from formulas.layout import (
+from tests.formulas.latex import read_latex
+from tests.formulas.layout import (
     CLOSING,
     OPENING,
     Accent,

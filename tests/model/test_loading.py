@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from nonsmooth.derive.codegen import emit
+from nonsmooth.derive.codegen import python_file
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.systems import dry_friction, rigid_stop
@@ -49,13 +49,13 @@ def forget(monkeypatch: pytest.MonkeyPatch) -> None:
 def derivations(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Names of the systems that are derived, one entry for each time."""
     names: list[str] = []
-    derive = emit.emit_python
+    derive = python_file.emit_python
 
     def counted(system: Any, orbits: Any, source: str) -> str:
         names.append(system.name)
         return derive(system, orbits, source)
 
-    monkeypatch.setattr(emit, "emit_python", counted)
+    monkeypatch.setattr(python_file, "emit_python", counted)
     return names
 
 
@@ -87,7 +87,7 @@ def test_an_orbit_of_a_folder_is_the_closed_form(tmp_path: Path) -> None:
     (multiplier,) = orbit.stability.multipliers
     assert multiplier.real == pytest.approx(0.25, rel=1e-13)
     assert load_orbit(name).derived
-    assert not load_orbit(f"{path}:loop").derived
+    assert load_orbit(f"{path}:loop").table == load_orbit(name).table
 
 
 def test_an_itinerary_in_python_needs_no_file(tmp_path: Path) -> None:
@@ -143,15 +143,9 @@ def test_a_system_is_found_again_by_its_name_from_the_cache(
         load_system(name)
 
 
-def test_a_file_that_moved_is_found_beside_what_was_saved(tmp_path: Path) -> None:
-    here = tmp_path / "here"
-    here.mkdir()
-    path = declare(here)
+def test_a_file_that_is_gone_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="there is no file"):
         load_system(str(tmp_path / "gone" / "mine.py"))
-    found = load_system(str(tmp_path / "gone" / "mine.py"), beside=here)
-    assert found.name == str(path)
-    assert load_orbit(f"{tmp_path}/gone/mine.py:loop", here).name == f"{path}:loop"
 
 
 def test_names_are_whole_paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -166,11 +160,13 @@ def test_names_are_whole_paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 # --- systems without closed forms --------------------------------------------------------
 
 
-def test_a_damped_system_has_tables_and_no_flows(tmp_path: Path) -> None:
+def test_a_damped_system_has_flows_and_no_table_of_modes(tmp_path: Path) -> None:
     kernels = load_system(str(declare(tmp_path, DAMPED)))
     assert kernels.table["modes"] is None
     assert kernels.table["spectrum"] == []
-    assert set(kernels.module.KERNELS) == {"fields", "rows", "resets"}
+    assert set(kernels.module.KERNELS) == {
+        "fields", "rows", "resets", "spectrum", "flow_left", "flow_right",
+    }  # fmt: skip
     fields = kernels.evaluate("fields", [[3.0, 0.5], [7.0, 0.5]]).reshape(2, 2, 2, 3)
     expected = [[0, 1, 0], [-3, -1, 0]], [[0, 1, 0], [-4, 0, 0]]
     np.testing.assert_array_equal(fields[0], expected)
@@ -220,7 +216,7 @@ def test_the_second_process_derives_nothing(tmp_path: Path) -> None:
             capture_output=True, text=True, check=False,
         )  # fmt: skip
         outputs.append(done.stdout.strip() or done.stderr)
-    assert "'nonsmooth.derive.codegen.emit'" in outputs[0]
+    assert "'nonsmooth.derive.codegen.python_file'" in outputs[0]
     assert outputs[1] == "[]"
 
 
@@ -443,3 +439,84 @@ def test_a_traceback_through_emitted_code_shows_its_lines(tmp_path: Path) -> Non
         shown = "".join(traceback.format_tb(problem.__traceback__))
     assert "in fields" in shown
     assert "= parameters" in shown
+
+
+# --- whose cache it is -------------------------------------------------------------------
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="access is not told by modes")
+@pytest.mark.parametrize("place", ["cache", ".", "cache/text"])
+def test_what_others_can_write_is_not_executed(
+    place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    folder = tmp_path / "home" / "cache"
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(folder))
+    assert caching.cached("text", lambda: "ours") == "ours"
+    assert folder.stat().st_mode & 0o777 == 0o700
+    assert caching.cached("text", lambda: "again") == "ours"
+    shared = {"cache": folder, ".": folder.parent, "cache/text": folder / "text.py"}[place]
+    shared.chmod(0o722)
+    assert [caching.cached("text", lambda: "again") for _ in range(2)] == ["again"] * 2
+    told = capfd.readouterr().err
+    if place == "cache/text":
+        assert not told  # it is written again, for the user alone
+        return
+    assert told.count("\n") == 1
+    assert f"others can write to {shared}" in told
+    shared.chmod(0o700)
+    assert caching.cached("text", lambda: "again") == "ours"
+
+
+@pytest.mark.skipif(getattr(os, "getuid", lambda: 1)() != 0, reason="only root gives files away")
+def test_a_cache_of_another_user_is_not_executed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    folder = tmp_path / "other"
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(folder))
+    assert caching.cached("text", lambda: "ours") == "ours"
+    os.chown(folder, 12345, -1)
+    assert caching.cached("text", lambda: "again") == "again"
+    assert "belongs to another user" in capfd.readouterr().err
+
+
+def test_a_folder_in_one_that_all_may_use_is_the_users_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tmp_path.chmod(0o1777)  # as /tmp is
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "mine"))
+    assert caching.cached("text", lambda: "ours") == "ours"
+    assert caching.cached("text", lambda: "again") == "ours"
+
+
+def test_the_cache_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was not used for longest goes; what is not the cache's stays."""
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
+    monkeypatch.setattr(caching, "MOST_BYTES", 3000)
+    foreign = tmp_path / "foreign.py"
+    foreign.write_text(5000 * "#")
+    keys = [f"{place:064x}" for place in range(5)]
+    for place, key in enumerate(keys[:3]):
+        caching.cached(key, lambda: 700 * "#")
+        os.utime(tmp_path / f"{key}.py", (place, place))
+    caching.store_library(keys[3], "_kernels.abi3.so", 100 * b"-")
+    assert caching.stored(keys[0]) is not None  # is used: the next is the oldest
+    caching.cached(keys[4], lambda: 1000 * "#")
+    kept = [key for key in keys if caching.stored(key) or caching.stored_library(key)]
+    assert kept == [keys[0], *keys[2:]]
+    assert foreign.is_file()
+
+
+def test_two_processes_remove_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
+    keys = [f"{place:064x}" for place in range(2)]
+    caching.cached(keys[0], lambda: "first")
+    monkeypatch.setattr(caching, "MOST_BYTES", 100)
+    unlink = Path.unlink
+
+    def twice(path: Path, missing_ok: bool = False) -> None:
+        unlink(path, missing_ok)
+        unlink(path, missing_ok)
+
+    monkeypatch.setattr(Path, "unlink", twice)
+    assert caching.cached(keys[1], lambda: "second") == "second"
+    assert [*map(caching.stored, keys)] == [None, "second"]

@@ -11,7 +11,7 @@ from scipy.linalg import expm
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
-from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.admissible import _admissible_numpy, admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import search
 from nonsmooth.runtime.orbits.many import solve_many
@@ -464,3 +464,18 @@ def test_the_compiled_kernel_names_it(grazing):
     assert excess[1] == pytest.approx(violation.excess, abs=1e-12)
     offset = grazing[1].values["ta"] + grazing[1].values["tau"]
     assert instant[1] == pytest.approx(violation.time - offset, abs=1e-6)
+
+
+@pytest.mark.compiled
+def test_numpy_gives_the_bounds_of_the_compiled_kernel():
+    orbit = solve(ORBIT)
+    kernels = orbit.kernels
+    points, unknowns = (
+        np.array([[float(orbit.values[key]) for key in keys]])
+        for keys in (kernels.parameter_names, kernels.unknowns)
+    )
+    crossed, bounds = _admissible_numpy(kernels, points, unknowns)
+    allowed, expected = admissible_points(kernels, points, unknowns)
+    assert (crossed == -1).tolist() == allowed.tolist() == [True]
+    assert bounds.max() > 0
+    assert_allclose(bounds, expected, rtol=1e-12)

@@ -15,7 +15,8 @@ from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.shooting.newton import CONVERGED, solve_reduced
+from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
+from nonsmooth.runtime.shooting.newton import CONVERGED
 from tests.declared import random_points
 
 ORBIT = "dry-friction/global-stick"
@@ -183,17 +184,17 @@ def hopeless_points(name):
 
 
 def test_hopeless_points_do_not_disturb_their_neighbours(name, points):
-    # blocks of eight lanes: every place within a block gets its turn
-    good, reference = {n: a[:24].copy() for n, a in points.items()}, defaults(name)
+    # blocks of sixteen lanes: every place within a block gets its turn
+    good, reference = {n: a[:32].copy() for n, a in points.items()}, defaults(name)
     expected = solve_many(name, **good)
     inside = [{"eta": 1e300}, {"e2": 1e9}] if name == ORBIT else []
     every = hopeless_points(name)[:: 1 if backend() == "c" else 5]
     for shift, hopeless in enumerate(every + inside):
-        mixed, places = {n: a.copy() for n, a in good.items()}, np.arange(shift % 8, 24, 5)
+        mixed, places = {n: a.copy() for n, a in good.items()}, np.arange(5 * shift % 16, 32, 5)
         for parameter, array in mixed.items():
             array[places] = hopeless.get(parameter, reference[parameter])
         found = solve_many(name, **mixed)
-        neighbours = np.setdiff1d(np.arange(24), places)
+        neighbours = np.setdiff1d(np.arange(32), places)
         for label, array in columns(found).items():
             assert_array_equal(array[neighbours], columns(expected)[label][neighbours])
         assert not found.converged[places].any()

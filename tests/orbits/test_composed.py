@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.parameter_batches import parameter_points
@@ -12,10 +13,10 @@ from nonsmooth.runtime.orbits.many import solve_many
 from nonsmooth.runtime.orbits.refine import refine
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
-from nonsmooth.runtime.shooting import cycle_newton as composed_newton
-from nonsmooth.runtime.shooting.cycle_newton import solve_cycle, solve_in_python
+from nonsmooth.runtime.shooting import table_newton
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
-from nonsmooth.runtime.shooting.shooting_map import cycle_of, numbers_in, shoot
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
+from nonsmooth.runtime.shooting.table_newton import solve_in_python, solve_shape
 
 STICK_DATA = {
     "chi": "0.5",
@@ -50,7 +51,7 @@ IMPACT = [("free", "first-reaches-stop")]
 TRACE = -0.980114981284158715
 
 needs_engine = pytest.mark.skipif(
-    composed_newton._compiled() is None, reason="the engine is not compiled"
+    table_newton._compiled() is None, reason="the engine is not compiled"
 )
 
 
@@ -203,10 +204,10 @@ def test_compiled_as_in_python(guided):
     data["V"] = 1 + 0.05 * random.uniform(-1, 1, count)
     data["eta"][7] = -1  # outside its domain
     structure, flat = made(data)
-    cycle, free = cycle_of(structure, STICK), np.full(count, np.nan)
+    cycle, free = itinerary_shape(structure, STICK), np.full(count, np.nan)
     dwell = np.tile(STICK_GUESS, (count, 1))
     start = np.tile(stick().states[0], (count, 1)) if guided else None
-    compiled = solve_cycle(cycle, flat, dwell, start, free)
+    compiled = solve_shape(cycle, flat, dwell, start, free)
     python = solve_in_python(cycle, flat, dwell, start, free)
     assert compiled.status[7] == python.status[7] == INVALID
     assert np.delete(compiled.status, 7).max() == CONVERGED
@@ -214,6 +215,50 @@ def test_compiled_as_in_python(guided):
         np.testing.assert_allclose(
             np.delete(found, 7, axis=0), np.delete(wanted, 7, axis=0), rtol=0, atol=1e-12
         )
+
+
+either_solver = pytest.mark.parametrize(
+    "solver", [pytest.param(solve_shape, marks=needs_engine), solve_in_python]
+)
+
+
+@either_solver
+@pytest.mark.parametrize(
+    ("system", "data", "itinerary", "guess", "period", "status"),
+    [
+        ("dry-friction", STICK_DATA, STICK, STICK_GUESS, np.nan, CONVERGED),
+        ("dry-friction", STICK_DATA, STICK, STICK_GUESS, 8, STALLED),
+        ("dry-friction", STICK_DATA, STICK, [0.1] * 4, np.nan, NEGATIVE),
+        ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], np.nan, SINGULAR),
+        ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], 2 * np.pi, CONVERGED),
+        ("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], np.nan, SINGULAR),
+        ("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], np.inf, INVALID),
+    ],
+)
+def test_either_solver_gives_every_status(solver, system, data, itinerary, guess, period, status):
+    kernels = load_system(system)
+    (group,) = numbers_at(kernels, parameter_points(kernels, data)[0])
+    cycle = itinerary_shape(structure_of(kernels), itinerary)
+    found = solver(cycle, group.flat, np.array([guess]), None, np.array([float(period)]))
+    assert found.status.tolist() == [status]
+
+
+@either_solver
+def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost(solver):
+    """Dwell times grow fourfold at each step, exponential motions along them beyond any number."""
+    falling = oscillator(
+        "falling", ["x"], mass=[[1]], stiffness=[[-1]],
+        elements=[RigidStop("x", at=1, restitution=1, name="wall")],
+    )  # fmt: skip
+    (group,) = numbers_at(load_system(falling), parameter_points(load_system(falling), {})[0])
+    cycle = itinerary_shape(group.structure, [("free", "wall-reaches-stop")])
+    count = 40
+    dwell, start = np.geomspace(1e-17, 1e-15, count)[:, None], np.tile([1.0, -1e-3], (count, 1))
+    flat = np.repeat(group.flat, count, axis=0)
+    found = solver(cycle, flat, dwell, start, np.full(count, 1e4))
+    assert set(found.status) == {STALLED, INVALID}
+    assert np.isfinite(found.residual[found.status == STALLED]).all()
+    assert (found.iterations[~np.isfinite(found.residual)] == 32).any()
 
 
 @needs_engine
@@ -453,10 +498,10 @@ def test_bad_input_of_many(changes, match):
 
 @needs_engine
 def test_the_engine_checks_its_arrays():
-    engine = composed_newton._compiled()
+    engine = table_newton._compiled()
     structure, flat = made(STICK_DATA)
-    cycle = cycle_of(structure, STICK)
-    layout = composed_newton.layout_of(structure)
+    cycle = itinerary_shape(structure, STICK)
+    layout = table_newton.layout_of(structure)
     one = np.zeros(1)
     arrays = [np.array([STICK_GUESS]), np.zeros((1, 4, 4)), np.zeros((1, 4, 4)), one.copy()]
     arrays += [np.zeros(1, dtype=np.int32), np.zeros(1, dtype=np.int32)]

@@ -83,7 +83,7 @@ def test_a_record_by_kernels_and_one_by_tables_are_asked_alike() -> None:
     apart = second(times) - first(times)  # positions are from another origin
     np.testing.assert_allclose(apart, np.broadcast_to(apart[0], apart.shape), atol=1e-10)
     assert second.configuration(times).tolist() == first.configuration(times).tolist()
-    assert set(kernels.to_json()) == {*tables.to_json()} - {"phases"} | {"requires"}
+    assert set(kernels.to_json()) == {*tables.to_json()} | {"requires"}
     np.testing.assert_allclose(tables.trajectory(2)(times[20:-1]), second(times[20:-1]), atol=1e-9)
     with pytest.raises(ns.InputError, match="motion"):
         kernels.trajectory()

@@ -24,7 +24,7 @@ from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
-from nonsmooth.runtime.proof.closure import exact_translations
+from nonsmooth.runtime.proof.exact_closure import exact_translations
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
 from nonsmooth.runtime.simulation.simulate import simulate_many

@@ -15,7 +15,8 @@ from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.kernel_solve import search
 from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.shooting.newton import CONVERGED, solve_reduced
+from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
+from nonsmooth.runtime.shooting.newton import CONVERGED
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")

@@ -24,8 +24,9 @@ from nonsmooth.derive.building.parts import Exit, SwitchPart
 from nonsmooth.derive.declaration.configuration import Boundary
 from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
 from nonsmooth.runtime.cli.options import AsJson
-from nonsmooth.runtime.core import registry
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, EventKind
+from nonsmooth.runtime.present.pictures.kinds import KINDS as PICTURES
+from nonsmooth.runtime.present.pictures.kinds import Kind
 from tests.places import CHECKOUT
 
 PAGE = (CHECKOUT / "docs" / "architecture.md").read_text(encoding="utf-8")
@@ -150,23 +151,27 @@ def test_a_new_event_is_one_entry(monkeypatch: pytest.MonkeyPatch) -> None:
     branch.plot()
 
 
-def draw_dwell_times(orbit: Any, axes: Any) -> Any:
+def draw_dwell_times(scene: Any, places: Sequence[Any]) -> None:
     """Draw the dwell times of an orbit as bars."""
-    axes.bar(orbit.dwell_time_names, orbit.dwell_times)
-    return axes
+    names = scene.orbit.dwell_time_names
+    places[0].bar(names, [float(scene.orbit.values[name]) for name in names])
+    places[0].set_title(scene.title)
 
 
-def test_a_new_picture_is_registered_by_name(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_new_picture_is_one_entry(monkeypatch: pytest.MonkeyPatch) -> None:
     figure = pytest.importorskip("matplotlib.figure").Figure()
     module = ModuleType("nonsmooth.runtime.present.pictures.dwell_times")
     module.draw_dwell_times = draw_dwell_times  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, module.__name__, module)
-    monkeypatch.setattr(registry, "_PLACES", dict(registry._PLACES))
-    registry.register("nonsmooth.runtime", {"draw_dwell_times": "present.pictures.dwell_times"})
+    kind = Kind((5, 4), "dwell_times.draw_dwell_times", of_motions=False)
+    monkeypatch.setitem(PICTURES, "dwell-times", kind)
     orbit = ns.solve("dry-friction/global-stick")
-    axes = registry.registered("draw_dwell_times")(orbit, figure.add_subplot())
+    axes = orbit.plot("dwell-times", figure.add_subplot())
     heights = [bar.get_height() for bar in axes.patches]
     assert sum(heights) == pytest.approx(float(orbit.period), rel=1e-12)
+    assert axes.get_title() == "dry-friction/global-stick"
+    with pytest.raises(ns.InputError, match="dwell-times"):  # it is listed with the others
+        orbit.plot("dwell-tines", axes)
 
 
 def test_a_new_command_is_one_function(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,6 +2,7 @@
 
 numpydoc sections are demanded of what `nonsmooth` and `nonsmooth.derive` export: of functions, of
 classes and of the public methods of these. Ruff's pydocstyle cannot tell whether they are complete.
+Functions that a module of `runtime` offers to others name their parameters and what they give.
 """
 
 import ast
@@ -19,7 +20,12 @@ import pytest
 
 import nonsmooth
 import nonsmooth.derive
+from tests.places import CHECKOUT
 
+ROOMS = (
+    "core", "model", "shooting", "events", "simulation", "orbits", "explore", "proof", "checker",
+    "present", "cli",
+)  # fmt: skip
 ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "NoConvergence"}
 
 
@@ -105,3 +111,91 @@ def test_what_is_missing_is_found(
     (tmp_path / f"{name}.py").write_text(f"from __future__ import annotations\n\n{body}\n")
     with pytest.raises(AssertionError, match=missing):
         test_docstrings_are_complete("function", "f", import_module(name).f)
+
+
+def offered(tree: ast.Module) -> Iterator[ast.FunctionDef]:
+    """Functions in ``__all__``, or without an underscore where there is none; no commands."""
+    lists = (
+        ast.literal_eval(node.value)
+        for node in tree.body
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
+    )
+    names = next(lists, None)
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            command = any(".command" in ast.unparse(d) for d in node.decorator_list)
+            if not command and (names is None or node.name in names):
+                yield node
+
+
+def untold(function: ast.FunctionDef) -> set[str]:
+    """Parameters that a docstring does not describe, and ``Returns`` if it has to be there."""
+    told = sections(ast.get_docstring(function) or "")
+    taken = function.args
+    named = [*taken.posonlyargs, *taken.args, *taken.kwonlyargs, taken.vararg, taken.kwarg]
+    missing = {arg.arg for arg in named if arg} - entries(told.get("Parameters", ""))
+    silent = function.returns is None or ast.unparse(function.returns) in {"None", "NoReturn"}
+    return missing if silent or told.keys() & {"Returns", "Yields"} else missing | {"Returns"}
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_functions_between_modules_say_what_they_take_and_give(room: str) -> None:
+    files = sorted((CHECKOUT / "runtime" / room).rglob("*.py"))
+    assert files
+    missing = {
+        f"{file.relative_to(CHECKOUT)}: {function.name}": sorted(names)
+        for file in files
+        for function in offered(ast.parse(file.read_text(encoding="utf-8")))
+        if (names := untold(function))
+    }
+    assert missing == {}
+
+
+@pytest.mark.parametrize(
+    ("signature", "docstring", "missing"),
+    [
+        ("f(a, *b, c) -> None", "Do.", {"a", "b", "c"}),
+        ("f(a: int) -> int", "Do.\n\nParameters\n----------\na : int", {"Returns"}),
+        ("f() -> int", "Do.\n\nReturns\n-------\nint", set()),
+        ("f() -> Iterator[int]", "Do.\n\nYields\n------\nint", set()),
+    ],
+)
+def test_what_is_untold_is_found(signature: str, docstring: str, missing: set[str]) -> None:
+    tree = ast.parse(f"__all__ = ['f']\ndef {signature}:\n    {docstring!r}\ndef g(a): 'Do.'")
+    assert [untold(function) for function in offered(tree)] == [missing]
+
+
+def named_in_code(tree: ast.AST) -> Iterator[str]:
+    """Identifiers of a module, and the words of its strings that are no docstrings."""
+    texts = {id(n.value) for n in ast.walk(tree) if isinstance(n, ast.Expr)}
+    for node in ast.walk(tree):
+        for key in ("name", "id", "attr", "arg", "asname", "module"):
+            if isinstance(found := getattr(node, key, None), str):
+                yield from found.split(".")
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in texts:
+            yield from re.findall(r"\w+", node.value)
+
+
+def test_docstrings_name_what_exists() -> None:
+    files = [p for room in ("runtime", "derive") for p in (CHECKOUT / room).rglob("*.py")]
+    trees = {file: ast.parse(file.read_text(encoding="utf-8")) for file in files}
+    known = {name for tree in trees.values() for name in named_in_code(tree)}
+    known |= {part for file in files for part in file.relative_to(CHECKOUT).with_suffix("").parts}
+    stale = [
+        f"{file.relative_to(CHECKOUT)}: `{quoted}`"
+        for file, tree in trees.items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)
+        for quoted in re.findall(r"(?<!`)`([^`\n]+)`(?!`)", ast.get_docstring(node) or "")
+        if not known.issuperset(re.findall(r"\b[A-Za-z_]\w*", quoted))
+    ]
+    assert not stale
+
+
+def test_a_class_name_has_one_meaning() -> None:
+    places: dict[str, list[str]] = {}
+    for file in (CHECKOUT / "runtime").rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                places.setdefault(node.name, []).append(str(file.relative_to(CHECKOUT)))
+    assert {name: where for name, where in places.items() if len(where) > 1} == {}

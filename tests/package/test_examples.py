@@ -11,7 +11,10 @@ import nonsmooth
 from nonsmooth.runtime.simulation.engines import compiled_engine
 
 # simulate many motions, which takes minutes in Python
-COMPILED = {"find_orbits", "load_found", "load_sweep", "lyapunov", "simulate_many", "sweep"}
+COMPILED = {
+    *("basins", "find_orbits", "load_found", "load_sweep"),
+    *("lyapunov", "simulate_many", "sweep"),
+}
 
 
 def with_examples() -> list[str]:

@@ -178,7 +178,7 @@ def test_declared_orbits_are_motions(name: str, orbit: str) -> None:
     assert found.stability.verdict == "stable"
     assert found.admissibility.verdict is True
     motion = ns.simulate(
-        page(name), found.given, found.trajectory()(0.5 * found.dwell_times[0]),
+        page(name), {**found.given, **found.opened}, found.trajectory()(0.5 * found.dwell_times[0]),
         found.itinerary[0][0], transitions=len(found.itinerary),
     )  # fmt: skip
     assert [b for entry in motion.boundaries[1:] for b in entry] == [b for _, b in found.itinerary]
@@ -489,10 +489,9 @@ def test_two_belts_by_matrix_exponentials() -> None:
     for name in ("both-stick", "second-sticks"):
         orbit = solved("two_belts", name)
         assert_motion(orbit, rules)
-        motion = ns.simulate(
-            page("two_belts"), orbit.given, orbit.trajectory()(0.1), transitions=40
-        )
-        again = ns.solve(page("two_belts"), orbit.given, itinerary=ns.itinerary_of(motion))
+        data = {**orbit.given, **orbit.opened}
+        motion = ns.simulate(page("two_belts"), data, orbit.trajectory()(0.1), transitions=40)
+        again = ns.solve(page("two_belts"), data, itinerary=ns.itinerary_of(motion))
         assert again.period == pytest.approx(orbit.period, abs=1e-11)
 
 

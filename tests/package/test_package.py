@@ -91,7 +91,7 @@ def test_wheel_has_one_top_level_name(wheel: Path) -> None:
 @pytest.mark.packaging
 def test_wheel_is_complete(source: Path, wheel: Path) -> None:
     suffixes = {".py", ".h", ".c", ".md", ".json", ".html"}
-    expected = {"nonsmooth/__init__.py", "nonsmooth/py.typed"}
+    expected = {f"nonsmooth/{name}" for name in ("__init__.py", "__main__.py", "py.typed")}
     for folder in FOLDERS:
         expected |= {
             f"nonsmooth/{path.relative_to(source).as_posix()}"

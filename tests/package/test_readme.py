@@ -1,4 +1,4 @@
-"""The README tells the truth: its Python runs and its commands exist."""
+"""README and the pages of examples tell the truth: their Python runs and their commands exist."""
 
 import re
 
@@ -9,19 +9,12 @@ from nonsmooth.runtime.cli.program import app
 from tests.places import CHECKOUT
 
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
+COMMANDS_PAGE = (CHECKOUT / "docs" / "how_to" / "commands.md").read_text(encoding="utf-8")
+IN_PYTHON = (CHECKOUT / "docs" / "how_to" / "in_python.md").read_text(encoding="utf-8")
 
 
-def blocks(language):
-    return re.findall(rf"```{language}\n(.*?)```", README, flags=re.DOTALL)
-
-
-@pytest.mark.compiled  # finding orbits takes minutes in Python
-def test_the_python_example_runs(capsys):
-    example, _ = blocks("python")
-    exec(compile(example, "README.md", "exec"), {})
-    printed = capsys.readouterr().out
-    assert "stable" in printed
-    assert "(201, 101)" in printed
+def blocks(text, language):
+    return re.findall(rf"```{language}\n(.*?)```", text, flags=re.DOTALL)
 
 
 def commands(block):
@@ -34,22 +27,61 @@ def commands(block):
             yield [part for word in words for part in variables.get(word[1:], word).split()]
 
 
-COMMANDS = [command for block in blocks("sh") for command in commands(block)]
+def commands_of(text):
+    return [command for block in blocks(text, "sh") for command in commands(block)]
+
+
+@pytest.fixture
+def declared(tmp_path, monkeypatch):
+    """A folder with the files that the pages declare, in which commands and sessions run."""
+    for text in (README, COMMANDS_PAGE):
+        declaration = blocks(text, "python")[0]
+        name = re.match(r"# (\w+\.py)", declaration).group(1)
+        (tmp_path / name).write_text(declaration, encoding="utf-8")
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.compiled  # finding orbits takes minutes in Python
+@pytest.mark.usefixtures("declared")
+def test_the_session_of_the_readme_prints_what_it_shows(capsys):
+    _, session = blocks(README, "python")
+    exec(compile(session, "README.md", "exec"), {})
+    (shown,) = blocks(README, "text")
+    assert capsys.readouterr().out == shown
 
 
 @pytest.mark.compiled
-@pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
-def test_every_command_line_is_answered(tmp_path, monkeypatch):
-    _, declaration = blocks("python")
-    (tmp_path / "my_oscillator.py").write_text(declaration, encoding="utf-8")
-    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
-    monkeypatch.chdir(tmp_path)  # in the README's order: a later one reads what an earlier saved
-    for command in COMMANDS:
+def test_the_page_in_python_runs(capsys):
+    names = {}
+    for cell in blocks(IN_PYTHON, r"\{code-cell\} ipython3"):
+        exec(compile(cell, "in_python.md", "exec"), names)
+    printed = capsys.readouterr().out
+    assert "stable" in printed
+    assert "(201, 101)" in printed
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("committed_derivation", "empty_reproduction", "declared")
+@pytest.mark.parametrize("text", [README, COMMANDS_PAGE], ids=["README", "commands"])
+def test_every_command_line_is_answered(text):
+    found = commands_of(text)
+    assert len(found) >= 4
+    for command in found:  # in the page's order: a later one reads what an earlier saved
         # LaTeX need not be installed
         words = ["latex" if word == "pdf" else word for word in command]
         result = CliRunner().invoke(app, words)
         assert result.exit_code == 0, (command, result.output)
 
 
-def test_commands_were_found():
-    assert len(COMMANDS) >= 5
+def test_links_of_the_readme_lead_somewhere():
+    for target in re.findall(r"\]\(((?!http)[^)#]+)\)", README):
+        assert (CHECKOUT / target).exists(), target
+
+
+def test_pictures_are_small():
+    pictures = [p for p in (CHECKOUT / "docs" / "pictures").rglob("*.*") if p.is_file()]
+    assert len(pictures) >= 15
+    assert all(p.stat().st_size < 200_000 for p in pictures)

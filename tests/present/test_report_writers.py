@@ -20,8 +20,8 @@ from nonsmooth.runtime.present.paper.records import (
     Comparisons,
     Equation,
     Finding,
-    Picture,
     Report,
+    ReportFigure,
     Table,
     Text,
 )
@@ -78,9 +78,9 @@ def comparison(quantity: str, verdict: str, enclosure: str = "") -> Comparison:
     return Comparison(quantity, "Sec. 5, Eq. (12)", "0.4831", DIGITS, "1.23e-5", verdict, enclosure)
 
 
-def picture(number: int) -> Picture:
+def picture(number: int) -> ReportFigure:
     caption = f'Figure {number}. *Phase* portrait, $x_{number}$ in "[0, 1)"'
-    return Picture(f"figure-0{number}", caption)
+    return ReportFigure(f"figure-0{number}", caption)
 
 
 @cache

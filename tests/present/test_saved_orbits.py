@@ -145,6 +145,21 @@ def test_what_is_no_orbit_is_told_in_one_line(folder, name, message):
     assert err.count("\n") == 1
 
 
+def test_a_file_lists_its_orbits_with_the_parameters_of_its_system(folder):
+    (declared,) = answered("list", "gear.py")["systems"]
+    (found,) = answered("list", "found.json")["systems"]
+    count = len(ns.load_found("found.json").orbits)
+    assert count > 1
+    assert [each["name"] for each in found["orbits"]] == [
+        str(folder / f"found.json:{number + 1}") for number in range(count)
+    ]
+    assert found["configurations"] == declared["configurations"]
+    assert found["parameters"] == declared["parameters"]
+    (third,) = answered("list", "found.json:2")["systems"]
+    assert third["orbits"] == found["orbits"][1:2]
+    assert {p["name"]: p["default"] for p in third["orbits"][0]["parameters"]} == DATA
+
+
 def test_found_orbits_are_appended_to_the_declaration(folder):
     shutil.copy(folder / "gear.py", folder / "mine.py")
     data = [f"{name}={value}" for name, value in DATA.items()]

@@ -337,6 +337,8 @@ def test_maps_are_drawn(tmp_path: Path) -> None:
         texts = [text.get_text() for text in axes.get_legend().get_texts()]
         assert all(any(text.startswith(label) for text in texts) for label in labels)
         figure.savefig(tmp_path / "map.png")
+        assert len(found.plot().axes) == 1
+        assert found.plot(axes) is axes
     names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
     with pytest.raises(InputError, match="two parameters"):
         ns.certify_box(loop(), names).plot()

@@ -17,18 +17,27 @@ import nonsmooth as ns
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision, parse
+from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.proof.admissibility import _Phase, _Refuted
+from nonsmooth.runtime.proof.admissibility_conditions import (
+    Condition,
+    Derivative,
+    Follower,
+    Watched,
+)
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_at
+from nonsmooth.runtime.proof.boxes.tile import Anchor, _joined
 from nonsmooth.runtime.proof.certify_orbit import MOST_BITS
-from nonsmooth.runtime.proof.closure import symplectic_form
-from nonsmooth.runtime.proof.cycle_equations import Equations
 from nonsmooth.runtime.proof.exact_tables import tables_of
 from nonsmooth.runtime.proof.krawczyk import krawczyk, newton
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
-from nonsmooth.runtime.proof.multipliers import inside_circle, neutral_pairs
-from nonsmooth.runtime.proof.orbit_cycle import (
+from nonsmooth.runtime.proof.multipliers import apart, inside_circle, neutral_pairs
+from nonsmooth.runtime.proof.orbit_equations import Equations
+from nonsmooth.runtime.proof.orbit_to_prove import (
     Subject,
     subject_of,
 )
+from nonsmooth.runtime.proof.symplectic_form import symplectic_form
 from tests.certified import FORCED, forced, loop
 
 STICK = "dry-friction/global-stick"
@@ -240,6 +249,19 @@ def test_boxes_with_no_orbit_with_one_and_with_two() -> None:
         assert not both.empty
 
 
+def test_another_root_of_the_equations_is_not_the_orbit_that_was_found() -> None:
+    """Half turns more make another one: no box that holds both has one root alone."""
+    subject = subject_of(loop())
+    with flint_precision(128):
+        region, (_, root) = region_at(subject, 128), problem(subject, 128)
+        anchor = Anchor((), root)
+        assert _joined(region, anchor, root)
+        assert _joined(region, anchor, [x + arb(2) ** -30 for x in root])
+        for place, turn in ((2, 2 * arb.pi()), (3, arb.pi())):
+            other = [*root[:place], root[place] + turn, *root[place + 1 :]]
+            assert not _joined(region, anchor, other)
+
+
 @pytest.mark.parametrize(
     ("wall", "verdict"),
     [("2001/1000", "proved"), ("2", "undecided"), ("1999/1000", "refuted"),
@@ -389,3 +411,71 @@ def test_an_orbit_is_the_same_by_either_route() -> None:
     certificate = ns.certify(composed)
     assert certificate.claims == derived.claims
     assert certificate.trace.ball.overlaps(derived.trace.ball)
+
+
+# --- what a proof rests on, piece by piece ----------------------------------------------
+
+
+def phase_at(*behind: int) -> Any:
+    """A phase that ends at a state; the rest is not asked for."""
+    phase = object.__new__(_Phase)
+    phase.behind = [arb(x) for x in behind]
+    return phase
+
+
+def test_a_dwell_time_is_positive_refuted_or_undecided() -> None:
+    for dwell, error in ((arb(-1), _Refuted), (arb(0, 1), Undecided)):
+        phase = phase_at()
+        phase.dwell = dwell
+        with pytest.raises(error, match="dwell time"):
+            phase.judged()
+
+
+def test_a_boundary_is_reached_from_inside_refuted_or_undecided() -> None:
+    def watched(ends: tuple[int, int], speed: tuple[int, int]) -> Watched:
+        rows = (tuple(map(fmpq, ends)), tuple(map(fmpq, speed)))
+        return Watched("wall", (), None, False, True, *rows)
+
+    phase, zero = phase_at(3), (0, 0)
+    assert phase._speed(watched(zero, (2, 1))) == 7
+    for ends, speed, error in (
+        (zero, (-2, 1), _Refuted),
+        (zero, (1, -3), Undecided),
+        ((1, 0), (2, 1), _Refuted),
+        ((1, -3), (2, 1), Undecided),
+    ):
+        with pytest.raises(error, match="reached"):
+            phase._speed(watched(ends, speed))
+
+
+def test_what_follows_is_the_wanted_transition_refuted_or_undecided() -> None:
+    def follower(target: str, wanted: bool, sign: int, doubt: str = "") -> Follower:
+        """It follows if 3 sign > 0, for a sign that may be zero."""
+        derivative = Derivative(0, (fmpq(sign), fmpq(0)))
+        return Follower(target, wanted, (Condition(derivative, True),), doubt)
+
+    phase = phase_at(3)
+    phase._first([follower("a", False, -1), follower("b", True, 1), follower("c", False, 1)])
+    for followers, error, said in (
+        ([follower("a", False, 1), follower("b", True, 1)], _Refuted, "a follows"),
+        ([follower("a", False, 1, "by a law"), follower("b", True, 1)], Undecided, "by a law"),
+        ([follower("b", True, -1)], _Refuted, "b does not follow"),
+        ([follower("a", False, 0), follower("b", True, 1)], Undecided, "whether"),
+    ):
+        with pytest.raises(error, match=said):
+            phase._first(followers)
+
+
+def test_multipliers_that_lie_too_near_are_not_stated() -> None:
+    """To each other, to the trivial 1, or to zero, of which there are as many as are left."""
+    half = acb("0.5")
+    with flint_precision(192):
+        near = acb(arb(0.5) + arb(2) ** -80)
+        one = acb(1 - arb(2) ** -80)
+        tiny = acb(arb(2) ** -80)
+        assert len(apart([half, acb("-0.5")], 4, trivial=True)) == 2
+        assert apart([half, near, acb("-0.5")], 3, trivial=False) == (acb("-0.5"),)
+        assert apart([half, one], 3, trivial=True) == (half,)
+        assert apart([one], 1, trivial=False) == (one,)
+        assert apart([tiny], 2, trivial=False) == ()
+        assert apart([tiny], 1, trivial=False) == (tiny,)

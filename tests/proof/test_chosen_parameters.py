@@ -7,7 +7,7 @@ import nonsmooth as ns
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.model.completion import chosen_value
 from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
-from nonsmooth.runtime.proof.orbit_cycle import subject_of
+from nonsmooth.runtime.proof.orbit_to_prove import subject_of
 
 STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
 SYSTEM = ("chi", "eta", "V", "us1", "ur1", "us2", "ur2")

@@ -230,3 +230,41 @@ def test_a_margin_within_its_error_is_undecided_until_there_are_digits():
             assert refine(orbit, few).stability.verdict == "undecided"
             verdicts.append(refine(orbit, enough).stability.verdict)
         assert set(verdicts) == {"stable", "unstable"}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "rigid-stop/one-impact",
+        "elastic-stop/one-contact",
+        "dry-friction/symmetric",
+        "dry-friction/global-stick",
+    ],
+)
+@pytest.mark.parametrize("digits", [None, 30])
+def test_multipliers_come_by_decreasing_size(name, digits):
+    """The first is as large as the spectral radius; zeros, and a 1 that is trivial, come last."""
+    orbit = solve(name)
+    jacobian = np.array(orbit.evaluate("poincare_jacobian"), dtype=float)
+    found = (orbit if digits is None else refine(orbit, digits)).stability
+    values = np.array([complex(float(m.real), float(m.imaginary)) for m in found.multipliers])
+    sizes = np.abs(values)
+    assert (np.diff(sizes) <= 1e-9).all()
+    assert_allclose(sizes[0], np.abs(np.linalg.eigvals(jacobian)).max(), rtol=1e-7)
+    assert (sizes[found.rank :] == 0).all()
+    assert (sizes[: found.rank] > 0).all()
+    assert [m.trivial for m in found.multipliers] == sorted(m.trivial for m in found.multipliers)
+
+
+def test_multipliers_of_composed_orbits_come_by_decreasing_size():
+    data = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
+    named = solve("dry-friction/symmetric")
+    composed = solve(
+        "dry-friction",
+        data,
+        [*named.dwell_times],
+        itinerary=named.itinerary,
+    )
+    sizes = [abs(complex(m.real, m.imaginary)) for m in composed.stability.multipliers]
+    assert sizes == sorted(sizes, reverse=True)
+    assert sizes[0] > 1.1 * sizes[1]

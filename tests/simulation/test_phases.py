@@ -55,17 +55,15 @@ def test_the_force_is_that_of_the_phase() -> None:
 
 
 def test_a_certificate_is_of_the_phase() -> None:
-    """With a phase of rational cosine and sine the tables are exact."""
-    system = two(sp.atan2(4, 3))
-    motion = ns.simulate(system, {}, START, transitions=600)
-    orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
-    certificate = ns.certify(orbit)
-    assert certificate.claims["existence"] == "proved"
-    # others are not decided, and never as if they were zero
-    system = two(1)
-    orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(ns.simulate(system, {}, START,
-                                                                transitions=600)))  # fmt: skip
-    assert ns.certify(orbit).claims["existence"] == "undecided"
+    """Its cosine and sine are exact, rational or not, and never as if they were zero."""
+    for phase in (sp.atan2(4, 3), 1):
+        system = two(phase)
+        motion = ns.simulate(system, {}, START, transitions=600)
+        orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
+        certificate = ns.certify(orbit)
+        assert certificate.claims["existence"] == "proved"
+        for name, value in orbit.unknowns.items():
+            assert abs(float(certificate.enclosures[name].mid) - float(value)) < 1e-9
 
 
 def test_a_start_that_contradicts_the_phases_is_refused() -> None:

@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import expm
 
 import nonsmooth
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from tests.handmade import DATA, pair, two_stops
 
 STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
@@ -87,7 +87,10 @@ def test_about_a_period() -> None:
         except InputError:
             continue
         assert sum(found.dwell_times) == pytest.approx(turns * turn, rel=0.05)
-        orbit = nonsmooth.solve(two_stops(), data, itinerary=found)
+        try:  # a return that is near is no more than a guess
+            orbit = nonsmooth.solve(two_stops(), data, itinerary=found)
+        except NoConvergence:
+            continue
         converged += orbit.converged and abs(orbit.period - turns * turn) < 1e-9
     assert converged
 

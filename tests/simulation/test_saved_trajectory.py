@@ -5,6 +5,8 @@ import hashlib
 import io
 import json
 import os
+import re
+import tracemalloc
 import zipfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -175,7 +177,7 @@ def test_the_file_tells_where_it_is_from(path: Path) -> None:
     friction().save(path)
     header, arrays = parts(path)
     assert header["format"] == "nonsmooth trajectory"
-    assert header["version"] == 2
+    assert header["version"] == 3
     assert header["package"] == nonsmooth.__version__
     assert header["system"] == "dry-friction"
     assert header["parameters"]["chi"] == "2/5"
@@ -227,7 +229,7 @@ def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
     friction().save(path)
     whole = path.read_bytes()
     refused = 0
-    for place in range(3, len(whole), 211):
+    for place in range(3, len(whole), 97):
         changed = bytes([whole[place] ^ 1])
         path.write_bytes(whole[:place] + changed + whole[place + 1 :])
         # nothing hangs on a date in an archive, or the last of the digits of a number
@@ -240,7 +242,7 @@ def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
         else:
             refusal(path)
             refused += 1
-    assert refused > 0.8 * len(range(3, len(whole), 211))
+    assert refused > 0.8 * len(range(3, len(whole), 97))
 
 
 def loads(path: Path) -> bool:
@@ -279,6 +281,52 @@ def test_an_archive_that_unpacks_to_too_much(
     )
     assert path.stat().st_size < 10_000
     assert refusal(path) == "too large for a saved motion"
+
+
+def test_an_archive_whose_directory_lies(tmp_path: Path) -> None:
+    """It takes no more memory than its directory tells."""
+    path = tmp_path / "motion.npz"
+    friction().save(path)
+    size, told = 200_000_000, 200
+    content = io.BytesIO()
+    with zipfile.ZipFile(path) as good, zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as bad:
+        for name in good.namelist():
+            bad.writestr(name, bytes(size) if name == "states.npy" else good.read(name))
+    lies = content.getvalue().replace(size.to_bytes(4, "little"), told.to_bytes(4, "little"))
+    path.write_bytes(lies)
+    tracemalloc.start()
+    try:
+        assert refusal(path) == "cut, damaged, or not an .npz file"
+        assert tracemalloc.get_traced_memory()[1] < 10_000_000
+    finally:
+        tracemalloc.stop()
+
+
+def test_an_array_whose_header_lies(tmp_path: Path) -> None:
+    path = tmp_path / "motion.npz"
+    friction().save(path)
+    with zipfile.ZipFile(path) as good:
+        content = {name: good.read(name) for name in good.namelist()}
+    old = re.search(rb"\(\d+,\), } *", content["times.npy"])
+    assert old is not None
+    lie = b"(10000000,), }".ljust(len(old[0]))
+    content["times.npy"] = content["times.npy"].replace(old[0], lie)
+    with zipfile.ZipFile(path, "w") as bad:
+        for name, part in content.items():
+            bad.writestr(name, part)
+    tracemalloc.start()
+    try:
+        assert refusal(path) == "'times.npy' is not as long as its header says"
+        assert tracemalloc.get_traced_memory()[1] < 10_000_000
+    finally:
+        tracemalloc.stop()
+
+
+def test_a_cell_without_end(tmp_path: Path) -> None:
+    path = tmp_path / "motion.csv"
+    friction().save(path)
+    path.write_text(path.read_text() + "1" * 200_000 + "\n")
+    assert "field larger than field limit" in refusal(path)
 
 
 def test_files_that_are_too_large(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -323,7 +371,7 @@ def cell(name: str, place: int, entry: object) -> Change:
     ("change", "part"),
     [
         (put("format", "nonsmooth orbit"), "not a saved motion, such as --save or save() writes"),
-        (put("version", 1), "version 1 of the format, where 2 is known"),
+        (put("version", 2), "version 2 of the format, where 3 is known"),
         (put("version", "1"), "version '1' of the format"),
         (put("more", 1), "'more' is unknown"),
         (put("end", 60.0), "'end' is of the wrong type"),
@@ -414,8 +462,9 @@ def test_wrong_targets(tmp_path: Path) -> None:
         friction().save(tmp_path / "motion.txt")
     with pytest.raises(InputError, match=r"motion\.txt does not end in \.npz or \.csv"):
         nonsmooth.load_trajectory(tmp_path / "motion.txt")
-    with pytest.raises(InputError, match=r"cannot write .*there is no folder"):
-        friction().save(tmp_path / "missing" / "motion.csv")
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(InputError, match=r"cannot write .*file is not a folder"):
+        friction().save(tmp_path / "file" / "motion.csv")
     with pytest.raises(InputError, match=r"motion\.npz: cannot be read: no such file"):
         nonsmooth.load_trajectory(tmp_path / "motion.npz")
 

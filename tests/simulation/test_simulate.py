@@ -392,11 +392,13 @@ def test_bad_input_of_many(changes, match):
         simulate_many(**(arguments | changes))
 
 
-def test_counts_beyond_any_integer_are_no_limit():
+def test_the_largest_count_is_no_limit_and_larger_ones_are_refused():
     start = CASES["dry-friction"][1]
-    many = simulate_many("dry-friction", FRICTION, start, until=5, transitions=10**30)
-    one = simulate("dry-friction", FRICTION, start, until=5, transitions=10**30)
+    many = simulate_many("dry-friction", FRICTION, start, until=5, transitions=2**62)
+    one = simulate("dry-friction", FRICTION, start, until=5, transitions=2**62)
     np.testing.assert_allclose(many.states, one(5.0), rtol=0, atol=1e-13)
+    with pytest.raises(InputError, match="transitions is more than"):
+        simulate("dry-friction", FRICTION, start, until=5, transitions=10**30)
 
 
 @pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from fractions import Fraction
 from importlib import import_module
 
 import mpmath as mp
@@ -10,9 +11,11 @@ import pytest
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
+from nonsmooth.runtime.events.first_crossing import Start
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, Status
 from nonsmooth.runtime.model.modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.model.structure import (
     BoundaryShape,
     ModeShape,
@@ -146,21 +149,84 @@ def test_event_times_hold_to_40_digits(name):
             assert abs(motion.before[i + 1][j] - arrived[j]) <= 2e-14 / min(slope, 1)
 
 
+either_engine = pytest.mark.parametrize(
+    "engine", [pytest.param("compiled", marks=pytest.mark.compiled), "python"]
+)
+
+
+def follow(engine, system, state, **options):
+    """A motion in one of the engines."""
+    if engine == "python":
+        return run(system, state, 0, **options)
+    compiled = import_module("nonsmooth.runtime._engine")
+    return run_compiled(compiled, system, np.array(state, dtype=float), 0, **options)
+
+
+@either_engine
+@pytest.mark.parametrize("wait", [0.4, 0.31, 0.17])
 @pytest.mark.parametrize("shift", [0.0, 1e-9, -1e-9])
-def test_two_boundaries_reached_at_one_instant_are_one_set(shift):
+def test_two_boundaries_reached_at_one_instant_are_one_set(shift, wait, engine):
     system = friction("A")
     generator = matrix(system.fields[0])
     meeting = np.array([-0.5, 0.25, 1.0, 1.0, 1.0])  # both accelerate, both at V
     assert ((generator @ meeting)[2:4] > 0.1).all()
     late = meeting + np.array([0, 0, 0, shift, 0])
-    start = expm(-0.4 * generator) @ late
-    motion = run(system, start[:4], 0, transitions=1)
-    assert motion.times[1] == pytest.approx(0.4, abs=1e-8)
+    start = expm(-wait * generator) @ late
+    motion = follow(engine, system, start[:4], transitions=1)
+    assert motion.times[1] == pytest.approx(wait, abs=1e-8)
     # both within their static friction: they stick
     expected = {0.0: (3, 4), 1e-9: (2, 1), -1e-9: (1, 3)}[shift]
     assert (motion.sets[1], motion.configurations[1]) == expected
     if shift == 0:
         assert (motion.states[1][2:] == 1.0).all()
+
+
+@pytest.mark.parametrize("gap", [0.5, 1.5])
+def test_the_order_of_boundaries_decides_nothing_within_an_error(gap):
+    """One is reached at 1, within a large error; the other some part of that error later."""
+    system = friction("A")
+    stepper = stepping._Stepper(system)
+    boundaries = stepper.configuration(0).boundaries[:2]
+    vague = QuasiPolynomial((0j,), ((-1 + 0j, 1 + 0j),), ((1e8, 1.0),))
+    error = vague.rounding(1.0)
+    sharp = QuasiPolynomial((0j,), ((-1 - gap * error + 0j, 1 + 0j),))
+    watches = [
+        stepping._WatchedFunction(place, boundary, function, Start.of(function))
+        for place, (boundary, function) in enumerate(zip(boundaries, (vague, sharp), strict=True))
+    ]
+    found = [stepper.event(order, 3.0) for order in (watches, watches[::-1])]
+    assert found[0] == found[1]
+    assert found[0].time == pytest.approx(1, abs=1e-15)
+    assert found[0].boundaries == ({0, 1} if gap < 1 else {0})
+
+
+def test_what_was_located_is_zero_behind_the_event_unless_a_reset_moves_it(monkeypatch):
+    told = []
+    watches = stepping._Stepper.watches
+
+    def watched(self, configuration, state, size, error, left_out, zero):
+        told.append(zero)
+        return watches(self, configuration, state, size, error, left_out, zero)
+
+    monkeypatch.setattr(stepping._Stepper, "watches", watched)
+    for system, start, moved in (
+        (piecewise("rigid-stop", STOP | {"r": 1}), (0, 0, 1, 0), False),  # an impact moves no place
+        (friction("A"), STARTS[1], True),  # the velocity that reaches the belt's is set to it
+    ):
+        told.clear()
+        motion = run(system, start, 0, transitions=12)
+        shapes = system.structure.boundaries
+        seen = set()
+        assert told[0] == frozenset()
+        for i, zero in enumerate(told[1:]):
+            located = [
+                b for j, b in enumerate(shapes[motion.configurations[i]])
+                if motion.sets[i + 1] >> j & 1
+            ]  # fmt: skip
+            kept = {b.row for b in located if not b.name.endswith("belt")}
+            assert zero == kept
+            seen.add(len(located) > len(kept))
+        assert seen == ({True, False} if moved else {False})
 
 
 @pytest.mark.parametrize("ulps", [-4, -2, -1, 0, 1, 2, 4])
@@ -370,6 +436,67 @@ def oscillator(rate, level, frequency=1.0):
         ((),),
         [IDENTITY],
     )
+
+
+@either_engine
+@pytest.mark.parametrize("speeds", [(1.0, 2.0), (2.0, 1.0), (4.0, 0.5), (-1.0, 0.25), (3.0, 3.0)])
+def test_of_two_straight_flights_the_shorter_one_ends_first(engine, speeds):
+    motion = follow(engine, straight(speeds, 1, ()), (0.0, 0.0))
+    assert motion.status is Status.UNDECLARED
+    assert motion.end == 1 / max(speeds)
+
+
+@either_engine
+def test_times_are_sums_without_rounding_errors_that_grow(engine):
+    """Each flight takes the double 0.1; a sum of doubles would err by 1e-12."""
+    again = TransitionShape(frozenset({0}), (), 1, 0)
+    system = straight((1.0, 0.0), 0.1, (again,), [[0, 0, 0], [0, 1, 0]])
+    motion = follow(engine, system, (0.0, 0.0), transitions=3000)
+    assert motion.times.tolist() == [float(k * Fraction(0.1)) for k in range(3001)]
+
+
+def straight(speeds, level, transitions, reset=IDENTITY):
+    """x' = a and y' = b, with a boundary where x reaches a level, and one where y does."""
+    field = [[0, 0, speeds[0]], [0, 0, speeds[1]]]
+    return made(
+        field,
+        (ModeShape(2, False, (0, 1)),),
+        [[0, 0]],
+        [IDENTITY, field],
+        [[1, 0, -level], [0, 1, -level]],
+        ((BoundaryShape("right", 0, False), BoundaryShape("up", 1, False)),),
+        (transitions,),
+        [IDENTITY, reset],
+    )
+
+
+@pytest.mark.compiled
+def test_a_swing_keeps_its_digits_over_thousands_of_radians():
+    """Its angle is a product of doubles, whose rounding is taken in: x'' = -w^2 x, y' = s."""
+    w, speed, high = math.sqrt(1.5), 2.0**-11, mp.MPContext()
+    high.dps = 40
+    for level in (3, 5, 7, 11):  # it is there at a time without rounding
+        none = np.zeros((3, 4))
+        still, drift, cosine, sine = none.copy(), none.copy(), none.copy(), none.copy()
+        still[2, 2], drift[2, 3] = 1, speed
+        cosine[0, 0] = cosine[1, 1] = 1
+        sine[0, 1], sine[1, 0] = 1 / w, -w
+        field = [[0, 1, 0, 0], [-w * w, 0, 0, 0], [0, 0, 0, speed]]
+        system = made(
+            field,
+            (ModeShape(2, False, (0, 1)), ModeShape(1, True, (2, 3))),
+            [[0, 0], [0, w]],
+            [still, drift, cosine, sine],
+            [[0, 0, 1, -level]],
+            ((BoundaryShape("there", 0, False),),),
+            ((TransitionShape(frozenset({0}), (), 0, 0),),),
+            [np.eye(3, 4)],
+        )
+        motion = follow("compiled", system, (1.0, 0.0, 0.0), transitions=1)
+        angle = high.mpf(w) * high.mpf(float(motion.times[1]))
+        assert motion.times[1] == level / speed
+        expected = [float(high.cos(angle)), float(-w * high.sin(angle))]
+        np.testing.assert_allclose(motion.before[1][:2], expected, rtol=0, atol=1e-14)
 
 
 def test_what_never_comes_is_quiet_or_until():

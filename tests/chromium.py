@@ -1,0 +1,242 @@
+"""One headless Chromium that opens page after page, and what it sees on each."""
+
+import fcntl
+import json
+import os
+import signal
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from select import select
+from threading import Thread
+from typing import Any
+
+import pytest
+
+from tests.browser import OPTIONS, find_browser, folder
+
+SECONDS = 60
+LOCAL = "127.0.0.1"
+UNRENDERED = r"/\\\(|\\\[|\\begin\{|\$\$/"
+# What a reader would see of it, once formulas and pictures are there.
+LOOK = (
+    """(async () => {
+  if (window.MathJax && MathJax.startup) await MathJax.startup.promise;
+  const article = document.querySelector("article") || document.body;
+  const words = document.createTreeWalker(article, NodeFilter.SHOW_TEXT, (text) =>
+    text.parentElement.closest("pre, code, script, style, mjx-container")
+      ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT);
+  const formulas = [...document.querySelectorAll(".math")]
+    .filter((one) => !one.querySelector("mjx-container") || one.querySelector("mjx-merror"))
+    .map((one) => one.textContent);
+  while (words.nextNode())
+    if ("""
+    + UNRENDERED
+    + """.test(words.currentNode.data)) formulas.push(words.currentNode.data.trim());
+  const wide = [...document.body.querySelectorAll("*")].filter((one) => {
+    const box = one.getBoundingClientRect();
+    return box.width && box.right > innerWidth + 1 && !inside(one.parentElement);
+  });
+  function inside(element) {
+    return element && element !== document.body
+      && (getComputedStyle(element).overflowX !== "visible"
+        || getComputedStyle(element).position === "fixed" || inside(element.parentElement));
+  }
+  return JSON.stringify({
+    title: document.title,
+    formulas,
+    pictures: [...document.images].filter((one) => !one.complete || !one.naturalWidth)
+      .map((one) => one.getAttribute("src")),
+    unnamed: [...document.images].filter((one) => !one.hasAttribute("alt"))
+      .map((one) => one.getAttribute("src")),
+    scroll_width: document.documentElement.scrollWidth,
+    wide: wide.map((one) => one.outerHTML.slice(0, 120)),
+    links: [...document.links].map((one) => one.getAttribute("href")),
+    anchors: [...document.querySelectorAll("[id]")].map((one) => one.id),
+  });
+})()"""
+)
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What a page showed in a window of one width.
+
+    Attributes
+    ----------
+    title : str
+    formulas : list of str
+        Those that are not set, as they stand in the page.
+    pictures, unnamed : list of str
+        Addresses of those that did not load, and of those without a text in their place.
+    scroll_width : int
+        In pixels, of what is in the window.
+    wide : list of str
+        Beginnings of the elements that stand out at the right and are in no box of their own.
+    links, anchors : list of str
+        Addresses as the page gives them, and ids that links may name.
+    complaints : list of str
+        Errors and warnings of the console, and what could not be loaded.
+    requests : list of str
+        Addresses outside the site that the page asked for.
+    """
+
+    title: str
+    formulas: list[str]
+    pictures: list[str]
+    unnamed: list[str]
+    scroll_width: int
+    wide: list[str]
+    links: list[str]
+    anchors: list[str]
+    complaints: list[str] = field(default_factory=list)
+    requests: list[str] = field(default_factory=list)
+
+
+@contextmanager
+def served(site: Path) -> Iterator[str]:
+    """Serve a folder on this machine alone, at the address that is given."""
+
+    class Quiet(SimpleHTTPRequestHandler):
+        def log_message(self, *_: object) -> None:
+            """Tell nothing: the browser does."""
+
+    server = ThreadingHTTPServer((LOCAL, 0), partial(Quiet, directory=str(site)))
+    Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield f"http://{LOCAL}:{server.server_port}"
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
+class Window:
+    """A page of a browser that is driven over a pair of pipes."""
+
+    def __init__(self, commands: int, answers: int) -> None:
+        self._commands, self._answers = commands, answers
+        self._said = b""
+        self._count = 0
+        self._session: str | None = None
+        self._events: list[dict[str, Any]] = []
+        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
+        attached = self.ask("Target.attachToTarget", targetId=target, flatten=True)
+        self._session = attached["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.ask(f"{domain}.enable")
+
+    def ask(self, method: str, **parameters: object) -> dict[str, Any]:
+        """Send one command of the DevTools protocol and give its result."""
+        self._count += 1
+        message = {"id": self._count, "method": method, "params": parameters}
+        if self._session:
+            message["sessionId"] = self._session
+        os.write(self._commands, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self._next_message()
+            if answer.get("id") == self._count:
+                assert "error" not in answer, f"{method}: {answer['error']}"
+                result: dict[str, Any] = answer["result"]
+                return result
+            self._events.append(answer)
+
+    def run(self, script: str) -> Any:
+        """Give the value of an expression, awaited, in the page."""
+        asked = {"expression": script, "awaitPromise": True, "returnByValue": True}
+        answer = self.ask("Runtime.evaluate", **asked)
+        assert "exceptionDetails" not in answer, answer["exceptionDetails"]
+        return answer["result"].get("value")
+
+    def open(self, address: str, width: int) -> None:
+        """Open a page in a window of a width in pixels and wait until it has loaded."""
+        size = {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
+        self.ask("Emulation.setDeviceMetricsOverride", **size)
+        self._events.clear()
+        self.ask("Page.navigate", url=address)
+        while not any(event["method"] == "Page.loadEventFired" for event in self._events):
+            self._events.append(self._next_message())
+
+    def look(self, address: str, width: int) -> Seen:
+        """Open a page and say what is seen."""
+        self.open(address, width)
+        facts = json.loads(self.run(LOOK))
+        asked = [e["params"] for e in self._events if e["method"] == "Network.requestWillBeSent"]
+        urls = [one["request"]["url"] for one in asked]
+        site = address.split("/")[2]
+        return Seen(
+            **facts,
+            complaints=list(filter(None, map(complaint, self._events))),
+            requests=[url for url in urls if url.startswith("http") and url.split("/")[2] != site],
+        )
+
+    def _next_message(self) -> dict[str, Any]:
+        until = time.monotonic() + SECONDS
+        while b"\0" not in self._said:
+            ready, _, _ = select([self._answers], [], [], max(0.0, until - time.monotonic()))
+            read = os.read(self._answers, 1 << 20) if ready else b""
+            assert read, f"the browser was silent for {SECONDS} s"
+            self._said += read
+        message, _, self._said = self._said.partition(b"\0")
+        found: dict[str, Any] = json.loads(message)
+        return found
+
+
+def complaint(event: dict[str, Any]) -> str | None:
+    """What an event of the browser complains of, if it does."""
+    told = event.get("params", {})
+    match event["method"]:
+        case "Runtime.exceptionThrown":
+            return json.dumps(told["exceptionDetails"])[:500]
+        case "Runtime.consoleAPICalled" if told["type"] in {"error", "warning", "assert"}:
+            return json.dumps(told["args"])[:500]
+        case "Log.entryAdded" if told["entry"]["level"] in {"error", "warning"}:
+            return f"{told['entry']['text']} {told['entry'].get('url', '')}"
+        case "Network.loadingFailed" if not told.get("canceled"):
+            return f"{told['errorText']} ({told['type']})"
+        case "Network.responseReceived" if told["response"]["status"] >= 400:
+            return f"{told['response']['status']} {told['response']['url']}"
+    return None
+
+
+@contextmanager
+def window() -> Iterator[Window]:
+    """Start a browser that asks no other machine for anything, and give its page."""
+    browser = find_browser()
+    with folder() as place:
+        ours, theirs = os.pipe(), os.pipe()
+        # numbers that cannot be 3 and 4, which the browser reads and writes
+        ends = [fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (theirs[0], ours[1])]
+        log = os.open(place / "log", os.O_WRONLY | os.O_CREAT)
+        actions = [(os.POSIX_SPAWN_DUP2, ends[0], 3), (os.POSIX_SPAWN_DUP2, ends[1], 4)]
+        actions += [(os.POSIX_SPAWN_DUP2, log, 1), (os.POSIX_SPAWN_DUP2, log, 2)]
+        options = [option for option in OPTIONS if not option.startswith("--host-resolver")]
+        options += [f"--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE {LOCAL}"]
+        command = [browser, *options, "--remote-debugging-pipe", f"--user-data-dir={place}/profile"]
+        process = os.posix_spawn(browser, command, os.environ, file_actions=actions)
+        for end in (*ends, theirs[0], ours[1], log):
+            os.close(end)
+        try:
+            try:
+                page = Window(theirs[1], ours[0])
+            except (AssertionError, BrokenPipeError) as silent:
+                said = (place / "log").read_text("utf-8", errors="replace")
+                pytest.fail(f"the browser did not begin ({silent!r}):\n{said[-3000:]}")
+            yield page
+        finally:
+            os.close(theirs[1])  # without its pipe the browser ends
+            finish(process)
+            os.close(ours[0])
+
+
+def finish(process: int) -> None:
+    """Wait until a process has ended, and end it if it takes long."""
+    for _ in range(100):
+        if os.waitpid(process, os.WNOHANG)[0]:
+            return
+        time.sleep(0.1)
+    os.kill(process, signal.SIGKILL)
+    os.waitpid(process, 0)

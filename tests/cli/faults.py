@@ -1,0 +1,122 @@
+"""Faults at the instant when a command has written its file beside its place.
+
+Run as a script in a folder, with command lines in JSON. Each command does its work once. When
+it brings the first content to the disk, the process forks for each fault: one is killed, one
+gets Ctrl-C, one is told that the disk is full. Then it does its work again, and a second process
+does the same, in the same place, at that instant. What each ends with, says and leaves is printed.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import shlex
+import signal
+import sys
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+
+from nonsmooth.runtime.cli.program import main
+from nonsmooth.runtime.present.paper import writing
+
+# the reproduction without its work of a minute
+writing._contents = lambda *_, **__: {"report.html": b"report", "results.json": b"{}"}
+
+
+def kill() -> None:
+    """End the process at once."""
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def interrupt() -> None:
+    """Ctrl-C."""
+    signal.raise_signal(signal.SIGINT)
+
+
+def fill() -> None:
+    """The disk has no room."""
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
+def twice() -> None:
+    """Another process does the same, and is done first."""
+    os.fsync = FSYNC
+    process = os.fork()
+    if not process:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        code = 99
+        try:
+            main()
+        except SystemExit as end:
+            code = int(end.code or 0)
+        finally:
+            os._exit(code)
+    if told(process) not in (0, 1):
+        raise AssertionError("the second process did not write")
+
+
+FSYNC = os.fsync
+FAULTS: dict[str, Callable[[], None]] = {"kill": kill, "interrupt": interrupt, "full": fill}
+
+
+def contents() -> dict[str, str]:
+    """All files here, and folders as such."""
+    return {
+        str(path): "" if path.is_dir() else path.read_bytes().hex() for path in Path().rglob("*")
+    }
+
+
+def told(process: int) -> int:
+    """The exit code of a process, or the number of its signal, negative."""
+    return os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
+
+
+def try_faults(command: str, faults: dict[str, Callable[[], None]]) -> None:
+    """Run a command up to its first file, and each fault from there."""
+    before = contents()
+
+    def at_the_disk(descriptor: int) -> None:
+        for name, fault in faults.items():
+            process = os.fork()
+            if not process:
+                os.dup2(os.open(f"../{name}.txt", os.O_CREAT | os.O_TRUNC | os.O_WRONLY), 2)
+                fault()
+                return
+            code, after = told(process), contents()
+            print(
+                json.dumps(
+                    {
+                        "fault": name,
+                        "code": code,
+                        "said": Path(f"../{name}.txt").read_text(),
+                        "changed": [f for f in {*before, *after} if before.get(f) != after.get(f)],
+                    }
+                ),
+                flush=True,
+            )
+        os._exit(0)
+
+    os.fsync = at_the_disk
+    sys.argv = ["nonsmooth", *shlex.split(command)]
+    code = 99
+    try:
+        main()
+    except SystemExit as end:
+        code = int(end.code or 0)
+    except BaseException:
+        traceback.print_exc()
+    sys.stderr.flush()
+    os._exit(code)
+
+
+if __name__ == "__main__":
+    for line in json.loads(sys.argv[1]):
+        for faults in (FAULTS,) if line.startswith("chart ") else (FAULTS, {"twice": twice}):
+            sys.stdout.flush()
+            worker = os.fork()
+            if not worker:
+                try_faults(line, faults)
+            if told(worker):
+                sys.exit(f"{line}: it came to no file")

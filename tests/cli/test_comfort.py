@@ -1,0 +1,161 @@
+"""What makes the command line pleasant: completion, doctor, `python -m`, and whole lists."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from nonsmooth.runtime.cli import doctor
+from nonsmooth.runtime.cli.program import app
+from tests.places import GALLERY
+
+COMMAND = Path(sys.executable).with_name("nonsmooth")
+BASH = shutil.which("bash")
+
+
+def run(*arguments: str) -> str:
+    """What a command of this process prints."""
+    result = CliRunner().invoke(app, list(arguments))
+    assert result.exit_code == 0, result.output
+    return result.stdout
+
+
+def in_bash(script: str, home: Path, **environment: str) -> str:
+    """What a script of a shell prints whose home folder is empty."""
+    done = subprocess.run(
+        [str(BASH), "--norc", "-c", script],
+        cwd=home,
+        env=os.environ
+        | {"HOME": str(home), "PATH": f"{COMMAND.parent}{os.pathsep}{os.environ['PATH']}"}
+        | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A home folder in which the completion is installed."""
+    folder = tmp_path_factory.mktemp("home")
+    in_bash("nonsmooth --install-completion; true", folder)
+    return folder
+
+
+@pytest.mark.skipif(BASH is None, reason="there is no bash")
+@pytest.mark.parametrize(
+    ("words", "completed"),
+    [
+        ("nonsmooth doc", {"doctor"}),
+        ("nonsmooth solve dry-friction/g", {"dry-friction/global-stick"}),
+        ("nonsmooth simulate rig", {"rigid-stop"}),
+        ("nonsmooth solve --unkn", {"--unknown"}),
+        ("nonsmooth solve nowhere", set()),
+    ],
+)
+def test_bash_completes_after_the_installation(words, completed, home) -> None:
+    assert "nonsmooth.sh" in (home / ".bashrc").read_text(encoding="utf-8")
+    count = len(words.split()) - 1
+    told = in_bash(
+        f"source .bashrc; COMP_WORDS=({words}); COMP_CWORD={count};"
+        " $(complete -p nonsmooth | sed 's/.*-F \\([^ ]*\\) .*/\\1/') nonsmooth;"
+        ' printf "%s\\n" "${COMPREPLY[@]}"',
+        home,
+    )
+    assert set(told.split()) == completed
+
+
+def test_the_package_is_a_command(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "nonsmooth", "--version"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout == f"nonsmooth {metadata.version('nonsmooth')}\n"
+
+
+@pytest.mark.parametrize("arguments", ["['doctor']", "['doctor', '--json']", "['--version']"])
+def test_nothing_heavy_is_imported(arguments: str, tmp_path: Path) -> None:
+    program = (
+        f"import sys; sys.argv[1:] = {arguments}\n"
+        "from nonsmooth.runtime.cli.program import main\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "print('MODULES', *{name.partition('.')[0] for name in sys.modules})"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    modules = set(done.stdout.rpartition("MODULES")[2].split())
+    assert "nonsmooth" in modules
+    assert not modules & {"sympy", "matplotlib", "dask", "xarray", "zarr", "scipy"}
+
+
+def test_doctor_names_every_requirement_and_extra() -> None:
+    found = {entry["name"]: entry for entry in json.loads(run("doctor", "--json"))["diagnoses"]}
+    assert found["nonsmooth"]["found"] == metadata.version("nonsmooth")
+    for package in ("mpmath", "numpy", "python-flint", "rich", "scipy", "sympy", "typer"):
+        assert found[package]["found"] == metadata.version(package)
+        assert found[package]["good"]
+    extras = {name.split()[1].rstrip(":") for name in found if name.startswith("extra ")}
+    assert extras == {"plot", "html", "chart", "speed"}
+    assert set(found["Python"]) == {"name", "good", "found", "remedy"}
+
+
+def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def absent(name: str) -> str:
+        raise metadata.PackageNotFoundError(name)
+
+    own = {"nonsmooth": "0"}
+    monkeypatch.setattr(doctor.metadata, "version", lambda name: own.get(name) or absent(name))
+    monkeypatch.setattr(doctor.util, "find_spec", lambda name: None)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setenv("CC", "cc")
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "fortran")
+    found = {diagnosis.name: diagnosis for diagnosis in doctor.diagnoses()}
+    assert found["numpy"].remedy == 'pip install "numpy>=2.0"'
+    assert found["compiled kernels"].remedy is not None
+    assert "compiler" in found["compiled kernels"].remedy
+    assert "'fortran'" in found["what computes"].found
+    assert found["extra plot: pictures"].remedy == 'pip install "nonsmooth[plot]"'
+    assert not found["LaTeX"].good
+    assert not found["kernels of your own systems"].good
+    assert all(diagnosis.remedy for diagnosis in found.values() if not diagnosis.good)
+
+
+@pytest.mark.parametrize(("version", "good"), [("1.2.9", False), ("1.3", True), ("1.10.0", True)])
+def test_doctor_compares_versions_as_numbers(version, good, monkeypatch) -> None:
+    monkeypatch.setattr(doctor.metadata, "version", lambda name: version)
+    assert {f.name: f.good for f in doctor.diagnoses()}["mpmath"] is good
+
+
+@pytest.mark.skipif(BASH is None, reason="there is no bash")
+def test_a_reader_that_has_seen_enough_is_no_error(tmp_path: Path) -> None:
+    script = 'nonsmooth list dry-friction 2>said | head -n 1; echo "${PIPESTATUS[0]}"'
+    assert in_bash(script, tmp_path).split()[-1] in ("0", "141")
+    assert (tmp_path / "said").read_text(encoding="utf-8") == ""
+
+
+def test_list_shows_the_whole_system() -> None:
+    shown = run("list", str(GALLERY / "impact_oscillator.py"))
+    for words in ("states: x v c1 s1", "0 < w", "0 <= r <= 1", "wall-reaches-stop", "exceeded"):
+        assert words in shown
+    assert "free or contact" in shown
+    (system,) = json.loads(run("list", "dry-friction", "--json"))["systems"]
+    sources = {transition["source"] for transition in system["transitions"]}
+    assert sources <= set(system["configurations"]) == set(system["boundaries"])
+    for transition in system["transitions"]:
+        names = {boundary["name"] for boundary in system["boundaries"][transition["source"]]}
+        assert set(transition["boundaries"]) <= names
+        assert set(transition["targets"]) <= set(system["configurations"])
+        assert len(set(transition["targets"])) == len(transition["targets"])

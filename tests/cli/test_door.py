@@ -1,0 +1,253 @@
+"""One door for errors: whatever goes wrong is one line that names it, with an exit code."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.application import assignments, check_drawing, ranges
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import one_line, unknown_name
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.model.loading.declared import declaration_in
+from nonsmooth.runtime.orbits import solve
+from tests.places import CHECKOUT
+from tests.user_systems import KICKED
+
+ORBIT = "dry-friction/global-stick"
+BRANCH = f"continue {ORBIT} V=0.99:1.01"
+CHART = f"chart {ORBIT} V=0.9:1.1:3 --out c.zarr"
+
+_SECRETIVE = "class M(type):\n    @property\n    def __name__(self): raise SystemExit\n"
+_SYSTEM = "from nonsmooth.derive import System\n"
+_LEAVING = "class S(System):\n    def __getattribute__(self, name): raise SystemExit(0)\n"
+
+
+def refused(*arguments: str, code: int = 2) -> str:
+    """The one line on stderr."""
+    result = CliRunner().invoke(app, list(arguments))
+    assert result.exit_code == code, result.output
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("nonsmooth: ")
+    assert not result.stdout
+    return line
+
+
+@pytest.mark.parametrize(
+    ("problem", "code", "said"),
+    [
+        (ZeroDivisionError("no\nway"), 1, "internal error: ZeroDivisionError: no way; run again"),
+        (OSError(28, "No space left", "a\nb"), 2, "error: a b: no space left"),
+        (SystemExit(0), 1, "internal error: SystemExit: 0"),
+        (MemoryError(), 1, "the memory is not enough for this"),
+        (RecursionError("deep"), 1, "internal error: RecursionError: deep"),
+        (ns.InputError("it is \x1b[31mred"), 2, r"error: it is \x1b[31mred"),
+        (ns.NoConvergence("no orbit\nhere"), 1, "no orbit here"),
+    ],
+)
+def test_whatever_goes_wrong_is_one_line(problem, code, said, monkeypatch) -> None:
+    def fail(*arguments, **options):
+        raise problem
+
+    monkeypatch.setattr(solve, "solve", fail)
+    assert refused("solve", ORBIT, code=code).startswith(f"nonsmooth: {said}")
+    traced = CliRunner().invoke(app, ["solve", ORBIT, "--debug"])
+    assert traced.exit_code == code
+    assert "Traceback (most recent call last)" in traced.stderr
+    assert f"nonsmooth: {said}" in traced.stderr.splitlines()[-1]
+
+
+def test_exceptions_that_cannot_be_shown_are_one_line(monkeypatch) -> None:
+    class Silent(Exception):
+        def __str__(self) -> str:
+            raise ValueError
+
+    def fail(*arguments, **options):
+        raise Silent
+
+    monkeypatch.setattr(solve, "solve", fail)
+    assert "internal error: Silent; run again" in refused("solve", ORBIT, code=1)
+
+
+@pytest.mark.parametrize("command", ["solve", "list", "equations", "plot", "certify --check"])
+@pytest.mark.parametrize("name", ["x" * 300, "x" * 5000 + ".py", "a\nb", "a\x1b[0m", "\udc80", "/"])
+def test_hostile_names_are_refused_in_one_line(command, name, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    refused(*command.split(), name)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("raise SystemExit('a\\nb')", "line 1: SystemExit: a b"),
+        ("raise BaseException('no')", "line 1: BaseException: no"),
+        ("raise GeneratorExit", "line 1: GeneratorExit"),
+        (
+            "class E(Exception):\n    def __str__(self): raise SystemExit\nraise E",
+            "cannot be shown",
+        ),
+        (f"{_SECRETIVE}class Y(metaclass=M): pass\nsystem = Y()", "line 3: SystemExit"),
+        (f"{_SYSTEM}system = object.__new__(System)", "a System is not made by calling its class"),
+        (f"{_SYSTEM}{_LEAVING}system = object.__new__(S)", "line 3: SystemExit: 0"),
+        ("class E(Exception):\n    def __str__(self): return 3\nraise E", "cannot be shown"),
+        ("class E(BaseException):\n    def __str__(self): 1/0\nraise E", "cannot be shown"),
+        ("from unittest.mock import MagicMock\nsystem = MagicMock()", "not a System"),
+        ("class Y:\n    def __getattr__(self, n): return self\nsystem = Y()", "a Y, not a System"),
+        ("import os\nsystem = os", "a module, not a System"),
+    ],
+)
+def test_declarations_that_fail_are_named(text, said, tmp_path) -> None:
+    file = tmp_path / "bad.py"
+    file.write_text(text)
+    line = refused("list", str(file))
+    assert str(file) in line
+    assert said in line
+
+
+def test_a_full_disk_where_latex_works_names_the_document(tmp_path, monkeypatch) -> None:
+    def full(text: str) -> bytes:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("nonsmooth.derive.document.writers.latex.compile_pdf", full)
+    out = tmp_path / "out.pdf"
+    line = refused("equations", "rigid-stop", "--format", "pdf", "--out", str(out))
+    assert line == f"nonsmooth: error: cannot write {out}: no space left on device"
+
+
+def test_what_a_declaration_prints_is_on_stderr(tmp_path, capsys) -> None:
+    file = tmp_path / "prints.py"
+    file.write_text(f"print('hello')\n{KICKED}")
+    assert declaration_in(file).system.name == "kicked"
+    assert capsys.readouterr() == ("", "hello\n")
+
+
+@pytest.mark.parametrize(
+    ("command", "named"),
+    [
+        (f"{CHART} --transitions 300", "--transitions"),
+        (f"{CHART} --threads 1 --scheduler tcp://127.0.0.1:1", "--threads"),
+        (f"{BRANCH} --quantity trace", "--quantity"),
+        (f"{BRANCH} --over energy", "--over"),
+        (f"{BRANCH} --frequency cycles", "--frequency"),
+        (f"{BRANCH} --plot a.png --quantity speed", "'speed'"),
+        (f"{BRANCH} --plot a.png --over speed", "'speed'"),
+        (f"{BRANCH} eta=0.9:1.1 --follow flip --plot a.png --quantity trace", "--quantity"),
+        (f"{BRANCH} --overwrite", "--overwrite"),
+        (f"certify {ORBIT} --overwrite", "--overwrite"),
+        (f"certify {ORBIT} --tiles 3", "--tiles"),
+        ("certify --check a.json --tiles 3", "--check"),
+        ("certify --check a.json --overwrite", "--check"),
+        ("find dry-friction --overwrite", "--overwrite"),
+    ],
+)
+def test_options_that_mean_nothing_together_are_refused(
+    command, named, tmp_path, monkeypatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert named in refused(*command.split())
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_field_that_csv_does_not_read_is_refused(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    ns.simulate("rigid-stop", data, [0, 0, 1, 0], transitions=4).save("motion.csv")
+    text = Path("motion.csv").read_text()
+    Path("motion.csv").write_text(f'{text}"{"x" * 140_000}"')
+    assert "motion.csv: cut, or no table" in refused("plot", "motion.csv")
+
+
+def test_lines_are_one_line() -> None:
+    assert one_line("a\n\n b\r\nc\x85d\u2028e") == "a  b c d e"
+    assert one_line("a\tb\x00\u202e") == r"a\tb\x00\u202e"
+    assert len(one_line("x" * 10**6)) < 1100
+    assert len(str(unknown_name("orbit", "x" * 10**6, ["a"]))) < 200
+
+
+def test_values_and_ranges_are_given_once_and_in_their_form() -> None:
+    found = assignments("parameter", ["b=1/4", " a = 2"])
+    assert {name: float(value) for name, value in found.items()} == {"b": 0.25, "a": 2}
+    assert ranges("parameter", ["V=1/4:1"]) == {"V": (0.25, 1, 0)}
+    assert ranges("parameter", ["V=1:2:5", "a=0:1:02"], counts=True) == {
+        "V": (1, 2, 5), "a": (0, 1, 2),
+    }  # fmt: skip
+    for twice in (["V=1", "a=1", "V=1"], ["V=1", "V=2"]):
+        with pytest.raises(ns.InputError, match="parameter V is given twice"):
+            assignments("parameter", twice)
+    for text, counts in (("V=1:2", False), ("V=1:2:3", True)):
+        with pytest.raises(ns.InputError, match="unknown V is given twice"):
+            ranges("unknown", [text, text], counts=counts)
+        for wrong in ("V=1", "V=1:2:3:4", "=1:2:3", "=1:2", "V=1:2:3" if not counts else "V=1:2"):
+            with pytest.raises(ns.InputError, match="is not NAME=A:B"):
+                ranges("parameter", [wrong], counts=counts)
+
+
+def test_a_picture_that_could_not_be_drawn_is_refused(tmp_path) -> None:
+    pytest.importorskip("matplotlib")
+    check_drawing(None)
+    check_drawing(tmp_path / "a.png")
+    (tmp_path / "folder.png").mkdir()
+    for name, said in (("a.jpg", "does not end in"), ("folder.png", "it is a folder")):
+        with pytest.raises(ns.InputError, match=said):
+            check_drawing(tmp_path / name)
+
+
+@pytest.mark.compiled
+def test_hostile_commands_are_refused_or_answered(tmp_path: Path) -> None:
+    pytest.importorskip("resource")
+    done = subprocess.run(
+        [sys.executable, str(CHECKOUT / "scripts" / "hostile.py"), "--count", "20"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_branches_that_were_forged_are_refused(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    orbit = ns.solve(ORBIT)
+    ns.continue_orbit(orbit, "V", (0.99, 1.01), points=3).save("branch.json")
+    whole = json.loads(Path("branch.json").read_text())
+    for name, entry in (
+        ("parameter", "speed"),
+        ("unknown_names", list("abcdef")),
+        ("stability", ["fine"] * len(whole["stability"])),
+        ("start", 99),
+    ):
+        content = {**whole, name: entry}
+        content["sha256"] = checksum_of(content)
+        Path("forged.json").write_text(json.dumps(content))
+        for command in ("plot forged.json", f"{BRANCH} --resume forged.json --points 3"):
+            assert "forged.json: " in refused(*command.split())
+
+
+def test_a_chart_with_a_damaged_byte_is_named(tmp_path, monkeypatch) -> None:
+    pytest.importorskip("zarr")
+    monkeypatch.chdir(tmp_path)
+    ns.chart(ORBIT, V=[0.9, 1.0], eta=[0.9, 1.0], store="c.zarr")
+    for file in Path("c.zarr").rglob("c/*/*"):
+        content = bytearray(file.read_bytes())
+        content[0] ^= 1
+        file.write_bytes(content)
+    assert "c.zarr" in refused("plot", "c.zarr")
+
+
+@pytest.mark.parametrize("words", ["list", "list --json", "--help"])
+def test_a_closed_pipe_is_quiet(words: str) -> None:
+    """The reader is gone before the first line: the exit code is that of a closed pipe."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    program = "from nonsmooth.runtime.cli.program import main; main()"
+    command = [sys.executable, "-c", program, *words.split()]
+    try:
+        ended = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, check=False)
+    finally:
+        os.close(writing)
+    assert (ended.returncode, ended.stderr) == (141, b"")

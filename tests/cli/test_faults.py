@@ -1,0 +1,187 @@
+"""Faults in commands that write: nothing is lost, nothing is half, what is no file stays."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import stat
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+import typer
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.present.paper import writing
+from tests.cli.test_cli import run
+from tests.places import CHECKOUT
+from tests.user_systems import declare
+
+ORBIT = "dry-friction/global-stick"
+FRICTION = "dry-friction V=0.6773 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+SWEPT = FRICTION.replace("V=0.6773", "V=0.6:0.7:2")
+REST = "--from x1=0,x2=0,v1=0,v2=0"
+
+# each option that names a file or a folder to be written, and a command that asks for little
+WRITERS = {
+    ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
+    ("solve", "--save"): f"solve {ORBIT} --save TARGET",
+    ("verify", "--save"): f"verify {ORBIT} --digits 20 --save TARGET",
+    ("plot", "--out"): "plot orbit.json --kind strip --out TARGET.png",
+    ("reproduce", "--out"): "reproduce --out TARGET",
+    ("regenerate", "--out"): "regenerate rigid-stop --out TARGET",
+    ("certify", "--save"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --save TARGET",
+    ("certify", "--plot"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --plot TARGET.png",
+    ("chart", "--out"): f"chart {ORBIT} V=0.99:1.01:2 --out TARGET",
+    ("continue", "--plot"): f"continue {ORBIT} V=0.99:1.01 --plot TARGET.png",
+    ("continue", "--save"): f"continue {ORBIT} V=0.99:1.01 --save TARGET",
+    ("generate", "--out"): "generate mine.py --out TARGET",
+    ("simulate", "--save"): f"simulate {FRICTION} {REST} --transitions 3 --save TARGET.npz",
+    ("simulate", "--plot"): f"simulate {FRICTION} {REST} --transitions 3 --plot TARGET.png",
+    ("find", "--save"): f"find {FRICTION} --starts 1 --transitions 30 --save TARGET",
+    ("find", "--plot"): f"find {FRICTION} --starts 1 --transitions 30"
+    " --basins x1=-1:1:2,v1=-1:1:2 --plot TARGET.png",
+    ("sweep", "--save"): f"sweep {SWEPT} --state x1 --at slip-stick {REST} --save TARGET",
+    ("sweep", "--out"): f"sweep {SWEPT} --state x1 --at slip-stick {REST} --out TARGET.png",
+}
+FOLDERS = ("reproduce", "regenerate", "chart", "generate")
+FAULTED = (
+    *(("equations", "--out"), ("solve", "--save"), ("plot", "--out"), ("reproduce", "--out")),
+    *(("certify", "--save"), ("chart", "--out"), ("continue", "--save"), ("generate", "--out")),
+    *(("find", "--save"), ("sweep", "--save")),
+)
+SLOW_IN_PYTHON = ("find", "--plot")  # a basin is many motions
+each = pytest.mark.parametrize(
+    "writer",
+    [pytest.param(w, marks=pytest.mark.compiled) if w == SLOW_IN_PYTHON else w for w in WRITERS],
+    ids="".join,
+)
+
+
+@pytest.fixture
+def place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, committed_derivation: dict[str, str]
+) -> Path:
+    """A folder with a declaration and an orbit."""
+    pytest.importorskip("matplotlib")
+    pytest.importorskip("zarr")
+    monkeypatch.setattr(writing, "_contents", lambda *_, **__: {"report.html": b"report"})
+    monkeypatch.setenv("NONSMOOTH_CACHE", "")
+    folder = tmp_path / "place"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    declare(folder)
+    ns.solve(ORBIT).save("orbit.json")
+    return folder
+
+
+def test_every_option_that_writes_is_here() -> None:
+    """The list is made of what the commands declare."""
+    group: Any = typer.main.get_command(app)
+    found = {
+        (name, option.opts[0])
+        for name, command in group.commands.items()
+        for option in command.params
+        if option.opts[0] in ("--out", "--save", "--plot")
+    }
+    assert found == set(WRITERS)
+
+
+@each
+def test_folders_above_are_made(writer: tuple[str, str], place: Path) -> None:
+    target = place / "new" / "folder" / "target"
+    code, _, err = run(*shlex.split(WRITERS[writer].replace("TARGET", str(target))))
+    assert code in (0, 1), err  # one tile proves little
+    (made,) = target.parent.iterdir()
+    assert made.stem == "target"
+    assert made.is_dir() == (writer[0] in FOLDERS)
+
+
+@each
+def test_what_is_no_file_stays(writer: tuple[str, str], place: Path) -> None:
+    pipe = place / "pipe"
+    suffix = WRITERS[writer].partition("TARGET")[2]
+    os.mkfifo(f"{pipe}{suffix}")
+    (place / f"null{suffix}").symlink_to("/dev/null")
+    (place / f"folder{suffix}").mkdir()
+    targets = ["pipe", "null"] if writer[0] in FOLDERS else ["pipe", "null", "folder"]
+    before = sorted(os.listdir(place))
+    for target in targets:
+        command = WRITERS[writer].replace("TARGET", target)
+        code, out, err = run(*shlex.split(command))
+        assert (code, out) == (2, ""), command
+        assert f"cannot write {target}{suffix}: it is a" in err
+        assert err.count("\n") == 1
+    assert sorted(os.listdir(place)) == before
+    assert stat.S_ISFIFO(os.stat(f"{pipe}{suffix}").st_mode)
+
+
+@pytest.mark.parametrize("name", FOLDERS)
+def test_a_folder_needs_a_name(name: str, place: Path) -> None:
+    before = sorted(os.listdir(place))
+    command = WRITERS[name, "--out"].replace("TARGET", "''")
+    code, out, err = run(*shlex.split(command))
+    assert (code, out) == (2, "")
+    assert "give the folder a name" in err
+    assert sorted(os.listdir(place)) == before
+
+
+def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
+    pytest.importorskip("distributed")
+    before = sorted(os.listdir(place))
+    code, out, err = run(
+        *shlex.split(f"chart {ORBIT} V=0.99:1.01:2 --out new/F.zarr --scheduler nowhere://x")
+    )
+    assert (code, out) == (2, "")
+    assert "no Dask scheduler answers at nowhere" in err
+    assert sorted(os.listdir(place)) == before
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot fork here")
+def test_a_fault_while_a_file_is_written(place: Path) -> None:
+    asked = []
+    for name, option in FAULTED:
+        command = WRITERS[name, option].replace("TARGET", f"target-{name}")
+        if name not in FOLDERS:
+            Path(shlex.split(command)[-1]).write_bytes(b"what was there before")
+        asked.append(command + " --overwrite" * (option == "--save" and name != "solve"))
+    paths = [str(CHECKOUT), *filter(None, [os.environ.get("PYTHONPATH")])]
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.cli.faults", json.dumps(asked)],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    outcomes = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
+    # the lock of a chart keeps a second process away: tests/explore/test_chart.py
+    several = {name: ["kill", "interrupt", "full", "twice"][: 3 if name == "chart" else 4]
+               for name, _ in FAULTED}  # fmt: skip
+    assert [outcome["fault"] for outcome in outcomes] == [
+        f for each in several.values() for f in each
+    ]
+    commands = [line for line, faults in zip(asked, several.values(), strict=True) for _ in faults]
+    left: list[str] = []
+    for command, outcome in zip(commands, outcomes, strict=True):
+        fault, told = outcome["fault"], f"{command}: {outcome}"
+        if fault == "twice":
+            assert outcome["code"] in (0, 1), told  # one tile proves little
+            assert outcome["changed"], told
+            assert not {*outcome["changed"]} & {*left}, told  # of a process that was killed
+            assert not any(".partial" in name for name in outcome["changed"]), told
+            continue
+        assert outcome["code"] == {"kill": -9, "interrupt": 130, "full": 2}[fault], told
+        if fault == "kill":
+            left = outcome["changed"]
+            assert all(".partial" in name or name.endswith(".lock") for name in left), told
+        else:
+            assert {*outcome["changed"]} <= {*left}, told
+            assert outcome["said"].count("\n") == 1, told
+        if fault == "full":
+            assert "cannot write" in outcome["said"], told
+            assert "no space left on device" in outcome["said"], told

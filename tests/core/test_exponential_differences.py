@@ -1,0 +1,199 @@
+"""Divided differences of the exponential: the values of a 50-digit exponential everywhere."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
+from nonsmooth.runtime.core.exponential_differences import exponential_difference
+from nonsmooth.runtime.core.expressions import Function, written
+from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
+from nonsmooth.runtime.core.values import flint_precision
+from tests.exponentials import Factor, error, exact, forced, largest_root, periods, repeated
+
+BALLS = Balls()
+quick = settings(max_examples=40, deadline=None, derandomize=True)
+
+
+def time_of(factors: list[Factor], count: float) -> float:
+    return count * 2 * math.pi / largest_root(factors)
+
+
+@quick
+@given(forced(), periods, st.integers(0, 3))
+def test_doubles_have_the_digits_of_the_exact_flow(
+    factors: list[Factor], count: float, k: int
+) -> None:
+    t, k = time_of(factors, count), min(k, sum(map(len, factors)) - 1)
+    assert error(float(exponential_difference(k, t, *factors)), k, t, factors) <= 1
+
+
+@quick
+@given(repeated(), periods, st.integers(0, 3))
+def test_doubles_of_repeated_and_nearly_equal_factors(
+    factors: list[Factor], count: float, k: int
+) -> None:
+    t = time_of(factors, count)
+    assert error(float(exponential_difference(k, t, *factors)), k, t, factors) <= 3
+
+
+@pytest.mark.parametrize("beside", [0.0, 1e-12, 1e-9, 1e-6, 1e-3])
+@pytest.mark.parametrize("damping", [0.0, 1e-6, 0.05])
+def test_resonance_has_no_pole(beside: float, damping: float) -> None:
+    factors = [(1.0, 2 * damping), ((1 + beside) ** 2, 0.0)]
+    for t in (0.1, 3.0, 40.0, 628.0):
+        for k in range(4):
+            assert error(float(exponential_difference(k, t, *factors)), k, t, factors) <= 1
+
+
+@pytest.mark.parametrize(
+    "factor",
+    [
+        (6.0, 11.0, 6.0),
+        (1.0, 3.0, 3.0),
+        (4.0, 0.0, 5.0, 0.0),
+        (1.0, 0.2, 2.01, 0.2),
+        (0.0, 1.0, 0.0),
+    ],
+)
+def test_higher_degrees_by_numeric_roots(factor: Factor) -> None:
+    for t in (0.1, 2.0, 30.0):
+        for k in range(len(factor)):
+            found = float(exponential_difference(k, t, factor, (2.0, 0.0)))
+            assert error(found, k, t, [factor, (2.0, 0.0)]) <= 10  # times their condition
+
+
+@pytest.mark.parametrize("damping", [1e3, 1e6])
+def test_the_slow_root_keeps_its_digits(damping: float) -> None:
+    factors = [(1.0, damping)]
+    for t in (1e-6, 1.0, damping):
+        found = float(exponential_difference(0, t, *factors))
+        assert found == pytest.approx(float(exact(0, t, factors)), rel=1e-13)
+
+
+def test_arrays_broadcast() -> None:
+    t, w = np.linspace(0, 4, 5), np.array([[1.0], [2.0]])
+    found = FLOATS.exponential_difference(1, t, (w**2, 0))
+    assert found.shape == (2, 5)
+    np.testing.assert_allclose(found, np.cos(w * t), atol=1e-14)
+    assert FLOATS.exponential_difference(0, 2, (0,), (0,)) == 2.0
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e300, -1e300, 5e-324])
+def test_hostile_numbers_end(bad: float) -> None:
+    for factors in ([(1.0, bad)], [(bad, 1.0), (2.0,)], [(bad, bad, bad), (0, 0)]):
+        for t in (1.0, bad):
+            exponential_difference(1, t, *factors)
+    for t in (-1.0, -30.0):
+        assert exponential_difference(0, t, (4.0, 0.0)) == pytest.approx(math.sin(2 * t) / 2)
+
+
+@settings(max_examples=15, deadline=None, derandomize=True)
+@given(repeated(), periods, st.integers(0, 3))
+def test_mpmath_has_its_digits(factors: list[Factor], count: float, k: int) -> None:
+    lib, t = Mpmath(40), time_of(factors, count)
+    found = lib.exponential_difference(k, t, *factors)
+    assert found == pytest.approx(float(exact(k, t, factors)), rel=1e-14, abs=1e-300)
+    sharp = Mpmath(45).exponential_difference(k, t, *factors)
+    assert abs(found - sharp) <= abs(sharp) * lib.mp.mpf(10) ** -39
+
+
+def test_mpmath_of_what_is_no_number() -> None:
+    lib = Mpmath(20)
+    assert lib.mp.isnan(lib.exponential_difference(0, lib.mp.inf, (1, 0)))
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(forced(), st.floats(0.0, 20.0), st.integers(0, 3), st.sampled_from([0.0, 1e-12, 1e-3, 3e-2]))
+def test_balls_contain_what_they_enclose(
+    factors: list[Factor], count: float, k: int, width: float
+) -> None:
+    t, k = time_of(factors, count), min(k, sum(map(len, factors)) - 1)
+    wide = [tuple(arb(c, abs(c) * width) for c in f) for f in factors]
+    found = BALLS.exponential_difference(k, arb(t, t * width), *wide)
+    if width == 0:
+        assert found.contains(exact(k, t, factors).mid())
+        return
+    rng = np.random.default_rng(1)
+    for _ in range(6):
+        s = rng.choice([-1.0, 1.0, rng.uniform(-1, 1)], 1 + sum(map(len, factors))) * width * 0.999
+        moved, place = [], 1
+        for f in factors:
+            moved.append(tuple(c * (1 + s[place + j]) for j, c in enumerate(f)))
+            place += len(f)
+        value = exact(k, t * (1 + s[0]), moved)
+        assert found.contains(value) or found.overlaps(value)
+
+
+@pytest.mark.parametrize("beside", [1e-1, 1e-7, 0.0])
+def test_balls_are_hardly_wider_than_the_range(beside: float) -> None:
+    """To first order the range is the sum of the absolute derivatives times the radii."""
+    t, width = 20.0, 1e-8
+    factors = [(1.0, 0.1), (1.0 + beside, 0.0)]
+    for k in range(3):
+        with flint_precision(53):
+            wide = [tuple(arb(c, width if c else 0) for c in f) for f in factors]
+            found = BALLS.exponential_difference(k, arb(t, width), *wide)
+        slopes = [float(exact(k + 1, t, factors))] if k < 3 else []
+        slopes += [
+            float(exact(k + j, t, [*factors, f])) for f in factors for j, c in enumerate(f) if c
+        ]
+        assert 1 <= float(found.rad()) / (width * sum(map(abs, slopes))) < 1.01
+
+
+def test_models_contain_the_range_and_keep_what_variables_share() -> None:
+    space = space_of(2, 5)
+    t = space.variable(0, arb(3), arb("0.01"))
+    w2 = space.variable(1, arb(4), arb("0.02"))
+    found = BALLS.exponential_difference(1, t, (w2, arb("0.25")), (w2, 0))
+    assert isinstance(found, TaylorModel)
+    for x, y in ((0.3, -0.7), (1.0, 1.0), (-1.0, 0.5)):
+        time, constant = 3 + arb(x) / 100, 4 + arb(y) / 50
+        value = exact(1, time, [(constant, arb("0.25")), (constant, arb(0))])
+        enclosed = found.at([arb(x), arb(y)])
+        assert enclosed.overlaps(value)
+        assert float(enclosed.rad()) < 1e-11
+
+
+@settings(max_examples=20, deadline=None, derandomize=True)
+@given(forced(), periods.filter(lambda x: x > 0.01), st.integers(0, 1))
+def test_derivative_rules(factors: list[Factor], count: float, k: int) -> None:
+    """d/dt raises k; d/dc_j of factor i is minus that of order k + j with the factor again."""
+    lib, step = Mpmath(50), 10.0**-15
+    t = lib.mp.mpf(time_of(factors, count))
+    k = min(k, sum(map(len, factors)) - 2)
+
+    def value(order: int, t: Any, chosen: list[Factor]) -> Any:
+        return lib.exponential_difference(order, t, *chosen)
+
+    slope = (value(k, t + step, factors) - value(k, t - step, factors)) / (2 * lib.mp.mpf(step))
+    assert slope == pytest.approx(value(k + 1, t, factors), rel=1e-12, abs=1e-22)
+    for i, factor in enumerate(factors):
+        for j in range(len(factor)):
+            ends = []
+            for sign in (1, -1):
+                moved = [lib.mp.mpf(c) for c in factor]
+                moved[j] += sign * lib.mp.mpf(step)
+                ends.append(value(k, t, [*factors[:i], tuple(moved), *factors[i + 1 :]]))
+            slope = (ends[0] - ends[1]) / (2 * lib.mp.mpf(step))
+            wanted = -value(k + j, t, [*factors, factor])
+            assert slope == pytest.approx(wanted, rel=1e-9, abs=1e-20)
+
+
+def test_written_down_as_data_it_gives_the_same_digits() -> None:
+    def kernel(a: Any, *, lib: Any) -> Any:
+        [t, c0, c1] = a
+        return [lib.exponential_difference(1, t, (c0, 2 * c1), (0,), (4, 0)) + 1]
+
+    function = written(kernel, [["t", "c0", "c1"]], [(3,)], [(1,)])
+    read = decode(Function, json.loads(json.dumps(encode(function))))
+    assert read([1.5, 2.0, 0.3], lib=FLOATS) == kernel([1.5, 2.0, 0.3], lib=FLOATS)

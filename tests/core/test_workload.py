@@ -1,0 +1,92 @@
+"""How large a work is: what is refused before it begins, and what is not."""
+
+from __future__ import annotations
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core import workload
+from nonsmooth.runtime.core.workload import TooLarge, check_hours, check_memory
+
+FRICTION = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+DATA = " ".join(f"{name}={value}" for name, value in FRICTION.items())
+REST = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
+REST_ROW = [0, 0, 0, 0]
+FROM = "--from x1=0,x2=0,v1=0,v2=0"
+SWEEP = f"sweep dry-friction {DATA} {FROM} --state x1 --at slip-stick"
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "chart dry-friction/global-stick V=0.9:1.1:1000000000000 --out c.zarr",
+        f"chart dry-friction --simulate V=0.2:1.2:100000 eta=1:5:100000 {DATA.replace('eta=1', '')}"
+        f" {FROM} --out c.zarr",
+        "certify dry-friction/global-stick --all tau=0:1e300 tau1=0:1e300",
+        "certify dry-friction/global-stick V=0.9:1.1 --tiles 1000000000000",
+        "continue dry-friction/global-stick V=0.9:1.1 --points 1000000000000",
+        f"{SWEEP} V=0.9:1.1:10 --transient 99999999999999999999",
+        f"{SWEEP} V=0.9:1.1:10 --samples 99999999999999999999",
+        f"{SWEEP} V=0.2:1.2:99999999999",
+        f"find dry-friction V=1 {DATA} --starts 99999999999999",
+        f"find dry-friction V=1 {DATA} --transitions 99999999999999999999",
+        f"simulate dry-friction V=1 {DATA} {FROM} --transitions 1000000000000000000",
+        f"simulate dry-friction V=1 {DATA} {FROM} --until 1e300",
+    ],
+)
+@pytest.mark.compiled
+def test_endless_work_is_refused_before_it_begins(command, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = CliRunner().invoke(app, command.split())
+    assert result.exit_code == 2, result.output
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("nonsmooth: error: ")
+    assert any(word in line for word in ("hours here", "GB of memory", "smaller bounds"))
+    assert not list(tmp_path.iterdir())
+
+
+def test_threads_without_number_are_refused(tmp_path, monkeypatch) -> None:
+    pytest.importorskip("zarr")
+    monkeypatch.chdir(tmp_path)
+    command = "chart dry-friction/global-stick V=0.9:1.1:3 --out c.zarr --threads"
+    result = CliRunner().invoke(app, [*command.split(), "99999999999999999999"])
+    assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
+    assert "is more than 1024" in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_yes_begins_what_takes_long(monkeypatch) -> None:
+    command = f"simulate dry-friction V=1 {DATA} {FROM} --transitions 10 --json".split()
+    assert CliRunner().invoke(app, command).exit_code == 0
+    monkeypatch.setitem(workload.SECONDS, "transition", 1e9)
+    assert CliRunner().invoke(app, command).exit_code == 2
+    assert CliRunner().invoke(app, [*command, "--yes"]).exit_code == 0
+
+
+@pytest.mark.compiled
+def test_python_is_told_what_memory_does_not_hold() -> None:
+    where = {"state": "x1", "configuration": "slip-stick"}
+    with pytest.raises(TooLarge, match="GB of memory"):
+        ns.sweep("dry-friction", FRICTION, "V", [1.0], REST, samples=10**15, **where)
+    with pytest.raises(TooLarge, match="GB of memory"):
+        ns.find_orbits("dry-friction", {**FRICTION, "V": 1}, 10**14)
+    with pytest.raises(TooLarge, match="GB of memory"):
+        ns.simulate("dry-friction", {**FRICTION, "V": 1}, REST, transitions=10**18)
+    with pytest.raises(TooLarge, match="GB of memory"):
+        ns.simulate_many("dry-friction", {**FRICTION, "V": 1}, REST_ROW, transitions=1, keep=10**12)
+    assert issubclass(TooLarge, ValueError)
+
+
+def test_limits(monkeypatch) -> None:
+    monkeypatch.setattr(workload, "memory_here", lambda: 1e9)
+    check_memory("1 thing", 1e9)
+    for size in (1.1e9, float("inf"), float("nan")):
+        with pytest.raises(TooLarge, match="1 thing take at least"):
+            check_memory("1 thing", size)
+    check_hours("1 thing", 3600.0, yes=False)
+    check_hours("1 thing", 1e30, yes=True)
+    with pytest.raises(TooLarge, match="--yes"):
+        check_hours("1 thing", 1e30, yes=False)
+    assert workload.memory_here() > 0

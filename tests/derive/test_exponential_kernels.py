@@ -1,0 +1,199 @@
+"""Emitted C of divided differences of the exponential: the exact values, each set computed once."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.codegen.body import body_of, hoisted
+from nonsmooth.derive.codegen.c import c_kernel
+from nonsmooth.derive.equations.program import Argument, Kernel, Output
+from nonsmooth.derive.flows.entire import ExponentialDifference
+from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.core.exponential_differences import exponential_difference
+from tests.exponentials import UNIT, Factor, error, exact, forced, largest_root, periods, repeated
+from tests.places import CHECKOUT
+
+compiler = shutil.which("gcc") or shutil.which("cc")
+needs_compiler = pytest.mark.skipif(compiler is None, reason="there is no C compiler")
+FLAGS = [
+    *("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic", "-Werror"),
+    *("-O2", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"),
+]
+# degrees of the factors; a zero is s, a w is s^2 + c
+SHAPES = ["2", "20", "200", "2w", "w2", "1", "10", "000", "21", "22", "22w", "2ww", "202",
+          "2002", "212", "211", "3", "4w", "6222", "66w2"]  # fmt: skip
+
+
+def numbers_of(shape: str) -> tuple[list[sp.Symbol], list[sp.Tuple]]:
+    symbols: list[sp.Symbol] = []
+    factors = []
+    for place, kind in enumerate(shape):
+        degree = {"0": 0, "w": 1}.get(kind) if kind in "0w" else int(kind)
+        own = [sp.Symbol(f"c{place}_{j}", real=True) for j in range(degree or 0)]
+        symbols += own
+        factors.append(sp.Tuple(*own, *([0] if kind in "0w" else [])))
+    return symbols, factors
+
+
+def kernel_of(shape: str) -> Kernel:
+    symbols, factors = numbers_of(shape)
+    t = sp.Symbol("T", real=True)
+    degree = sum(len(f) for f in factors)
+    results = [ExponentialDifference(k, t, *factors) for k in range(min(degree, 6))]
+    return Kernel(
+        name=f"shape_{shape}",
+        title="Derivatives.",
+        arguments=(Argument("a", (1 + len(symbols),), (t, *symbols)),),
+        stages=(),
+        outputs=(Output("found", (len(results),), tuple(results)),),
+    )
+
+
+def shape_of(factors: Sequence[Factor]) -> tuple[str, list[float]]:
+    kinds = ["0" if f == (0.0,) else "w" if f[1:] == (0.0,) else str(len(f)) for f in factors]
+    given = [
+        c for f, kind in zip(factors, kinds, strict=True) for c in f[: len(f) - (kind in "0w")]
+    ]
+    return "".join(kinds), given
+
+
+Call = Callable[[str, float, Sequence[float]], list[float]]
+
+
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory: pytest.TempPathFactory) -> Call:
+    folder: Path = tmp_path_factory.mktemp("exponentials")
+    sources = [c_kernel(kernel_of(shape), "probe", None) for shape in SHAPES]
+    (folder / "probe.c").write_text("\n".join(['#include "support.h"', *sources]))
+    assert compiler is not None
+    subprocess.run(
+        [compiler, *FLAGS, "-fPIC", "-shared", f"-I{CHECKOUT / 'derive' / 'codegen'}",
+         str(folder / "probe.c"), "-o", str(folder / "probe.so"), "-lm"],
+        check=True,
+    )  # fmt: skip
+    library = ctypes.CDLL(str(folder / "probe.so"))
+
+    def call(shape: str, t: float, coefficients: Sequence[float]) -> list[float]:
+        arguments = (ctypes.c_double * (1 + len(coefficients)))(t, *coefficients)
+        (output,) = kernel_of(shape).outputs
+        found = (ctypes.c_double * len(output.expressions))()
+        library[f"probe_shape_{shape}"](arguments, found)
+        return list(found)
+
+    return call
+
+
+def worst(compiled: Call, factors: Sequence[Factor], t: float, k: int) -> float:
+    shape, coefficients = shape_of(factors)
+    if shape not in SHAPES:
+        return 0.0
+    found = compiled(shape, t, coefficients)
+    k = min(k, len(found) - 1)
+    return error(found[k], k, t, factors)
+
+
+@needs_compiler
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(forced(), periods, st.integers(0, 3))
+def test_common_sets(compiled: Call, factors: list[Factor], count: float, k: int) -> None:
+    assert worst(compiled, factors, count * 6.283 / largest_root(factors), k) <= 1
+
+
+@needs_compiler
+@settings(max_examples=30, deadline=None, derandomize=True)
+@given(repeated(), periods, st.integers(0, 3))
+def test_other_sets(compiled: Call, factors: list[Factor], count: float, k: int) -> None:
+    assert worst(compiled, factors, count * 6.283 / largest_root(factors), k) <= 3
+
+
+@needs_compiler
+@pytest.mark.parametrize("beside", [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.05, -0.3])
+@pytest.mark.parametrize("damping", [0.0, 1e-6, 0.05])
+def test_resonance_has_no_pole(compiled: Call, beside: float, damping: float) -> None:
+    factors = [(1.0, 2 * damping), ((1 + beside) ** 2, 0.0)]
+    for t in (0.0, 1e-9, 0.1, 1.1, 3.0, 40.0, 628.0):
+        for k in range(4):
+            assert worst(compiled, factors, t, k) <= 1
+
+
+@needs_compiler
+def test_the_slow_root_keeps_its_digits(compiled: Call) -> None:
+    for damping in (1e3, 1e6):
+        for t in (1e-6, 1.0, damping):
+            for place, shape in enumerate(("2", "20", "200")):
+                wanted = float(exact(0, t, [(1.0, damping), *[(0.0,)] * place]))
+                found = compiled(shape, t, [1.0, damping])
+                assert found[0] == pytest.approx(wanted, rel=1e-13)
+
+
+@needs_compiler
+@pytest.mark.parametrize("shape", SHAPES)
+def test_every_shape_is_numpy(compiled: Call, shape: str) -> None:
+    symbols, factors = numbers_of(shape)
+    values = {symbol: 0.7 + 0.9 * place % 1.3 for place, symbol in enumerate(symbols)}
+    chosen = [tuple(float(c.xreplace(values)) for c in f) for f in factors]
+    degree = sum(map(len, chosen))
+    for t in (0.0, 0.2, 1.7, 9.0):
+        found = compiled(shape, t, [*values.values()])
+        wanted = [float(exponential_difference(k, t, *chosen)) for k in range(min(degree, 6))]
+        scale = max(1e-300, max(map(abs, wanted)))
+        bound = 1e-12 if max(map(len, chosen)) > 2 else 1e-13 + 8 * UNIT * t * 3
+        assert max(abs(a - b) for a, b in zip(found, wanted, strict=True)) <= 10 * bound * scale
+
+
+@needs_compiler
+def test_hostile_numbers_end(compiled: Call) -> None:
+    for bad in (float("nan"), float("inf"), 1e300, -1e300, 5e-324, -1.0):
+        for shape in SHAPES:
+            count = len(numbers_of(shape)[0])
+            compiled(shape, 1.0, [bad] * count)
+            compiled(shape, bad, [1.0] * count)
+
+
+def test_a_block_computes_each_set_once() -> None:
+    source = c_kernel(kernel_of("2w"), "probe", None)
+    assert source.count("nonsmooth_pair_wave(") == 1
+    assert [f"derivatives_0.d{k}" in source for k in range(4)] == [True] * 4
+    assert c_kernel(kernel_of("6222"), "probe", None).count("nonsmooth_any(") == 3  # k <= 3, 4, 5
+
+
+def test_python_keeps_plain_integers() -> None:
+    namespace: dict[str, Any] = {}
+    source = python_kernel(kernel_of("20w"), None)
+    assert "(0,)" in source
+    assert "(c2_0, 0)" in source
+    exec(source, namespace)
+    found = namespace["shape_20w"]([1.2, 2.0, 0.3, 5.0], lib=FLOATS)
+    assert found[1] == exponential_difference(1, 1.2, (2.0, 0.3), (0,), (5.0, 0))
+
+
+def test_common_terms_are_no_tuples() -> None:
+    a, b, t = sp.symbols("a b t", real=True)
+    pair = sp.Tuple(a * b, 2 * (a + b))
+    results = tuple(ExponentialDifference(k, t, pair, pair) * (a + b) for k in range(4))
+    kernel = Kernel(
+        name="probe",
+        title="Probe.",
+        arguments=(Argument("x", (3,), (a, b, t)),),
+        stages=(),
+        outputs=(Output("y", (4,), results),),
+    )
+    assert "(const double[])" in c_kernel(kernel, "probe", None)
+    fixed = hoisted(body_of(kernel), {a, b})
+    assert not any(isinstance(line.expression, sp.Tuple) for line in fixed.lines)
+    assert {a, b}.isdisjoint(fixed.outputs[0][1].free_symbols)
+    namespace: dict[str, Any] = {}
+    exec(python_kernel(kernel, None), namespace)
+    found = namespace["probe"]([1.0, 0.5, 2.0], lib=FLOATS)
+    assert found[2] == 1.5 * exponential_difference(2, 2.0, (0.5, 3.0), (0.5, 3.0))

@@ -1,0 +1,162 @@
+"""The documentation builds without a warning, and a browser shows every page of it whole."""
+
+import fcntl
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urljoin, urlsplit
+
+import pytest
+import typer
+
+import nonsmooth
+import nonsmooth.derive
+from nonsmooth.runtime.cli.program import app
+from tests.chromium import Seen, Window, served, window
+from tests.places import CHECKOUT
+
+PUBLIC = {
+    f"{package.__name__}.{n}" for package in (nonsmooth, nonsmooth.derive) for n in package.__all__
+}
+WITHOUT_PAGE = {"nonsmooth.__version__"}
+WIDTHS = (1280, 400)
+# Addresses of what a search has found, when it is done.
+SEARCHED = """(async () => {
+  const done = () => /Search Results/.test(document.querySelector("#search-results h2")?.innerText);
+  for (let tries = 0; tries < 200 && !done(); tries++)
+    await new Promise((wait) => setTimeout(wait, 100));
+  const results = [...document.querySelectorAll("#search-results li a")];
+  return JSON.stringify(results.map((one) => one.getAttribute("href")));
+})()"""
+BROKEN = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>broken</title></head><body><article>
+<p>A formula that is not set: \\\\(x^2\\\\), and <span class="math">y</span>.</p>
+<div style="width: 900px">wide</div>
+<div style="width: 200px; overflow-x: auto"><div style="width: 900px">in a box</div></div>
+<img src="picture.png"><img src="https://example.org/picture.png" alt="">
+<a id="place" href="#place">here</a><a href="#nowhere">nowhere</a><a href="other.html">other</a>
+<a href="https://example.org/">elsewhere</a><a href="https://nonsense">nonsense</a>
+<script>console.error("an error"); throw new Error("thrown");</script>
+</article></body></html>
+"""
+
+
+@pytest.fixture(scope="session")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build the site as its one command does: once, though several processes ask for it."""
+    place = tmp_path_factory.getbasetemp()
+    place = place.parent if place.name.startswith("popen-gw") else place
+    out = place / "documentation" / "site"
+    with (place / "documentation.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (out / "searchindex.js").is_file():
+            options = ["-j", "auto", "-W", "--keep-going"]
+            command = [sys.executable, "-m", "sphinx", *options, "docs", str(out)]
+            built = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True)
+            assert built.returncode == 0, built.stderr[-5000:]
+    return out
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Window]:
+    """One browser for all pages."""
+    with window() as page:
+        yield page
+
+
+def pages(site: Path) -> list[str]:
+    """Addresses of all pages in a folder, from it."""
+    found = (file.relative_to(site).as_posix() for file in site.rglob("*.html"))
+    return sorted(page for page in found if not page.startswith("_"))
+
+
+def faults(seen: Seen, width: int) -> dict[str, object]:
+    """What is wrong with a page as it was seen in a window of a width."""
+    found = {
+        "no title": not seen.title,
+        "formulas that are not set": seen.formulas,
+        "pictures that are not there": seen.pictures,
+        "pictures without a text": seen.unnamed,
+        "wider than the window": seen.scroll_width > width and (seen.wide or True),
+        "complaints": seen.complaints,
+        "asked of others": seen.requests,
+    }
+    return {name: what for name, what in found.items() if what}
+
+
+def leads_somewhere(link: str, page: str, seen: dict[str, Seen], site: Path) -> bool:
+    """Whether a link of a page leads to a file and a place in it, or has the form of an address."""
+    target = urlsplit(urljoin(f"http://site/{page}", link))
+    if target.netloc != "site":
+        return (
+            re.fullmatch(r"https?://[\w-]+(\.[\w-]+)+", f"{target.scheme}://{target.netloc}")
+            is not None
+        )
+    place = unquote(target.path).strip("/") or "index.html"
+    if place not in seen:
+        return (site / place).is_file()
+    return not target.fragment or unquote(target.fragment) in seen[place].anchors
+
+
+@pytest.mark.slow
+@pytest.mark.browser
+@pytest.mark.parametrize("width", WIDTHS)
+def test_every_page_is_shown_whole(width: int, site: Path, browser: Window) -> None:
+    with served(site) as address:
+        seen = {page: browser.look(f"{address}/{page}", width) for page in pages(site)}
+    assert len(seen) > len(PUBLIC)
+    assert {page: wrong for page, one in seen.items() if (wrong := faults(one, width))} == {}
+    links = {(page, link) for page, one in seen.items() for link in one.links}
+    assert [link for link in sorted(links) if not leads_somewhere(*link[::-1], seen, site)] == []
+
+
+@pytest.mark.slow
+@pytest.mark.browser
+def test_search_finds_a_word_and_a_name(site: Path, browser: Window) -> None:
+    with served(site) as address:
+        for word, page in (
+            ("saltation", "theory/"),
+            ("continue_orbit", "nonsmooth.continue_orbit"),
+        ):
+            browser.open(f"{address}/search.html?q={word}", WIDTHS[0])
+            found = browser.run(SEARCHED)
+            assert any(page in link for link in json.loads(found)), (word, found)
+
+
+@pytest.mark.slow
+def test_every_public_name_has_a_page(site: Path) -> None:
+    told = {file.stem for file in (site / "reference" / "api").glob("*.html")}
+    assert told >= PUBLIC - WITHOUT_PAGE
+
+
+@pytest.mark.slow
+def test_every_command_and_option_is_told(site: Path) -> None:
+    page = (site / "reference" / "command_line.html").read_text("utf-8")
+    anchors = set(re.findall(r'id="([^"]+)"', page))
+    group: Any = typer.main.get_command(app)
+    for name, command in group.commands.items():
+        assert f"nonsmooth-{name}" in anchors
+        for option in (one for p in command.params for one in p.opts if one.startswith("--")):
+            assert f"cmdoption-nonsmooth-{name}-{option.lstrip('-')}" in anchors
+
+
+@pytest.mark.browser
+def test_what_is_broken_is_noticed(tmp_path: Path, browser: Window) -> None:
+    (tmp_path / "broken.html").write_text(BROKEN, encoding="utf-8")
+    with served(tmp_path) as address:
+        seen = browser.look(f"{address}/broken.html", 400)
+    assert len(seen.formulas) == 2
+    assert seen.pictures == ["picture.png", "https://example.org/picture.png"]
+    assert seen.unnamed == ["picture.png"]
+    assert (seen.scroll_width > 890, len(seen.wide)) == (True, 1)
+    for said in ("an error", "thrown", "404", "ERR_NAME_NOT_RESOLVED"):
+        assert any(said in complaint for complaint in seen.complaints)
+    assert seen.requests == ["https://example.org/picture.png"]
+    assert len(faults(seen, 400)) == 6
+    all_seen = {"broken.html": seen}
+    lost = [x for x in seen.links if not leads_somewhere(x, "broken.html", all_seen, tmp_path)]
+    assert lost == ["#nowhere", "other.html", "https://nonsense"]

@@ -1,0 +1,270 @@
+"""Compiled kernels of declarations: made beside the work, kept where nobody else writes."""
+
+from __future__ import annotations
+
+import logging
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.files import PARTIAL
+from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
+from nonsmooth.runtime.model.loading import background, caching
+from nonsmooth.runtime.model.loading import load as loading
+from nonsmooth.runtime.model.loading.background import KernelLibrary
+from nonsmooth.runtime.orbits.many import solve_many
+from nonsmooth.runtime.orbits.solve import solve
+from tests.user_systems import KICKED, declare
+
+compiler = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
+posix = pytest.mark.skipif(os.name != "posix", reason="processes are grouped on POSIX alone")
+K = np.linspace(0.5, 2, 7)
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache folder in which another process has put the compiled kernels."""
+    folder = tmp_path_factory.mktemp("library")
+    code = (
+        "import sys; import nonsmooth as ns;"
+        "found = ns.solve_many(sys.argv[1], k=[1, 2]);"
+        "print(found.problem.kernels.system.compiled is not None)"
+    )
+    path = declare(folder)
+    environment = os.environ | {"NONSMOOTH_CACHE": str(folder / "cache"), "NONSMOOTH_BACKEND": "c"}
+    # two at once do not disturb each other
+    both = [
+        subprocess.Popen(
+            [sys.executable, "-c", code, f"{path}:loop"],
+            env=environment, stdout=subprocess.PIPE, text=True,
+        )
+        for _ in range(2)
+    ]  # fmt: skip
+    assert [process.communicate()[0].strip() for process in both] == ["True", "True"]
+    assert not list((folder / "cache").glob(f"*{PARTIAL}"))
+    return folder / "cache"
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A cache folder of the test's own, and a process that knows nothing yet."""
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
+    monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
+    for name in ("_MODULES", "_FILES", "_LIBRARIES"):
+        monkeypatch.setattr(loading, name, {})
+    loading._file.cache_clear()
+    return tmp_path / "cache"
+
+
+@pytest.fixture
+def filled(library: Path, cache: Path) -> Path:
+    """The test's own folder with the compiled kernels in it; gives their file."""
+    shutil.copytree(library, cache)
+    (found,) = cache.glob("*.so")
+    return found
+
+
+def compiled(orbit: str) -> bool:
+    return load_orbit(orbit).system.compiled is not None
+
+
+@compiler
+def test_tables_numpy_and_compiled_kernels_agree(
+    tmp_path: Path, filled: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    orbit = f"{declare(tmp_path)}:loop"
+    assert compiled(orbit)
+    rng = np.random.default_rng(3)
+    values = {"k": rng.uniform(0.3, 4, 40), "r": rng.uniform(0.05, 0.9, 40)}
+    fast = solve_many(orbit, values)
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
+    assert not compiled(orbit)
+    slow = solve_many(orbit, values)
+    phases = [("right", "falls"), ("left", "rises")]
+    near = [
+        np.pi / np.sqrt(values["k"]),
+        1.5 + 0 * values["k"],
+        0 * values["k"],
+        1 / (1 - values["r"]),
+    ]
+    system = kernels_of(orbit.removesuffix(":loop"))
+    tables = solve_many(system, values, np.stack(near, axis=-1), itinerary=phases)
+    assert fast.converged.all()
+    assert fast.admissible is not None
+    assert fast.admissible.all()
+    for found in (slow, tables):
+        np.testing.assert_array_equal(found.status, fast.status)
+        np.testing.assert_array_equal(found.admissible, fast.admissible)
+        np.testing.assert_allclose(found.period, fast.period, rtol=1e-13)
+        np.testing.assert_allclose(found.trace, fast.trace, rtol=1e-11)
+    # in closed form: v = 1/(1 - r), half a turn on either side
+    np.testing.assert_allclose(fast.unknowns["v0"], 1 / (1 - values["r"]), rtol=1e-13)
+    np.testing.assert_allclose(
+        fast.period, np.pi / np.sqrt(values["k"]) + np.pi / 2, rtol=1e-13
+    )  # fmt: skip
+
+
+@compiler
+def test_another_declaration_has_no_compiled_kernels(tmp_path: Path, filled: Path) -> None:
+    assert compiled(f"{declare(tmp_path)}:loop")
+    assert not compiled(f"{declare(tmp_path, KICKED.replace('[[4]]', '[[9]]'), 'other.py')}:loop")
+    same = declare(tmp_path, f"# a comment\n{KICKED}", "same.py")
+    assert compiled(f"{same}:loop")
+
+
+@compiler
+@pytest.mark.parametrize("damage", ["cut", "other", "written by others", "link"])
+def test_what_is_damaged_or_open_to_others_is_not_loaded(
+    tmp_path: Path, filled: Path, damage: str
+) -> None:
+    content = filled.read_bytes()
+    if damage == "cut":
+        filled.write_bytes(content[: len(content) // 2])
+    elif damage == "other":
+        filled.write_bytes(content[:-1] + b"x")
+    elif damage == "link":
+        filled.rename(tmp_path / "elsewhere.so")
+        filled.symlink_to(tmp_path / "elsewhere.so")
+    else:
+        filled.chmod(0o622)
+    assert not compiled(f"{declare(tmp_path)}:loop")
+
+
+@compiler
+def test_a_folder_that_others_can_write_is_not_used(
+    tmp_path: Path, filled: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    begun: list[str] = []
+    monkeypatch.setattr(background.subprocess, "Popen", lambda *a, **k: begun.append("process"))
+    filled.parent.chmod(0o777)
+    orbit = f"{declare(tmp_path)}:loop"
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
+    assert solve_many(orbit, k=K).converged.all()
+    assert not compiled(orbit)
+    monkeypatch.setenv("NONSMOOTH_CACHE", "")
+    assert solve_many(orbit, r=K / 3).converged.all()
+    assert not begun
+    assert "others can write" in capfd.readouterr().err
+
+
+@posix
+@compiler
+def test_a_failed_compilation_is_told_once_and_nothing_else_changes(
+    tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch, caplog: Any, capfd: Any
+) -> None:
+    monkeypatch.setenv("CC", "/bin/false")
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
+    orbit = f"{declare(tmp_path)}:loop"
+    with caplog.at_level(logging.INFO, "nonsmooth"):
+        for _ in range(3):
+            assert solve_many(orbit, k=K).converged.all()
+    assert not compiled(orbit)
+    assert [record.getMessage() for record in caplog.records] == [
+        "kernels are not compiled and run on NumPy: InputError: no compiled kernels:"
+        " /bin/false fails; without them the kernels run on NumPy"
+    ]
+    assert capfd.readouterr().err == ""
+    assert [path.suffix for path in cache.iterdir()] == [".py"]
+
+
+def test_without_a_compiler_no_process_begins(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: Any, capfd: Any
+) -> None:
+    monkeypatch.setenv("CC", str(tmp_path / "none"))
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
+    monkeypatch.setattr(background.subprocess, "Popen", lambda *a, **k: pytest.fail("begun"))
+    with caplog.at_level(logging.INFO, "nonsmooth"):
+        assert solve_many(f"{declare(tmp_path)}:loop", k=K).converged.all()
+    assert len(caplog.records) == 1
+    assert capfd.readouterr().err == ""
+
+
+def test_few_points_are_not_worth_a_compilation(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(background, "_begin", lambda *_: pytest.fail("begun"))
+    assert solve_many(f"{declare(tmp_path)}:loop", k=K).converged.all()
+    assert solve(f"{tmp_path / 'mine.py'}:loop").converged
+
+
+def waiting(monkeypatch: pytest.MonkeyPatch, cache: Path) -> KernelLibrary:
+    """A library whose process makes its folder, and then does nothing."""
+    cache.mkdir(mode=0o700)
+    code = "import pickle, sys, time; pickle.load(sys.stdin.buffer)[1].mkdir(); time.sleep(60)"
+    monkeypatch.setattr(background, "_CHILD", code)
+    monkeypatch.setattr(background, "lacking", lambda: None)
+    library = KernelLibrary("k" * 16, "d" * 16, "kicked")
+    library.declare("system", ())
+    assert library.wanted(1.0) is None
+    assert library._building is not None
+    until = time.monotonic() + 30
+    while not list(cache.glob(f"*{PARTIAL}")) and time.monotonic() < until:
+        time.sleep(0.02)
+    assert list(cache.glob(f"*{PARTIAL}"))
+    return library
+
+
+@posix
+def test_a_killed_compilation_leaves_nothing(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    library = waiting(monkeypatch, cache)
+    process = library._building.process  # type: ignore[union-attr]
+    assert library.module() is None  # it goes on
+    os.kill(process.pid, signal.SIGKILL)
+    process.wait()
+    assert library.module() is None
+    assert not list(cache.iterdir())
+    assert library.wanted(9.0) is None  # it is tried once
+    assert library._building is None
+
+
+@posix
+def test_who_interrupts_the_wait_ends_the_compilation(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    library = waiting(monkeypatch, cache)
+    process = library._building.process  # type: ignore[union-attr]
+    wait, calls = process.wait, []
+
+    def interrupted(timeout: float | None = None) -> int:
+        calls.append(timeout)
+        if len(calls) == 1:
+            raise KeyboardInterrupt
+        return wait(timeout)
+
+    monkeypatch.setattr(process, "wait", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        library.wanted(9.0)
+    assert process.poll() == -signal.SIGKILL
+    assert not list(cache.iterdir())
+
+
+def test_what_killed_processes_left_long_ago_is_removed(cache: Path) -> None:
+    cache.mkdir()
+    old, new = cache / f"old{PARTIAL}", cache / f"new{PARTIAL}"
+    for folder in (old, new):
+        folder.mkdir()
+        (folder / "kernels.c").write_text("")
+    os.utime(old, (1, 1))
+    background._sweep(cache)
+    assert list(cache.iterdir()) == [new]
+
+
+def test_libraries_of_one_key_are_told_apart_by_their_content(cache: Path) -> None:
+    for content in (b"one", b"two"):
+        caching.store_library("key", "_kernels.abi3.so", content)
+    assert len(list(cache.iterdir())) == 2
+    assert caching.stored_library("other") is None
+    found = caching.stored_library("key")
+    assert found is not None
+    found.write_bytes(b"three")
+    second = caching.stored_library("key")
+    assert second is not None
+    assert second != found

@@ -1,0 +1,443 @@
+"""Files of results hold their system as data: nothing that they name is ever run."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.present.files.event_certificates import save_events
+from nonsmooth.runtime.proof.events.certify_event import certify_branch
+from tests.user_systems import declare
+
+# a square root, a quotient, a fraction, restitution, an irrational end of a domain
+SYSTEM = """
+import sympy as sp
+from nonsmooth.derive import Harmonic, Itinerary, Parameter, Reference, RigidStop, oscillator
+
+w = Parameter("w", "frequency, rad/s", upper=2 * sp.pi)
+k = Parameter("k", "stiffness, N/m")
+gap = Parameter("gap", "place of the stop, m", lower=-sp.oo)
+r = Parameter("r", "restitution, 1", lower=0, upper=1, closed=True, upper_closed=True)
+system = oscillator(
+    "struck", ["x"], mass=[[1]], stiffness=[[k.symbol]], damping=[[sp.sqrt(k.symbol) / 10]],
+    forcing=[Harmonic(w.symbol, cosine=[1])], parameters=[w, k, gap, r],
+    elements=[RigidStop("x", at=gap.symbol, restitution=r.symbol, name="stop")],
+)
+data = Reference({"w": "2", "k": "1", "gap": "0", "r": "0.8"}, {"T": "3.1"})
+orbits = [Itinerary("one", system, [("free", "stop-reaches-stop", "T")], reference=data)]
+"""
+PLAIN = SYSTEM.replace("sp.sqrt(k.symbol) / 10", "k.symbol / 10")  # for proofs of boxes
+DATA = {"w": "2", "k": "1", "gap": "0", "r": "0.8"}
+TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
+
+
+def sweep(source: Path) -> ns.Sweep:
+    values, start = {n: v for n, v in DATA.items() if n != "w"}, {"x": -1, "v": 0}
+    return ns.sweep(
+        source, values, "w", [1.9, 2.0], start, state="x", phase=0, transient=20, samples=4
+    )
+
+
+def branch(source: Path) -> ns.Branch:
+    return ns.continue_orbit(ns.solve(f"{source}:one"), "w", (1.98, 2.01))
+
+
+def events(source: Path, path: Path) -> None:
+    near = ns.solve(f"{source}:one", {"gap": "-0.332"})
+    found = ns.continue_orbit(near, "gap", (-0.335, -0.33))
+    save_events(certify_branch(found, 64), path)
+
+
+MAKE: dict[str, Callable[[Path, Path], None]] = {
+    "orbit.json": lambda source, path: ns.solve(f"{source}:one").save(path),
+    "sharp.json": lambda source, path: ns.solve(f"{source}:one", digits=40).save(path),
+    "found.json": lambda source, path: ns.find_orbits(
+        source, DATA, 5, transitions=50, seed=1
+    ).save(path),
+    "motion.npz": lambda source, path: ns.simulate(
+        source, DATA, {"x": -1, "v": 0}, transitions=5
+    ).save(path),
+    "motion.csv": lambda source, path: ns.simulate(
+        source, DATA, {"x": -1, "v": 0}, transitions=5
+    ).save(path),
+    "branch.json": lambda source, path: branch(source).save(path),
+    "sweep.json": lambda source, path: sweep(source).save(path),
+    "proof.json": lambda source, path: ns.certify(ns.solve(f"{source}:one")).save(path),
+    "map.json": lambda source, path: ns.certify_box(
+        ns.solve(f"{source}:one"), {"r": ("0.799", "0.801")}, tiles=2
+    ).save(path),
+    "events.json": events,
+    "census.json": lambda source, path: ns.certify_all(
+        f"{source}:one", DATA, {"T": ("3.1", "3.2")}
+    ).save(path),
+}  # fmt: skip
+LOAD: dict[str, Callable[[Path], Any]] = {
+    "orbit": ns.load, "sharp": ns.load, "found": ns.load_found, "motion": ns.load_trajectory,
+    "branch": ns.load_branch, "sweep": ns.load_sweep, "proof": ns.load_certificate,
+    "map": ns.load_box_certificate, "events": ns.load_event_certificates,
+    "census": ns.load_census,
+}  # fmt: skip
+COMMANDS = (
+    "list orbit.json found.json",
+    "plot orbit.json --out a.png",
+    "plot found.json --out a.png",
+    "plot motion.npz --out a.png",
+    "plot motion.csv --out a.png",
+    "plot branch.json --out a.png",
+    "plot sweep.json --out a.png",
+    "plot map.json --out a.png",
+    "solve orbit.json --digits 30",
+    "solve found.json:1",
+    "verify orbit.json --digits 20",
+    "continue orbit.json w=1.99:2.01",
+    "certify orbit.json",
+    "certify --check proof.json",
+    "certify --check map.json",
+    "certify --check events.json",
+    "certify --check census.json",
+    "chart orbit.json w=1.99:2.01:3 --out c.zarr",
+    "plot c.zarr --out a.png",
+    "chart orbit.json w=1.99:2.01:3 --out c.zarr",
+    "chart own.zarr",
+    "chart found.zarr",
+    "chart motions.zarr",
+    "plot own.zarr --out a.png",
+)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Files of all kinds, whose declaration was replaced by one that leaves a trace."""
+    folder = tmp_path_factory.mktemp("systems")
+    source = folder / "own.py"
+    for name, make in MAKE.items():
+        proof = name.partition(".")[0] in ("proof", "map", "events", "census")
+        source.write_text(PLAIN if proof else SYSTEM)
+        make(source, folder / name)
+    source.write_text(SYSTEM)
+    frequency = [1.99, 2.0]
+    ns.chart(f"{source}:one", w=frequency, store=folder / "own.zarr")
+    ns.chart(f"{folder / 'orbit.json'}", w=frequency, store=folder / "found.zarr")
+    rest = {name: value for name, value in DATA.items() if name != "w"}
+    ns.chart(
+        str(source), simulate=True, start={"x": -1, "v": 0}, transitions=80, w=frequency, **rest,
+        store=folder / "motions.zarr",
+    )  # fmt: skip
+    source.write_text(TRAP + SYSTEM)
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def nothing_runs(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Any:
+    monkeypatch.chdir(folder)
+    yield
+    assert not (folder / "ran").exists()
+
+
+def content(path: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(path.read_text())
+    return found
+
+
+@pytest.mark.parametrize("name", MAKE)
+def test_files_load_without_their_declaration(name: str, folder: Path) -> None:
+    found = LOAD[name.partition(".")[0]](folder / name)
+    assert found is not None
+    if hasattr(found, "save") and name != "found.json":  # whose orbits are solved again
+        again = folder / f"again-{name}"
+        found.save(again)
+        assert again.read_bytes() == (folder / name).read_bytes()
+
+
+@pytest.mark.parametrize("name", ["own", "found", "motions"])
+def test_a_chart_goes_on_to_the_same_bits(name: str, folder: Path) -> None:
+    place = folder / f"{name}.zarr"
+    before = {f: f.read_bytes() for f in place.rglob("*") if f.is_file()}
+    (place / "period" / "c" / "0").unlink()
+    ns.chart(str(place))
+    assert {f: f.read_bytes() for f in place.rglob("*") if f.is_file()} == before
+
+
+def test_what_a_file_lists_can_be_typed(folder: Path) -> None:
+    """An orbit with kernels of its own, and one that is composed."""
+    source = declare(folder, name="kicked.py")
+    ns.solve(f"{source}:loop").save(folder / "kicked.json")
+    ns.solve("dry-friction/symmetric").save(folder / "built-in.json")
+    source.unlink()
+    for name in ("kicked.json", "built-in.json", "orbit.json", "found.json"):
+        told = CliRunner().invoke(app, ["list", name, "--json"])
+        (system,) = json.loads(told.stdout)["systems"]
+        assert "@" not in system["name"]
+        for orbit in system["orbits"]:
+            assert CliRunner().invoke(app, ["solve", orbit["name"]]).exit_code == 0
+
+
+def test_the_order_of_configurations_counts(folder: Path) -> None:
+    """Fields stand in their order, which a tool that sorts the entries changes."""
+    source = declare(folder, name="kicked.py")
+    start = {"x": 0, "v": 1}
+    ns.sweep(
+        source, {"r": "0.5"}, "k", [1.0, 1.1], start, state="v", configuration="right",
+        transient=20, samples=4,
+    ).save(folder / "kicked.json")  # fmt: skip
+    sorted_ones = json.dumps(content(folder / "kicked.json"), sort_keys=True)
+    (folder / "sorted.json").write_text(sorted_ones)
+    with pytest.raises(InputError, match="and the file holds"):
+        ns.load_sweep(folder / "sorted.json")
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_no_command_runs_what_a_file_names(command: str) -> None:
+    found = CliRunner().invoke(app, command.split())
+    # what takes a root of its parameters is not proved to be stable
+    code = 1 if command == "certify orbit.json" else 0
+    assert found.exit_code == code, found.stderr or found.exception
+
+
+@pytest.mark.parametrize("name", [name for name in MAKE if name.endswith(".json")])
+def test_a_forged_name_runs_nothing(name: str, folder: Path) -> None:
+    forged = folder / "forged.json"
+    text = (folder / name).read_text()
+    (system,) = {entry["system"] for entry in _with("system", json.loads(text))} or {"none"}
+    for tables in (True, False):
+        changed = json.loads(text.replace(system, str(folder / "own.py")))
+        for entry in _with("tables", changed) if not tables else ():
+            entry["tables"] = None
+        for entry in _with("sha256", changed):
+            entry["sha256"] = checksum_of(entry)
+        forged.write_text(json.dumps(changed))
+        with pytest.raises(InputError, match="forged"):
+            LOAD[name.partition(".")[0]](forged)
+        found = CliRunner().invoke(app, ["plot", "forged.json", "--out", "a.png"])
+        assert found.exit_code == 2
+
+
+def _with(name: str, entries: Any) -> list[dict[str, Any]]:
+    """The objects that have an entry, those inside others first."""
+    parts = entries.values() if isinstance(entries, dict) else entries
+    found = [e for part in parts if isinstance(part, dict | list) for e in _with(name, part)]
+    return [*found, entries] if isinstance(entries, dict) and name in entries else found
+
+
+def resealed(content: dict[str, Any], change: Callable[[dict[str, Any]], None]) -> dict[str, Any]:
+    """An orbit's content with other data, whose name and checksum are made right again."""
+    found = json.loads(json.dumps(content))
+    change(found["tables"])
+    with suppress(InputError):
+        found["system"] = decode(SavedSystem, found["tables"]).name
+    return {**found, "sha256": checksum_of(found)}
+
+
+def put(path: str, entry: Any) -> Callable[[dict[str, Any]], None]:
+    *outer, last = path.split("/")
+
+    def change(tables: Any) -> None:
+        for name in outer:
+            tables = tables[int(name) if isinstance(tables, list) else name]
+        tables[int(last) if isinstance(tables, list) else last] = entry
+
+    return change
+
+
+WRONG = {
+    "table/boundary_rows/free/0": (-1, 10**6),
+    "table/forcing_row": (99,),
+    "table/transitions/0/reset": (-1, 99),
+    "table/transitions/0/source": ("nowhere",),
+    "table/transitions/0/target": ("nowhere",),
+    "table/transitions/0/boundaries": (["nowhere"],),
+    "table/transitions/0/order": (-1, 10**9),
+    "table/configurations/free": ([], 7, [{"name": "x", "acts_when": "never"}]),
+    "table/states": ([], ["x", "x", "c1", "s1"], ["x", "v", "c1", "s1", "y"]),
+    "table/parameters/0/lower": ("10**10**10", "__import__('os')", "nan"),
+    "table/parameters/0/name": ("k", "sqrt"),
+    "table/constraints": ([{"text": "", "terms": {"k**999999999": 1}}],),
+    "table/held": ({},),
+    "table/forcing": ([["x", "nowhere"]],),
+    "table/name": ("", "../own.py", "a\nb"),
+    "table/modes": ({}, {"free": [{"length": 10**9, "oscillates": True}]}),
+    "functions/__name__": ({"takes": [], "inputs": [], "outputs": [], "terms": [], "gives": []},),
+    "functions/SYSTEM": ({"takes": [], "inputs": [], "outputs": [], "terms": [], "gives": []},),
+    "functions": ({},),
+    "functions/rows/gives/0": ("0, 0, 0, 0, exec(w)", "0", "10**10**10, 0, 0, 0, 0"),
+    "functions/rows/outputs/0": ([1, 5], [10**9, 5], [0, 5]),
+    "functions/fields/inputs/0": ([3],),
+    "orbits/one": ({"phases": [["nowhere", "b", "T"]]}, {}),
+}
+
+
+@pytest.mark.parametrize("where", WRONG)
+def test_data_that_are_not_in_order_are_refused_at_small_cost(where: str, folder: Path) -> None:
+    sound, wrong = content(folder / "orbit.json"), folder / "wrong.json"
+    assert resealed(sound, lambda tables: None)["system"] == sound["system"]
+    for entry in WRONG[where]:
+        wrong.write_text(json.dumps(resealed(sound, put(where, entry))))
+        begun = time.process_time()
+        with pytest.raises(InputError) as refused:
+            ns.load(wrong)
+        assert str(refused.value).startswith(str(wrong)), entry
+        assert "\n" not in str(refused.value)
+        assert time.process_time() - begun < 1
+
+
+def test_a_system_comes_back_to_the_last_bit(folder: Path) -> None:
+    source = folder / "again.py"
+    source.write_text(SYSTEM)
+    for kernels in (load_system(source), load_orbit(f"{source}:one").system):
+        name, orbit, saved = named(kernels, f"{kernels.name}:one")
+        assert saved is not None
+        found = system_in(name, decode(SavedSystem, json.loads(json.dumps(encode(saved)))))
+        assert orbit == f"{name}:one"
+        drawn = np.random.default_rng(1).uniform(0.1, 1, (20, 4))
+        for kernel in ("fields", "rows", "resets"):
+            assert (found.evaluate(kernel, drawn) == kernels.evaluate(kernel, drawn)).all()
+        assert [p.ends for p in found.parameters] == [p.ends for p in kernels.parameters]
+        assert named(found)[0] == name
+
+
+def test_a_change_of_the_declaration_is_told_where_it_is_named(folder: Path) -> None:
+    source = folder / "changed.py"
+    source.write_text(SYSTEM)
+    known, diagram = branch(source), sweep(source)
+    known.save("changed-branch.json")
+    diagram.save("changed-sweep.json")
+    source.write_text(PLAIN)
+    ns.certify(ns.solve(f"{source}:one")).save("changed-proof.json")
+    same = ["certify", "changed.py:one", "--check", "changed-proof.json"]
+    assert CliRunner().invoke(app, same).exit_code == 0
+    source.write_text(PLAIN.replace("/ 10", "/ 11"))
+    resumed = (
+        "sweep changed.py w=1.9:2.0:2 k=1 gap=0 r=0.8 --state x --at forcing-phase --phase 0"
+        " --from x=-1,v=0 --transient 20 --samples 4 --resume changed-sweep.json"
+    )
+    followed = "continue changed.py:one w=1.98:2.01 --resume changed-branch.json"
+    for command in (same, followed.split(), resumed.split()):
+        found = CliRunner().invoke(app, command)
+        assert found.exit_code in (1, 2), command
+        assert "changed" in found.stderr.replace("changed-", "").replace("changed.py", ""), command
+    assert ns.load_branch("changed-branch.json").orbit.converged
+
+
+def test_an_orbit_with_kernels_of_its_own_comes_back_with_them(folder: Path) -> None:
+    declare(folder, name="kicked.py")
+    made = CliRunner().invoke(app, ["generate", "kicked.py", "--out", "kicked"])
+    assert made.exit_code == 0, made.stderr
+    given = ns.solve("kicked:loop", digits=30)
+    assert given.problem.kernels is not None
+    given.save("kernels.json")
+    (folder / "kicked").rename(folder / "elsewhere")
+    found = ns.load("kernels.json")
+    assert found.unknowns == given.unknowns
+    assert found.to_json()["unknowns"] == given.to_json()["unknowns"]
+    assert found.stability.verdict == given.stability.verdict
+    assert found.motion()(0.5).tolist() == given.motion()(0.5).tolist()
+    assert ns.refine(found, 50).digits == 50
+    assert ns.certify(found).proved
+    followed = ns.continue_orbit(ns.solve("kernels.json"), "r", (0.4, 0.6))
+    assert followed.ends == ("end of the interval",) * 2
+    forged = content(folder / "kernels.json")
+    forged["orbit"] = forged["orbit"].replace(":loop", ":other")
+    (folder / "forged.json").write_text(json.dumps({**forged, "sha256": checksum_of(forged)}))
+    with pytest.raises(InputError, match="unknown orbit"):
+        ns.load("forged.json")
+
+
+def test_what_is_saved_is_the_system_that_was_computed_with(folder: Path) -> None:
+    source = folder / "lost.py"
+    source.write_text(PLAIN)
+    orbit, proof = ns.solve(f"{source}:one"), ns.certify(ns.solve(f"{source}:one"))
+    motion, diagram = ns.simulate(source, DATA, {"x": -1, "v": 0}, transitions=5), sweep(source)
+    source.write_text(TRAP + PLAIN.replace("/ 10", "/ 11"))
+    for result in (orbit, proof, diagram):
+        result.save("lost.json")
+    assert ns.load_sweep("lost.json").values.tolist() == diagram.values.tolist()
+    proof.save("lost.json")
+    assert ns.check_certificate("lost.json").difference is None
+    motion.save("lost.npz")
+    assert ns.load_trajectory("lost.npz").times.tolist() == motion.times.tolist()
+    source.unlink()
+    proof.save("gone.json")
+    assert (folder / "gone.json").read_bytes() == (folder / "lost.json").read_bytes()
+
+
+def _first_exponents(entry: Any) -> list[int]:
+    """Exponents of the first term of the first polynomial in a declaration."""
+    if isinstance(entry, dict) and "above" in entry:
+        found: list[int] = entry["above"][0][1]
+        return found
+    parts = entry.values() if isinstance(entry, dict) else entry
+    for part in parts if isinstance(parts, list) or isinstance(entry, dict) else ():
+        if isinstance(part, dict | list) and (exponents := _first_exponents(part)):
+            return exponents
+    return []
+
+
+def _huge_declaration(content: dict[str, Any]) -> None:
+    exponents = _first_exponents(content["declaration"])
+    exponents[0] = 10**30
+
+
+def _huge_table(text: str) -> Callable[[dict[str, Any]], None]:
+    def change(content: dict[str, Any]) -> None:
+        content["tables"]["functions"]["rows"]["terms"][0] = f"_1 = {text}"
+
+    return change
+
+
+def _huge_domain(content: dict[str, Any]) -> None:
+    content["tables"]["table"]["parameters"][0]["upper"] = "2**" + "9" * 30
+
+
+@pytest.mark.parametrize(
+    "change",
+    [_huge_declaration, _huge_table(f"k**{10**30}"), _huge_table(f"{10}**{10**30}"), _huge_domain],
+)
+@pytest.mark.parametrize(
+    "command",
+    [
+        "plot huge.json",
+        "certify orbit.json r=0.799:0.801 --resume huge.json",
+        "certify --check huge.json",
+    ],
+)
+def test_huge_exponents_in_a_map_are_refused(
+    command: str, change: Callable[[dict[str, Any]], None], folder: Path
+) -> None:
+    forged = content(folder / "map.json")
+    change(forged)
+    with suppress(InputError):
+        name = decode(SavedSystem, forged["tables"]).name
+        forged = json.loads(json.dumps(forged).replace(forged["system"], name))
+    forged["sha256"] = checksum_of(forged)
+    (folder / "huge.json").write_text(json.dumps(forged))
+    begun = time.process_time()
+    found = CliRunner().invoke(app, command.split())
+    assert time.process_time() - begun < 10
+    assert found.exit_code == (1 if "--check" in command else 2), found.output
+    assert (found.stderr or found.stdout).count("\n") == 1
+    assert "internal error" not in found.stderr
+
+
+def test_no_map_is_replaced_by_that_of_another_orbit(folder: Path) -> None:
+    """Not by one of which nothing can be proved either: this one takes a root."""
+    before = (folder / "map.json").read_bytes()
+    command = "certify orbit.json r=0.799:0.801 --resume map.json"
+    found = CliRunner().invoke(app, command.split())
+    assert found.exit_code == 2
+    assert "the state to resume has another" in found.stderr
+    assert (folder / "map.json").read_bytes() == before

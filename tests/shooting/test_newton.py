@@ -1,0 +1,140 @@
+"""Laws of Newton's method, whatever it solves."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.arithmetic import Mpmath
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.shooting.kernel_newton import solve_full, solve_reduced
+from nonsmooth.runtime.shooting.newton import (
+    CONVERGED,
+    GOING,
+    INVALID,
+    NEGATIVE,
+    STALLED,
+    climb,
+    damping,
+    iterate,
+    precisions,
+)
+
+
+@pytest.mark.parametrize("growth", [3.0, math.inf])
+def test_a_damped_step_is_the_longest_that_keeps_dwell_times_within_bounds(growth: float) -> None:
+    """None loses more than three quarters of itself, or grows by more than is allowed."""
+    random = np.random.default_rng(4)
+    dwell = random.uniform(0.1, 5, (400, 3))
+    change = dwell * random.normal(size=dwell.shape) * 10.0 ** random.uniform(-2, 2, (400, 1))
+    part = damping(dwell, change, growth)
+    relative = part[:, None] * change / dwell
+    assert (relative > -0.75 * (1 + 1e-12)).all()
+    assert (relative < growth * (1 + 1e-12)).all()
+    whole = part == 1
+    assert 20 < np.count_nonzero(whole) < 380
+    held = np.minimum(abs(relative + 0.75), abs(relative - growth)).min(axis=1)
+    assert (held[~whole] < 1e-12).all()
+    assert (part > 0).all()
+    assert damping(np.zeros((2, 0)), np.zeros((2, 0))).tolist() == [1, 1]
+
+
+def test_points_run_until_each_has_a_status_of_its_own() -> None:
+    """Point k ends at its k-th step; one that never does has taken them all."""
+    calls: list[int] = []
+    ends = np.array([3, 1, 99, 2, 3])
+    statuses = np.array([CONVERGED, INVALID, CONVERGED, CONVERGED, INVALID])
+
+    def advance(running: np.ndarray) -> np.ndarray:
+        calls.append(len(running))
+        return np.where(ends[running] == len(calls), statuses[running], GOING)
+
+    taken, status = iterate(5, advance)
+    assert taken.tolist() == [3, 1, 32, 2, 3]
+    assert status.tolist() == [CONVERGED, INVALID, STALLED, CONVERGED, INVALID]
+    assert calls == [5, 4, 3, *[1] * 29]
+
+
+class Line:
+    """Kernels of an orbit whose one equation is slope (tau - root) = 0, its dwell time tau - ahead.
+
+    `root` is their parameter.
+    """
+
+    solver = None
+    unknowns = reduced = dwell_times = ("tau",)
+    parameter_names = ("root",)
+
+    def __init__(self, slope: float = 1.0, ahead: float = 0.0, size: float = 1.0) -> None:
+        self.slope, self.ahead, self.size = slope, ahead, size
+        self.table: dict[str, Any] = {"vanishing": []}
+
+    def spectrum(self, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return parameters[..., :0], parameters[..., :0]
+
+    def evaluate(self, name: str, parameters: np.ndarray, *rest: np.ndarray) -> Any:
+        unknowns, slopes = rest[-1], np.full((*parameters.shape, 1), self.slope)
+        return {
+            "parameter_jacobian": -slopes,
+            "states": np.full(parameters.shape, self.size),
+            "trace": 0 * parameters[..., 0],
+        }.get(name, (self.slope * (unknowns - parameters), slopes))
+
+    def expand(self, parameters: Any, spectrum: Any, x: np.ndarray) -> tuple[Any, np.ndarray]:
+        return x, np.ones((len(x), 1))
+
+    def durations(self, values: Any) -> dict[str, Any]:
+        return {"tau": values["tau"] - self.ahead}
+
+
+@pytest.mark.parametrize("root", [3.0, 1e-3, 1e-8, -1e-12, -4e-10, -1e-6, -0.5, -20.0])
+def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root: float) -> None:
+    """Damping makes its steps small; only a whole small step is the last one."""
+    kernels: Any = Line()
+    one = solve_full(kernels, {"tau": 1.0, "root": root}, ["tau"])
+    found = [(one.status, one.values["tau"])]
+    if abs(root) > 1e-9:  # the tolerance of reduced equations
+        many = solve_reduced(kernels, np.array([root]), np.array([1.0]))
+        found.append((many.status, many.unknowns[0]))
+    for status, tau in found:
+        assert (status == CONVERGED) == (root > 0)
+        assert tau > 0
+        assert root < 0 or tau == pytest.approx(root, rel=1e-6, abs=1e-16)
+
+
+def test_a_phase_that_takes_no_time_or_less_is_no_orbit() -> None:
+    ahead = np.array([0.25, 0.5, 0.75])  # of a dwell time that is computed
+    for each, expected in zip(ahead, (CONVERGED, NEGATIVE, NEGATIVE), strict=True):
+        kernels: Any = Line(ahead=each)
+        found = solve_full(kernels, {"tau": 1.0, "root": 0.5}, ["tau"])
+        assert found.status == expected
+        assert solve_reduced(kernels, np.array([0.5]), np.array([1.0])).status == expected
+
+
+def test_an_unknown_of_which_no_digit_is_sure_is_refused() -> None:
+    sure: Any = Line(slope=1e-9, size=1e3)
+    assert solve_full(sure, {"tau": 1.0, "root": 0.5}, ["tau"]).error < 1e-2
+    unsure: Any = Line(slope=1e-12, size=1e3)
+    with pytest.raises(InputError, match="do not determine tau"):
+        solve_full(unsure, {"tau": 1.0, "root": 0.5}, ["tau"])
+
+
+@pytest.mark.parametrize("remaining", [1e-2, 1e-5, 1e-15, 1e-35, 1e-45])
+def test_a_refinement_whose_last_step_still_corrects_has_left_the_orbit(remaining: float) -> None:
+    """As near a singular solution, where steps become no smaller."""
+    lib = Mpmath(60)
+
+    def step(x: np.ndarray, last: bool) -> tuple[list[Any], str]:
+        return [lib.mp.mpf(remaining)], "last" if last else "before"
+
+    start = np.array([lib.mp.mpf(1)], dtype=object)
+    if remaining < 1e-30:  # 40 digits, less those that the linear algebra may lose
+        _, seen, count = climb(lib, start, step, 40, 15, "it")
+        assert (seen, count) == ("last", len(precisions(40, 15)) + 1)
+    else:
+        told = precisions(40, 15)[0] if remaining > 1e-3 else 40
+        with pytest.raises(NoConvergence, match=f"it: Newton's method with {told} digits"):
+            climb(lib, start, step, 40, 15, "it")

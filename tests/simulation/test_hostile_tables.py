@@ -1,0 +1,158 @@
+"""Tables of numbers that no system has: an engine ends with a status, and soon."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+from nonsmooth.runtime.simulation.simulate import follow
+from nonsmooth.runtime.simulation.stepping import run
+from tests.places import CHECKOUT
+
+DATA = {
+    "dry-friction": dict(
+        chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1
+    ),
+    "rigid-stop": dict(m1=1, m2=2, k1=1, k2=5, r="0.6"),
+    "elastic-stop": dict(m1=1, m2=2, k1=1, k2=5, k3=40),
+}
+HOSTILE = (math.inf, -math.inf, math.nan, 1e308, -1e308, 5e-324, -5e-324, 1e150, 1e-150, 1e30, 0.0)
+LIMIT = 20.0  # seconds of one motion
+COMPILED = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
+
+
+class Late(BaseException):
+    """A motion that takes longer than LIMIT."""
+
+
+@contextmanager
+def limited() -> Iterator[None]:
+    def late(*_: object) -> None:
+        raise Late
+
+    before = signal.signal(signal.SIGALRM, late)
+    signal.setitimer(signal.ITIMER_REAL, LIMIT)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def tables(rng: np.random.Generator, system: PiecewiseLinear) -> np.ndarray:
+    """Numbers of a system with a few that are hostile, anywhere or among the exponents."""
+    numbers = numbers_of(system).copy()
+    before = system.fields.size + system.rows.size + system.resets.size
+    exponents = sum(part.size for part in system.exponents)
+    count = rng.integers(1, 4)
+    places = (
+        before + rng.integers(0, exponents, count)
+        if rng.random() < 0.3
+        else rng.integers(0, numbers.size, count)
+    )
+    numbers[places] = rng.choice(HOSTILE, count)
+    return numbers
+
+
+def of_numbers(system: PiecewiseLinear, numbers: np.ndarray) -> PiecewiseLinear:
+    shaped, place = [], 0
+    for part in (*system.numbers, *system.exponents, *system.flows):
+        shaped.append(numbers[place : place + part.size].reshape(part.shape))
+        place += part.size
+    count = 3 + len(system.exponents)
+    return replace(
+        system,
+        **dict(zip(("fields", "rows", "resets"), shaped, strict=False)),
+        exponents=tuple(shaped[3:count]),
+        flows=tuple(shaped[count:]),
+    )
+
+
+@COMPILED
+@pytest.mark.compiled
+@pytest.mark.parametrize("name", DATA)
+def test_every_table_has_an_answer_or_a_status(name: str) -> None:
+    system, rng = piecewise(name, DATA[name]), np.random.default_rng([*name.encode()])
+    engine, told = compiled_engine(), set()
+    for _ in range(60):
+        numbers, state = tables(rng, system), rng.normal(size=(1, 4))
+        if rng.random() < 0.3:
+            state[0, rng.integers(4)] = rng.choice(HOSTILE)
+        where = rng.integers(len(system.structure.configurations), size=1)
+        until = rng.choice([10.0, 1e-300, 1e4], 1)
+        with limited():
+            found = run_motions(
+                engine, system.structure, numbers[None], np.zeros(1), state, where, until, 5
+            )
+        told.add(Status(int(found.status[0])))
+    assert {Status.OVERFLOW, Status.UNTIL} <= told
+
+
+@pytest.mark.parametrize("name", DATA)
+def test_the_engine_in_python_ends_too(name: str) -> None:
+    system, rng = piecewise(name, DATA[name]), np.random.default_rng([*name.encode()])
+    for _ in range(20):
+        changed = of_numbers(system, tables(rng, system))
+        until = float(rng.choice([10.0, 1e-300, 100.0]))
+        with limited(), np.errstate(all="ignore"):
+            found = run(changed, rng.normal(size=4), 0, until, 5)
+        assert found.status in Status
+
+
+@COMPILED
+@pytest.mark.compiled
+@pytest.mark.parametrize("name", ["rigid-stop", "elastic-stop"])
+def test_both_engines_tell_the_same_of_hostile_parameters(name: str) -> None:
+    """Parameters over 40 decades: tables that a system may have."""
+    rng, names = np.random.default_rng([*name.encode(), 1]), [n for n in DATA[name] if n != "r"]
+    compared = 0
+    for _ in range(40):
+        data = {n: float(10.0 ** rng.uniform(-1, 1)) for n in names}
+        data[str(rng.choice(names))] = float(10.0 ** rng.uniform(-20, 20))
+        data |= {"r": 0.6} if "r" in DATA[name] else {}
+        try:
+            system = piecewise(name, data)
+        except InputError:
+            continue
+        if not np.isfinite(numbers_of(system)).all():
+            continue
+        state = rng.normal(size=4) * [0.5, 0.5, 1, 1]
+        fastest = max(float(np.hypot(*part.T).max()) for part in system.exponents)
+        until = float(30 / fastest)
+        with limited(), np.errstate(all="ignore"):
+            known = run(system, state, 0, until, 3)
+            found = follow(system, state, 0, until, 3)
+        assert found.status == known.status, data
+        assert len(found.times) == len(known.times), data
+        compared += 1
+    assert compared > 20
+
+
+def test_the_oscillator_of_the_commands_page_ends_at_numbers_beyond_doubles(tmp_path: Path) -> None:
+    text = (CHECKOUT / "docs/how_to/commands.md").read_text(encoding="utf-8")
+    begin = text.index("# my_oscillator.py")
+    (tmp_path / "my_oscillator.py").write_text(text[begin : text.index("```", begin)])
+    words = "zeta=0.05 Omega=1e300 gap=1e-9 r=0.5 --from x=-1e-9,v=-1e9 --transitions 20"
+    code = "from nonsmooth.runtime.cli.program import main; main()"
+    command = [sys.executable, "-c", code, "simulate", "my_oscillator.py", *words.split()]
+    began = time.monotonic()
+    told = subprocess.run(command, capture_output=True, text=True, timeout=120, cwd=tmp_path,
+                          env=dict(os.environ), check=False)  # fmt: skip
+    assert time.monotonic() - began < 60
+    assert "numbers are larger, or times shorter" in told.stdout, told.stderr

@@ -1,0 +1,126 @@
+"""Work in C ends at once when a signal wants it to, in this thread and in others."""
+
+from __future__ import annotations
+
+import gc
+import signal
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.threads import check_called_off, thread_pool
+from nonsmooth.runtime.explore.charting.threads import run_threads
+from nonsmooth.runtime.model.kernels import load_orbit
+
+pytestmark = [
+    pytest.mark.compiled,
+    pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer that sends signals"),
+]
+FRICTION = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
+GRAZING = dict(m1=1, m2=1, k1=2, k2=3, k3=1)
+STARTS = np.random.default_rng(0).normal(size=(40_000, 4))
+STOP = dict(m1=1, m2=2, k1=1, k2=5, k3=40)
+CONTACTS = [("free", "first-reaches-stop"), ("contact", "first-leaves-stop")]
+MANY = 1_000_000
+AFTER = 0.4  # seconds
+
+
+class Rung(BaseException):
+    """As KeyboardInterrupt, which would end the tests too if it came late."""
+
+
+def admissible(count: int) -> object:
+    """Orbits that stick for so long that each takes milliseconds."""
+    kernels = load_orbit("dry-friction/symmetric")
+    names = kernels.parameter_names
+    point = dict(chi=0.5, eta=1.0, V=1e-4, e2=1.0)
+    parameters = np.array([point[name] for name in names])
+    unknowns = np.full((count, len(kernels.unknowns)), 2e4)
+    return kernels.admissible(np.broadcast_to(parameters, (count, len(names))), unknowns)
+
+
+def chart_threads() -> None:
+    def work(number: int) -> None:
+        ns.simulate_many("dry-friction", FRICTION, STARTS, until=1e9, transitions=10**9, threads=1)
+
+    run_threads(work, range(4), 2, lambda done: None)
+
+
+CASES: dict[str, Callable[[], object]] = {
+    "a motion": lambda: ns.simulate(
+        "dry-friction", FRICTION, [0.1, 0.2, 0.3, -0.1], until=1e9, transitions=10**8
+    ),
+    "a motion without events": lambda: ns.simulate(
+        "elastic-stop", GRAZING, [-1, "-0.5", 0, 0], until=1e9
+    ),
+    "many motions": lambda: ns.simulate_many(
+        "dry-friction", FRICTION, STARTS, until=1e9, transitions=10**9, threads=2
+    ),
+    "orbits in one call": lambda: ns.solve_many(
+        "dry-friction/global-stick", {"eta": np.linspace(0.9, 1.1, MANY)}, threads=1, chunk=MANY
+    ),
+    "orbits in threads": lambda: ns.solve_many(
+        "dry-friction/global-stick", {"eta": np.linspace(0.9, 1.1, 4 * MANY)}, threads=2
+    ),
+    "long orbits": lambda: admissible(2000),
+    "orbits of an itinerary": lambda: ns.solve_many(
+        "elastic-stop", {**STOP, "k3": np.linspace(5, 40, MANY // 2)}, [1.0, 1.0],
+        itinerary=CONTACTS, admissibility=False, threads=2,
+    ),
+    "chunks of a chart": chart_threads,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_signal_ends_it(name: str) -> None:
+    def ring(*_: object) -> None:
+        raise Rung
+
+    ns.solve("dry-friction/global-stick")  # what is loaded once
+    before, began = signal.signal(signal.SIGALRM, ring), 0.0
+    gc.disable()  # what rings in a callback of the collector, as hypothesis has one, is lost
+    try:
+        began = time.monotonic()
+        signal.setitimer(signal.ITIMER_REAL, AFTER)
+        with pytest.raises(Rung):
+            CASES[name]()
+        assert time.monotonic() - began < AFTER + 0.5
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+        gc.enable()
+
+
+def test_a_failure_calls_off_the_pool_and_those_inside_it() -> None:
+    ended = []
+
+    def wait_until_called_off() -> None:
+        for _ in range(1000):
+            check_called_off()
+            time.sleep(0.01)
+
+    def inner() -> None:
+        with pytest.raises(KeyboardInterrupt):
+            wait_until_called_off()
+        ended.append(True)
+
+    def outer() -> None:
+        with thread_pool(1) as pool:
+            pool.submit(inner).result()
+
+    def fail() -> None:
+        with thread_pool(1) as pool:
+            pool.submit(outer)
+            time.sleep(0.05)
+            raise ValueError("so")
+
+    with pytest.raises(ValueError, match="so"):
+        fail()
+    assert ended
+    check_called_off()
+    with ThreadPoolExecutor(1) as pool:  # and none of another pool
+        pool.submit(check_called_off).result()
