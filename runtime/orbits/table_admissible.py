@@ -30,6 +30,7 @@ __all__ = ["assess_cycle"]
 
 _EPSILON = float(np.finfo(float).eps)
 _SAMPLES, _MOST_SAMPLES = 16, 20_000  # a radian, and altogether
+_SLOWEST = float(np.finfo(float).tiny)
 _SIZES = 9  # instants of a phase at which the sizes of its states are taken
 
 
@@ -125,15 +126,22 @@ def _noise(
 ) -> np.ndarray:
     """Rounding of every row along a phase, whose terms are differences of the data.
 
-    By as much as the phase misses the boundary that ends it, all may be off: up to a limit.
+    By as much as the phase misses the boundary that ends it, all may be off: up to a limit. So
+    they may by as much as they change in the time by which the phase before misses its own.
     What vanishes at both ends has the size that it takes between them.
     """
     start, times = now.starts[place], np.linspace(0, duration, _SIZES)
     flows = flow_at(cycle.structure, numbers, cycle.configurations[place], times, np)
     states = abs(flows[..., :-1] @ start + flows[..., -1]).max(axis=0)
-    size = abs(numbers.rows[:, :-1]) @ states + abs(numbers.rows[:, -1])
-    missed = abs(float(now.residual[place])) + float(np.max(abs(now.starts[-1] - now.starts[0])))
-    return np.asarray(64 * _EPSILON * size + np.minimum(2 * missed, MOST_MISSED * size))
+    normals = numbers.rows[:, :-1]
+    size = abs(normals) @ states + abs(numbers.rows[:, -1])
+    closing = float(np.max(abs(now.starts[-1] - now.starts[0])))
+    missed = abs(float(now.residual[place])) + closing
+    reset = numbers.resets[cycle.transitions[place - 1].reset][:, :-1]
+    speed = max(abs(float(now.speeds[place - 1])), _SLOWEST)
+    early = abs(float(now.residual[place - 1])) / speed
+    begun = abs(normals @ (reset @ now.velocities[place - 1])) * early
+    return np.asarray(64 * _EPSILON * size + np.minimum(2 * (missed + begun), MOST_MISSED * size))
 
 
 def _taken(

@@ -1,0 +1,47 @@
+"""Admissibility from a system's tables, at orbits that are met but for rounding."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.runtime.model.piecewise import piecewise_at
+from nonsmooth.runtime.orbits.table_admissible import assess_cycle
+from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
+
+STIFF = SoftStop("x", at="0.03", stiffness=100_000, damping=500, released="force", name="bump")
+
+
+@cache
+def released():
+    """An orbit that leaves a damped stop where its force, of some thousands, vanishes."""
+    system = oscillator(
+        "released", ["x"], [[300]], [[20_000]], [[800]],
+        forcing=[Harmonic(9, cosine=[600])], elements=[STIFF],
+    )  # fmt: skip
+    motion = ns.simulate(system, {}, {"x": 0, "v": 0}, until=60)
+    orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
+    assert [name for name, _ in orbit.itinerary] == ["free", "contact", "released"]
+    return orbit
+
+
+def verdict(orbit, late):
+    """Whether it is a motion when its phases last by so much longer than they should."""
+    system = piecewise_at(orbit.system, np.array([]))
+    cycle = orbit.tables.cycle.at(system.structure)
+    dwell = np.array([float(time) for time in orbit.dwell_times]) * (1 + np.asarray(late))
+    start = np.array([float(x) for x in orbit.states[0]])
+    now = shoot(cycle, numbers_in(system), dwell, start, np)
+    return assess_cycle(cycle, system, now, dwell).verdict
+
+
+@pytest.mark.parametrize("phase", range(3))
+@pytest.mark.parametrize("late", [-1e-12, -1e-13, 0, 1e-13, 1e-12])
+def test_a_boundary_that_is_missed_by_rounding_is_not_crossed_behind_it(phase, late):
+    assert verdict(released(), late * np.eye(3)[phase]) is True
+
+
+def test_a_boundary_that_is_missed_by_more_is_crossed_behind_it():
+    assert verdict(released(), [0, -1e-3, 0]) is False
