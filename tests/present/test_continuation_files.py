@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -92,17 +93,29 @@ def test_picture(tmp_path: Path) -> None:
     found = nonsmooth.continue_orbit(orbit, "V", (0.5, 1.3), step=0.05)
     (axes,) = found.plot("tau").axes
     labels = axes.get_legend_handles_labels()[1]
-    assert sorted(labels) == ["flip", "grazing", "no motion", "stable", "unstable"]
+    assert sorted(labels) == ["flip", "grazing", "not admissible", "stable", "unstable"]
     lines = {line.get_label(): line for line in axes.lines}
     assert lines["unstable"].get_linestyle() == "--"
     assert lines["stable"].get_linestyle() == "-"
-    assert max(lines["no motion"].get_xdata()) <= min(lines["unstable"].get_xdata()) + 1e-12
+    assert max(lines["not admissible"].get_xdata()) <= min(lines["unstable"].get_xdata()) + 1e-12
     flip = next(e for e in found.events if e.kind == "flip")
     assert lines["flip"].get_xdata()[0] == flip.value
     assert lines["flip"].get_ydata()[0] == flip.unknowns["tau"]
     assert found.plot("trace", axes) is axes
+    assert axes.get_legend_handles_labels()[1] == labels  # of both curves once
     with pytest.raises(nonsmooth.InputError, match="unknown quantity"):
         found.plot("nothing")
+
+
+def test_a_constant_is_drawn_as_one() -> None:
+    pytest.importorskip("matplotlib")
+    found = branch()
+    noise = 1e-13 * np.random.default_rng(0).standard_normal(len(found.period))
+    flat = replace(found, period=2 + noise, events=())
+    (axes,) = flat.plot("period").axes
+    low, high = axes.get_ylim()
+    assert low < 1.95
+    assert high > 2.05
 
 
 def run(*arguments: str) -> tuple[int, str, str]:

@@ -1,6 +1,6 @@
 """Pictures of branches, and of curves of events in the plane of two parameters.
 
-Of a branch stable parts are solid, unstable ones dashed, what is no motion is grey.
+Of a branch stable parts are solid, unstable ones dashed, what is not admissible is grey.
 """
 
 from __future__ import annotations
@@ -49,6 +49,8 @@ _MARKERS = {
     "admissibility": "x",
 }
 _OTHER = "h"
+_REFUSED = "not admissible"
+_CONSTANT, _AROUND = 1e-9, 0.05  # of the size of a quantity: below is rounding; what is shown
 
 
 def branch_figure(
@@ -226,7 +228,7 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
     across, up = (_shown(branch, name, frequency) for name in (over, quantity))
     x, y = across.values, up.values
     labels = [
-        s if allowed else "no motion"
+        s if allowed else _REFUSED
         for s, allowed in zip(branch.stability, branch.admissible, strict=True)
     ]
     # an interval between two points is drawn as the point at its end away from a change
@@ -235,7 +237,7 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
         for k in range(len(x) - 1)
     ]
     cuts = [0, *(k for k in range(1, len(kinds)) if kinds[k] != kinds[k - 1]), len(kinds)]
-    told: set[str] = set()
+    told = set(axes.get_legend_handles_labels()[1])  # of branches that were drawn before
     for begin, end in pairwise(cuts):
         if begin == end:
             continue
@@ -243,29 +245,41 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
         axes.plot(
             x[begin : end + 1],
             y[begin : end + 1],
-            color=_GREY if kind == "no motion" else LINES[0][0],
+            color=_GREY if kind == _REFUSED else LINES[0][0],
             linestyle=_STYLES.get(kind, "-"),
-            linewidth=1.2 if kind == "no motion" else 1.8,
+            linewidth=1.2 if kind == _REFUSED else 1.8,
             label=None if kind in told else kind,
         )
         told.add(kind)
     for event in branch.events:
+        kind = event.kind.replace("-", " ")
         axes.plot(
             _at(event, branch, over, across),
             _at(event, branch, quantity, up),
             marker=_MARKERS.get(event.kind, _OTHER),
             color=LINES[1][0],
             linestyle="none",
-            label=None if event.kind in told else event.kind.replace("-", " "),
+            label=None if kind in told else kind,
             zorder=3,
         )
-        told.add(event.kind)
+        told.add(kind)
+    _widen(axes)
     if over == "energy" and x.min() > 0:
         axes.set_xscale("log")
     axes.set_xlabel(across.label)
     axes.set_ylabel(up.label)
     axes.set_title(shown_name(branch.name))
     axes.legend(frameon=False)
+
+
+def _widen(axes: Any) -> None:
+    """Show what is constant but for rounding as a constant."""
+    low, high = axes.dataLim.intervaly
+    size = max(abs(low), abs(high))
+    if high - low < _CONSTANT * size:
+        left = axes.dataLim.intervalx[0]
+        axes.update_datalim([(left, low - _AROUND * size), (left, high + _AROUND * size)])
+        axes.autoscale_view()
 
 
 class _Shown(NamedTuple):
@@ -306,5 +320,5 @@ def _at(event: Event, branch: Branch, quantity: str, shown: _Shown) -> float:
 
 def _worse(labels: list[str]) -> str:
     """Of two neighbours' labels the one that promises less."""
-    order = ("no motion", "undecided", "unstable", "neutral", "stable")
+    order = (_REFUSED, "undecided", "unstable", "neutral", "stable")
     return min(labels, key=order.index)
