@@ -73,6 +73,11 @@ def _declaration(name: str) -> tuple[Any, dict[str, Any], str | None]:
         return found.system, {o.name: o for o in found.orbits}, orbit if slash else None
     place, label = _file_and_orbit(name)
     path = located(place)
+    if path is None and place.endswith(".json"):
+        raise InputError(
+            f"{name} has no declaration to derive: `nonsmooth find FILE.py ... --write FILE.py`"
+            " appends orbits to that of their system, then FILE.py:found-1 is the first"
+        )
     if path is None:
         raise unknown_name("system", system, SYSTEMS)
     if path.is_dir():

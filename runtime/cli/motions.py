@@ -58,7 +58,9 @@ def simulate(
     start: Start = None,
     configuration: Annotated[
         str | None,
-        typer.Option("--in", metavar="NAME", help="Where it starts; found when it is not given."),
+        typer.Option(
+            "--in", metavar="NAME", help="The configuration it starts in; found if not given."
+        ),
     ] = None,
     transitions: Annotated[
         int | None, typer.Option("--transitions", metavar="N", help="End after so many.")
@@ -98,7 +100,7 @@ def simulate(
     if since is not None and not observe:
         raise InputError("--since says where --observe begins, which is missing")
     if start is None:
-        raise InputError("the start is missing: --from NAME=VALUE,...")
+        raise _no_start(system)
     end = math.inf if until is None else float(parse(until))
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
     if transitions is not None and until is None:
@@ -341,9 +343,11 @@ def sweep(
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.sweeps import load_sweep
 
-    for option, given in (("--state", state), ("--at", at), ("--from", start)):
+    for option, given in (("--state", state), ("--at", at)):
         if not given:
             raise InputError(f"{option} is missing")
+    if not start:
+        raise _no_start(system)
     check_drawing(out)
     strobed = at == _FORCING
     if phase is not None and not strobed:
@@ -389,6 +393,17 @@ def sweep(
     if stopped:
         return kept_of(f"{diagram.done} of {count} values are done", save)
     return code
+
+
+def _no_start(system: str) -> InputError:
+    """Say that the start is missing, and what it may look like in this system."""
+    from nonsmooth.runtime.model.structure import structure_of
+
+    structure = structure_of(system)
+    forced = {state for pair in structure.forcing for state in pair}
+    free = [name for place, name in enumerate(structure.states) if place not in forced]
+    begin = ",".join(f"{name}=0" for name in free)
+    return InputError(f"the start is missing, such as --from {begin}")
 
 
 def _agreed(question: str) -> bool:

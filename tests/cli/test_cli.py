@@ -755,6 +755,7 @@ def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> Non
         ("dry-frictoin", "unknown system 'dry-frictoin'; did you mean 'dry-friction'?"),
         ("dry-friction/", "unknown orbit 'dry-friction/'"),
         ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
+        ("found.json:1", "`nonsmooth find FILE.py ... --write FILE.py`"),
     ],
 )
 def test_equations_of_unknown_names(name: str, part: str) -> None:
