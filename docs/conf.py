@@ -97,7 +97,8 @@ os.environ |= {"TERM": "dumb", "NO_COLOR": "1", "COLUMNS": "92"}
 # the site
 html_title = f"nonsmooth {release}"
 html_theme = "pydata_sphinx_theme"
-html_sidebars = {page: [] for page in ("architecture", "changelog", "glossary", "limits")}
+ALONE = ("architecture", "changelog", "glossary", "limits", "overview", "tutorial")
+html_sidebars = {page: [] for page in ALONE}  # there is nothing to list beside them
 html_static_path = ["_static"]
 html_context = {"default_mode": "auto"}
 html_css_files = ["nonsmooth.css"]

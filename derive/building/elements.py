@@ -43,7 +43,9 @@ class Harmonic:
 
     It adds two states, c = cos(frequency t) and s = sin(frequency t), with c' = -frequency s
     and s' = frequency c. All harmonics count one time t, so that their phases are relative to
-    each other; of a single one the phase moves the time alone.
+    each other; of a single one the phase moves the time alone. A foot that moves by
+    Y cos(frequency t) below a spring k and a damper c acts with the cosine k Y and the sine
+    -c frequency Y.
 
     Parameters
     ----------
@@ -83,7 +85,7 @@ class RigidStop:
     Parameters
     ----------
     coordinate : str or mapping
-        Direction w.
+        Direction w: a coordinate, or weights of several; {"x2": 1, "x1": -1} is x2 - x1.
     at : number or expression
         Value of w x at the stop.
     restitution : number or expression
@@ -126,7 +128,7 @@ class SoftStop:
     Parameters
     ----------
     coordinate : str or mapping
-        Direction w.
+        Direction w: a coordinate, or weights of several; {"x2": 1, "x1": -1} is x2 - x1.
     at : number or expression
         Value of w x at which the gap is closed.
     stiffness, damping : number or expression
@@ -198,7 +200,7 @@ class Friction:
     Parameters
     ----------
     coordinate : str or mapping
-        Direction w.
+        Direction w: a coordinate, or weights of several; {"x2": 1, "x1": -1} is x2 - x1.
     kinetic, static : number or expression
         Forces, or with `normal` the coefficients; `static` is `kinetic` when omitted.
     velocity : number or expression

@@ -94,10 +94,10 @@ def oscillator(
         coordinates, mass, stiffness, damping, load, forcing, elements, parameters,
         simultaneous_impacts,
     )  # fmt: skip
-    products = assembly.products
+    products, plural = assembly.products, "" if len(coordinates) == 1 else "s"
     return System(
         name=name,
-        description=description or f"oscillator with {len(coordinates)} coordinates",
+        description=description or f"oscillator with {len(coordinates)} coordinate{plural}",
         states=assembly.frame.states,
         parameters=assembly.frame.parameters,
         configurations=tuple(assembly.configuration(regimes) for regimes in products),

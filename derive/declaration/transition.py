@@ -14,7 +14,7 @@ __all__ = ["Condition", "Transition"]
 
 @dataclass(frozen=True)
 class Condition:
-    """The first nonzero among g, g', g'', ... is positive, along one configuration's flow.
+    """Demand that the first nonzero among g and its derivatives is positive, along one flow.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Coupled oscillators excited by dry friction (the paper's Sec. 3, Fig. 6).
+"""Coupled oscillators excited by dry friction, as in the third section of the paper.
 
 Two masses on a belt of velocity V, coupled by linear springs. Nondimensional, with time
 in units of 1/omega_3, omega_3 = sqrt((k1 + k2)/m1), and forces divided by k1 + k2:

@@ -335,3 +335,9 @@ def test_wrong_declarations_are_refused(name: str) -> None:
     build, message = WRONG[name]
     with pytest.raises(DeclarationError, match=message):
         build()
+
+
+@pytest.mark.parametrize(("names", "words"), [("x", "1 coordinate"), ("xy", "2 coordinates")])
+def test_a_system_says_how_many_coordinates_it_has(names: str, words: str) -> None:
+    unit = np.eye(len(names), dtype=int).tolist()
+    assert oscillator("plain", [*names], unit, unit).description == f"oscillator with {words}"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import math
+import re
 from functools import cache
 
 import numpy as np
@@ -12,6 +14,7 @@ from scipy.linalg import expm
 import nonsmooth
 from nonsmooth.runtime.core.matrices import exponentials
 from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.intervals import admissible_intervals
 from nonsmooth.runtime.orbits.admissible import boundary_curves
@@ -224,3 +227,7 @@ def test_what_is_zero_all_along_is_no_event() -> None:
     # the orbit goes as far as 2/sqrt(k): a wall stands at 3
     assert (kind, value) == ("grazing", pytest.approx(4 / 9, abs=1e-12))
     assert nonsmooth.continue_orbit(loop(), "r", (0.3, 0.6)).events == ()
+
+
+def test_the_docstring_of_an_event_names_every_kind() -> None:
+    assert re.findall(r'"([a-z-]+)"', str(inspect.getdoc(nonsmooth.Event))) == list(KINDS)

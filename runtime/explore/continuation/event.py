@@ -20,7 +20,9 @@ class Event(Shown):
     Attributes
     ----------
     kind : str
-        A key of `KINDS`.
+        What happens: "fold", "flip", "neimark-sacker", "branch-point" or "symmetry-breaking",
+        which multipliers show; "grazing", "tangent", "entry", "simultaneous", "condition",
+        "vanishing-phase" or "admissibility", which boundaries show.
     parameter : str
     value : float
         Of the parameter.
