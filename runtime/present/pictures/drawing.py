@@ -288,11 +288,11 @@ def dot_style(style: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def noun(kind: str, labels: Sequence[str]) -> str:
-    """Position or velocity, in the number that the labels have, and the labels.
+    """Position, velocity or state, in the number that the labels have, and the labels.
 
     Parameters
     ----------
-    kind : {"position", "velocity"}
+    kind : {"position", "velocity", "state"}
         What is drawn.
     labels : sequence of str
         Of the states.
@@ -302,5 +302,5 @@ def noun(kind: str, labels: Sequence[str]) -> str:
     str
         For an axis.
     """
-    plural = {"position": "positions", "velocity": "velocities"}[kind]
+    plural = {"position": "positions", "velocity": "velocities", "state": "states"}[kind]
     return f"{kind if len(labels) == 1 else plural} {', '.join(labels)}"

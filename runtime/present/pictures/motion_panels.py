@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -60,12 +60,15 @@ def draw_velocities(view: View, places: Sequence[Axes]) -> None:
 
 
 def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
-    """Draw all positions over time, or all velocities."""
-    labels = view.velocities if moving else view.positions
+    """Draw all positions over time, or all velocities; alone all states of the first order."""
+    drawn = view.drawn(moving=moving)
+    if not (view.oscillates or view.composed):
+        drawn |= view.drawn(moving=True)
     switches = np.flatnonzero(np.diff(view.times) == 0)
-    for mass, label in zip(view.masses, labels, strict=True):
-        style = line_style(mass)
-        values = view.states[:, view.coordinates[mass][moving]]
+    styles = view.masses if view.oscillates else range(len(drawn))
+    for place, (state, label) in zip(styles, drawn.items(), strict=True):
+        style = line_style(place)
+        values = view.states[:, state]
         if view.dense:
             _draw_range(view, axes, values, label, style)
             continue
@@ -74,10 +77,10 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
             axes.plot(view.times[switches], values[switches], **dot_style(style))
     axes.margins(y=0.07)
     _draw_background(view, axes)
-    draw_levels(axes, _levels(view, moving=moving))
+    draw_levels(axes, _levels(view, drawn))
     axes.set_xlim(0, view.end)
     axes.set_xlabel(view.units.text("time $t$"))
-    axes.set_ylabel(view.units.text(noun("velocity" if moving else "position", labels), "\n"))
+    axes.set_ylabel(view.units.text(noun(view.noun(moving=moving), [*drawn.values()]), "\n"))
     finish(axes, view.title)
 
 
@@ -176,10 +179,10 @@ def draw_portraits(view: View, places: Sequence[Axes]) -> None:
     for place, axes in enumerate(places):
         drawn = slice(None) if len(places) == 1 else slice(place, place + 1)
         shown = replace(view, masses=view.masses[drawn])
-        draw_levels(axes, _levels(shown, moving=True))
-        draw_levels(axes, _levels(shown, moving=False), upright=True)
-        axes.set_xlabel(view.units.text(noun("position", shown.positions)))
-        axes.set_ylabel(view.units.text(noun("velocity", shown.velocities)))
+        draw_levels(axes, _levels(shown, shown.drawn(moving=True)))
+        draw_levels(axes, _levels(shown, shown.drawn(moving=False)), upright=True)
+        axes.set_xlabel(view.units.text(noun(view.noun(moving=False), shown.positions)))
+        axes.set_ylabel(view.units.text(noun(view.noun(moving=True), shown.velocities)))
         axes.margins(0.07)
         handles, labels = axes.get_legend_handles_labels()
         for handle, label in list(zip(handles, labels, strict=True)):
@@ -259,13 +262,11 @@ def _riding(view: View, points: np.ndarray, held: np.ndarray) -> np.ndarray:
     return np.insert(found, edges, np.nan, axis=0)
 
 
-def _levels(view: View, *, moving: bool) -> dict[float, str]:
-    """Values, and labels, at which boundaries in one drawn position or velocity alone lie."""
+def _levels(view: View, drawn: Mapping[int, str]) -> dict[float, str]:
+    """Values, and labels, at which boundaries in one of the drawn states alone lie."""
     system, found = view.trajectory.system, {}
     rows = {b.row for shapes in system.structure.boundaries for b in shapes}
-    labels = view.velocities if moving else view.positions
-    for mass, label in zip(view.masses, labels, strict=True):
-        state = view.coordinates[mass][moving]
+    for state, label in drawn.items():
         for row in sorted(rows):
             if np.flatnonzero(system.rows[row, :-1]).tolist() == [state]:
                 level = _level(system, row, state)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -70,8 +71,13 @@ class View:
 
     @property
     def coordinates(self) -> tuple[tuple[int, int], ...]:
-        """Position and velocity of every mass, as states."""
+        """Position and velocity of every mass, as states; neighbours where there are none."""
         return coordinates_of(self.trajectory)
+
+    @property
+    def oscillates(self) -> bool:
+        """Whether there are positions and velocities, and not states of the first order."""
+        return bool(self.trajectory.structure.coordinates)
 
     @property
     def end(self) -> float:
@@ -81,15 +87,47 @@ class View:
     @property
     def positions(self) -> list[str]:
         """Labels of the positions that are drawn."""
-        return [f"${symbol(self._position(mass))}$" for mass in self.masses]
+        return [f"${symbol(self._name(mass, 0))}$" for mass in self.masses]
 
     @property
     def velocities(self) -> list[str]:
         """Labels of the velocities that are drawn: derivatives of the positions."""
-        return [f"${symbol(self._position(mass))}'$" for mass in self.masses]
+        if not self.oscillates:
+            return [f"${symbol(self._name(mass, 1))}$" for mass in self.masses]
+        return [f"${symbol(self._name(mass, 0))}'$" for mass in self.masses]
 
-    def _position(self, mass: int) -> str:
-        return self.trajectory.names[self.coordinates[mass][0]]
+    def _name(self, mass: int, which: int) -> str:
+        return self.trajectory.names[self.coordinates[mass][which]]
+
+    def drawn(self, *, moving: bool) -> dict[int, str]:
+        """States that are drawn as positions, or as velocities, with their labels.
+
+        Parameters
+        ----------
+        moving : bool
+            Whether velocities are drawn; else positions.
+
+        Returns
+        -------
+        dict of int to str
+        """
+        labels = self.velocities if moving else self.positions
+        pairs = [self.coordinates[mass] for mass in self.masses]
+        return {pair[moving]: label for pair, label in zip(pairs, labels, strict=True)}
+
+    def noun(self, *, moving: bool) -> str:
+        """What these states are.
+
+        Parameters
+        ----------
+        moving : bool
+            Whether velocities are drawn; else positions.
+
+        Returns
+        -------
+        {"position", "velocity", "state"}
+        """
+        return "state" if not self.oscillates else "velocity" if moving else "position"
 
     @property
     def present(self) -> list[int]:
@@ -153,7 +191,7 @@ class View:
 
 
 def coordinates_of(trajectory: Trajectory) -> tuple[tuple[int, int], ...]:
-    """Position and velocity of every mass; the first two states where there is no velocity.
+    """Position and velocity of every mass; neighbouring states where there is no velocity.
 
     Parameters
     ----------
@@ -165,7 +203,12 @@ def coordinates_of(trajectory: Trajectory) -> tuple[tuple[int, int], ...]:
     tuple of (int, int)
         Numbers of the two states, for each mass.
     """
-    return trajectory.structure.coordinates or ((0, min(1, len(trajectory.names) - 1)),)
+    structure = trajectory.structure
+    if structure.coordinates:
+        return structure.coordinates
+    forced = {state for pair in structure.forcing for state in pair}
+    free = [place for place in range(len(trajectory.names)) if place not in forced]
+    return tuple(pairwise(free)) or ((free[0], free[0]),)
 
 
 def view_of(
