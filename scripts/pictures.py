@@ -65,9 +65,6 @@ def response_and_basins(folder: Path) -> None:
     branch.plot("amplitude_x", axes=axes)
     below = ns.continue_orbit(quiet.orbit, "Omega", (16, 30), stop="admissible")
     below.plot("amplitude_x", axes=axes)
-    handles, labels = axes.get_legend_handles_labels()
-    once = dict(zip(labels, handles, strict=True))
-    axes.legend(once.values(), once.keys(), frameon=False)
     axes.set_title("a machine that strikes a rubber stop: frequency response")
     save_figure(figure, folder / "response.svg")
 

@@ -12,6 +12,8 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 pytest.importorskip("matplotlib")
 
+from matplotlib.figure import Figure
+
 
 @cache
 def thermostat(lags: int) -> Trajectory:
@@ -34,7 +36,7 @@ def thermostat(lags: int) -> Trajectory:
 @pytest.mark.parametrize("lags", [1, 2, 3])
 def test_a_history_shows_every_state(lags: int) -> None:
     motion = thermostat(lags)
-    axes = motion.plot("time")
+    axes = motion.plot("time", axes=Figure().add_subplot())
     curves = [line for line in axes.lines if len(line.get_xdata()) > 100]
     assert [line.get_label() for line in curves] == [f"$a_{{{k}}}$" for k in range(lags)]
     for place, line in enumerate(curves):
@@ -43,12 +45,12 @@ def test_a_history_shows_every_state(lags: int) -> None:
 
 
 def test_a_portrait_names_the_states_that_it_shows() -> None:
-    first, second = thermostat(3).plot("phase")
+    first, second = thermostat(3).plot("phase", axes=Figure().subplots(2))
     assert [first.get_xlabel(), first.get_ylabel()] == ["state $a_{0}$", "state $a_{1}$"]
     assert [second.get_xlabel(), second.get_ylabel()] == ["state $a_{1}$", "state $a_{2}$"]
 
 
 def test_all_shows_each_state_once_in_two_histories() -> None:
-    upper, lower, *_ = thermostat(2).plot("all")
+    upper, lower, *_ = thermostat(2).plot("all", axes=Figure().subplots(4))
     assert upper.get_ylabel() == "state $a_{0}$"
     assert lower.get_ylabel() == "state $a_{1}$"

@@ -93,6 +93,14 @@ def test_a_frequency_response_is_drawn_by_default() -> None:
         response.plot(frequency="hertz")
 
 
+def test_a_slider_is_drawn_with_the_velocity_of_its_mass() -> None:
+    figures = pytest.importorskip("matplotlib.figure")
+    orbit = ns.solve(f"{GALLERY / 'jenkins.py'}:yielding-both-ways")
+    axes = orbit.plot("velocity", axes=figures.Figure().add_subplot())
+    labels = [line.get_label() for line in axes.lines if not line.get_label().startswith("_")]
+    assert labels == ["$x'$", r"$\mathrm{s\_joint}'$"]
+
+
 def test_other_parameters_are_no_frequency() -> None:
     other = branch("sigma")
     assert usual_quantities(other) == ("amplitude_x",)

@@ -34,6 +34,7 @@ __all__ = [
 ]
 
 LINES = (("#0072B2", "-"), ("#D55E00", (0, (5, 1.6))), ("#009E73", "-."), ("#CC79A7", ":"))
+_HEIGHT, _WIDTH = 0.07, 0.12  # of a label, in those of the data
 _CONFIGURATIONS = (
     *("#99DDFF", "#EEDD88", "#FFAABB", "#BBCC33", "#DDDDDD"),
     *("#EE8866", "#77AADD", "#44BB99", "#AAAA00"),
@@ -153,7 +154,7 @@ def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
 
 
 def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = False) -> None:
-    """Draw lines where boundaries lie: across the Axes, or upright.
+    """Draw lines where boundaries lie: across the Axes, or upright; near ones share a label.
 
     Parameters
     ----------
@@ -165,15 +166,24 @@ def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = Fals
         Whether the lines stand upright.
     """
     line: dict[str, Any] = {"color": "0.3", "linewidth": 0.9, "linestyle": ":", "zorder": 1.4}
-    for level, label in levels.items():
-        if upright:
-            axes.axvline(level, **line)
-            place, offset, transform = (level, 1.0), (3, -3), axes.get_xaxis_transform()
+    low, high = axes.dataLim.intervalx if upright else axes.dataLim.intervaly
+    nearest = (_WIDTH if upright else _HEIGHT) * (high - low)
+    groups: list[list[float]] = []
+    for level in sorted(levels):
+        (axes.axvline if upright else axes.axhline)(level, **line)
+        if groups and level - groups[-1][-1] < nearest:
+            groups[-1].append(level)
         else:
-            axes.axhline(level, **line)
-            place, offset, transform = (1.0, level), (3, 0), axes.get_yaxis_transform()
+            groups.append([level])
+    for group in groups:
+        text = "\n".join(levels[level] for level in reversed(group))
+        if upright:
+            place, offset, transform = (group[-1], 1.0), (3, -3), axes.get_xaxis_transform()
+        else:
+            middle = (group[0] + group[-1]) / 2
+            place, offset, transform = (1.0, middle), (3, 0), axes.get_yaxis_transform()
         side = "top" if upright else "center"
-        axes.annotate(label, place, offset, transform, "offset points", va=side)
+        axes.annotate(text, place, offset, transform, "offset points", va=side)
 
 
 def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -63,10 +63,10 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
     """Draw all positions over time, or all velocities; alone all states of the first order."""
     drawn = view.drawn(moving=moving)
     if not (view.oscillates or view.composed):
-        drawn |= view.drawn(moving=True)
+        drawn = list(dict.fromkeys([*drawn, *view.drawn(moving=True)]))
     switches = np.flatnonzero(np.diff(view.times) == 0)
     styles = view.masses if view.oscillates else range(len(drawn))
-    for place, (state, label) in zip(styles, drawn.items(), strict=True):
+    for place, (state, label) in zip(styles, drawn, strict=True):
         style = line_style(place)
         values = view.states[:, state]
         if view.dense:
@@ -80,7 +80,8 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
     draw_levels(axes, _levels(view, drawn))
     axes.set_xlim(0, view.end)
     axes.set_xlabel(view.units.text("time $t$"))
-    axes.set_ylabel(view.units.text(noun(view.noun(moving=moving), [*drawn.values()]), "\n"))
+    shown = noun(view.noun(moving=moving), [label for _, label in drawn])
+    axes.set_ylabel(view.units.text(shown, "\n"))
     finish(axes, view.title)
 
 
@@ -262,11 +263,11 @@ def _riding(view: View, points: np.ndarray, held: np.ndarray) -> np.ndarray:
     return np.insert(found, edges, np.nan, axis=0)
 
 
-def _levels(view: View, drawn: Mapping[int, str]) -> dict[float, str]:
+def _levels(view: View, drawn: Sequence[tuple[int, str]]) -> dict[float, str]:
     """Values, and labels, at which boundaries in one of the drawn states alone lie."""
     system, found = view.trajectory.system, {}
     rows = {b.row for shapes in system.structure.boundaries for b in shapes}
-    for state, label in drawn.items():
+    for state, label in drawn:
         for row in sorted(rows):
             if np.flatnonzero(system.rows[row, :-1]).tolist() == [state]:
                 level = _level(system, row, state)

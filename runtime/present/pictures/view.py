@@ -99,8 +99,10 @@ class View:
     def _name(self, mass: int, which: int) -> str:
         return self.trajectory.names[self.coordinates[mass][which]]
 
-    def drawn(self, *, moving: bool) -> dict[int, str]:
+    def drawn(self, *, moving: bool) -> list[tuple[int, str]]:
         """States that are drawn as positions, or as velocities, with their labels.
+
+        Several positions, of a mass and a slider, may have one velocity.
 
         Parameters
         ----------
@@ -109,11 +111,11 @@ class View:
 
         Returns
         -------
-        dict of int to str
+        list of (int, str)
         """
         labels = self.velocities if moving else self.positions
-        pairs = [self.coordinates[mass] for mass in self.masses]
-        return {pair[moving]: label for pair, label in zip(pairs, labels, strict=True)}
+        states = [self.coordinates[mass][moving] for mass in self.masses]
+        return list(zip(states, labels, strict=True))
 
     def noun(self, *, moving: bool) -> str:
         """What these states are.
