@@ -41,7 +41,7 @@ def _show_claims(certificate: Certificate) -> None:
         "stability": certificate.stability,
     }
     for name, verdict in certificate.claims.items():
-        told = Text(meaning[name])
+        told = Text("not " * (verdict == "refuted") + meaning[name])
         if name in certificate.reasons:
             told.append(f": {certificate.reasons[name]}", style="dim")
         table.add_row(name, Text(verdict, style=STYLES[verdict]), told)

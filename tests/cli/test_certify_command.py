@@ -41,7 +41,7 @@ def test_json_holds_claims_and_enclosures() -> None:
 def test_people_see_claims_reasons_and_margins() -> None:
     code, out, _ = run("dry-friction/symmetric")
     assert code == 0
-    assert "a multiplier lies outside the unit circle" in out
+    assert "not stable: a multiplier lies outside the unit circle" in out
     assert "left open: chosen for this proof" in out
     assert "first-reaches-belt" in out
 
