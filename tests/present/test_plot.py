@@ -265,6 +265,18 @@ def test_multipliers_outside_the_circle_and_trivial_ones() -> None:
     assert min(axes.get_ylim()) < -2.4 < 2.4 < max(axes.get_ylim())
 
 
+def test_small_multipliers_are_written_with_powers_of_ten() -> None:
+    found = replace(orbit())
+    multipliers = (Multiplier(2e-5, 1.916322e-5), Multiplier(2e-5, -1.916322e-5))
+    vars(found.evaluation)["stability"] = Stability(multipliers, 4e-5, 2, 1.0, "stable", "")
+    (axes,) = axes_of()
+    found.plot("multipliers", axes)
+    assert legend(axes) == [
+        "$\\mu_{1} = 2\\cdot 10^{-5}+1.92\\cdot 10^{-5}\\,\\mathrm{i}$",
+        "$\\mu_{2} = 2\\cdot 10^{-5}-1.92\\cdot 10^{-5}\\,\\mathrm{i}$",
+    ]
+
+
 def test_a_configuration_has_one_colour_in_all_pictures() -> None:
     places = orbit().plot("all")
     time, velocity, strip = (

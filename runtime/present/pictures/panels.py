@@ -274,7 +274,9 @@ def draw_multipliers(scene: Scene | View, places: Sequence[Axes]) -> None:
     extent = 1.0
     for number, multiplier in enumerate(scene.orbit.stability.multipliers, 1):
         real, imaginary = float(multiplier.real), float(multiplier.imaginary)
-        value = f"{real:.6g}" + (f"{imaginary:+.6g}\\,\\mathrm{{i}}" if imaginary else "")
+        value = _number(real)
+        if imaginary:
+            value += f"{'+' * (imaginary > 0)}{_number(imaginary)}\\,\\mathrm{{i}}"
         color = line_style(number - 1)["color"]
         axes.plot(
             [real],
@@ -292,3 +294,12 @@ def draw_multipliers(scene: Scene | View, places: Sequence[Axes]) -> None:
     axes.set_xlabel(with_unit(r"$\mathrm{Re}\,\mu$", NO_UNIT))
     axes.set_ylabel(with_unit(r"$\mathrm{Im}\,\mu$", NO_UNIT))
     finish(axes, scene.title)
+
+
+def _number(value: float) -> str:
+    """A number in TeX's notation, short where it has an exponent."""
+    text = f"{value:.6g}"
+    if "e" not in text:
+        return text
+    digits, exponent = f"{value:.2e}".split("e")
+    return f"{float(digits):g}\\cdot 10^{{{int(exponent)}}}"
