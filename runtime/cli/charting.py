@@ -18,7 +18,7 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.keeping import interrupted, same_command
-from nonsmooth.runtime.cli.options import AsJson, Start, Yes
+from nonsmooth.runtime.cli.options import AsJson, Start, Yes, missing_start
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import check_hours
 
@@ -121,6 +121,8 @@ def chart(
         raise InputError("--threads is for this machine: leave it out with --scheduler")
     if transitions is not None and not simulate:
         raise InputError("--transitions is for the motions of --simulate, which is missing")
+    if simulate and not start:
+        raise missing_start(name)
     begin = assignments("state", split(start)) if start else None
     if begun:
         problem, axes = begun_problem(out)

@@ -29,6 +29,7 @@ from nonsmooth.runtime.cli.options import (
     Start,
     SystemName,
     Yes,
+    missing_start,
 )
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
@@ -100,7 +101,7 @@ def simulate(
     if since is not None and not observe:
         raise InputError("--since says where --observe begins, which is missing")
     if start is None:
-        raise _no_start(system)
+        raise missing_start(system)
     end = math.inf if until is None else float(parse(until))
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
     if transitions is not None and until is None:
@@ -347,7 +348,7 @@ def sweep(
         if not given:
             raise InputError(f"{option} is missing")
     if not start:
-        raise _no_start(system)
+        raise missing_start(system)
     check_drawing(out)
     strobed = at == _FORCING
     if phase is not None and not strobed:
@@ -393,17 +394,6 @@ def sweep(
     if stopped:
         return kept_of(f"{diagram.done} of {count} values are done", save)
     return code
-
-
-def _no_start(system: str) -> InputError:
-    """Say that the start is missing, and what it may look like in this system."""
-    from nonsmooth.runtime.model.structure import structure_of
-
-    structure = structure_of(system)
-    forced = {state for pair in structure.forcing for state in pair}
-    free = [name for place, name in enumerate(structure.states) if place not in forced]
-    begin = ",".join(f"{name}=0" for name in free)
-    return InputError(f"the start is missing, such as --from {begin}")
 
 
 def _agreed(question: str) -> bool:

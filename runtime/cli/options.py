@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import HOURS
 from nonsmooth.runtime.present.pictures.kinds import KINDS
 
@@ -34,6 +35,7 @@ __all__ = [
     "Yes",
     "known_orbits",
     "known_systems",
+    "missing_start",
 ]
 
 
@@ -173,7 +175,7 @@ Plot = Annotated[
 ]
 Start = Annotated[
     list[str] | None,
-    typer.Option("--from", metavar="NAME=VALUE,...", help="The start: positions and velocities."),
+    typer.Option("--from", metavar="NAME=VALUE,...", help="The start: all states but a forcing's."),
 ]
 Yes = Annotated[
     bool,
@@ -185,3 +187,25 @@ Yes = Annotated[
 AsJson = Annotated[
     bool, typer.Option("--json", help="One JSON document on stdout, numbers as decimal strings.")
 ]
+
+
+def missing_start(system: str) -> InputError:
+    """Say that the start is missing, and what it may look like in a system.
+
+    Parameters
+    ----------
+    system : str
+        As for `simulate`.
+
+    Returns
+    -------
+    InputError
+        To be raised by the caller.
+    """
+    from nonsmooth.runtime.model.structure import structure_of
+
+    structure = structure_of(system)
+    forced = {state for pair in structure.forcing for state in pair}
+    free = [name for place, name in enumerate(structure.states) if place not in forced]
+    begin = ",".join(f"{name}=0" for name in free)
+    return InputError(f"the start is missing, such as --from {begin}")

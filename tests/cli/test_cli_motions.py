@@ -425,3 +425,8 @@ def test_help_has_an_example_of_each():
         code, out, _ = run(command, "--help")
         assert code == 0
         assert f"nonsmooth {command} " in out.partition("Examples:")[2]
+
+
+def test_a_chart_of_motions_says_what_its_start_needs(tmp_path):
+    command = f"chart rigid-stop --simulate r=0.5:0.9:3 --out {tmp_path / 'F.zarr'}"
+    refused(command, "such as --from x1=0,x2=0,v1=0,v2=0")
