@@ -142,6 +142,7 @@ def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
     assert sorted(os.listdir(place)) == before
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot fork here")
 def test_a_fault_while_a_file_is_written(place: Path) -> None:
     asked = []
