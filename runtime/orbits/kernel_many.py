@@ -363,6 +363,9 @@ def _predictor(kernels: OrbitKernels) -> _Predictor:
     factors = np.array([1.0, 0.6, 1.5, 0.3, 2.2])
     if len(reduced) == 1:  # a stiff stop is touched for ever shorter times
         factors = np.append(factors, np.geomspace(0.2, 1e-5, 25))
+        if kernels.reduced[0] not in kernels.timed:
+            # an impact near resonance: of two roots beyond all starts Newton finds the larger
+            factors = np.append(factors, [5.0, 30.0, 200.0])
     grids = np.meshgrid(*[factors] * len(reduced), indexing="ij")
     starts = np.stack([g.ravel() for g in grids], axis=-1) * reduced
     nearest = np.argsort(np.abs(np.log(starts / reduced)).sum(axis=-1), kind="stable")
