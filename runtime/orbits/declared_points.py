@@ -80,14 +80,16 @@ class DeclaredPoints:
     def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
         """See `OrbitPoints`."""
         kernels = self.own.kernels
-        near = None if start is None else start[:, self._reduced]
+        near = start
+        if start is not None and not self.own.alone:
+            near = start[:, self._reduced]
         found = self.points.solve(values, near)
         unknowns = {name: found[name] for name in kernels.unknowns}
         points = {name: values[name] for name in kernels.parameter_names}
         columns = {**found, **self.own.unknowns(points, unknowns)}
-        rest = np.flatnonzero(~columns["admissible"])
         if self.own.alone:
             return columns
+        rest = np.flatnonzero(~columns["admissible"])
         columns["limit"] = np.full(len(columns["status"]), NEITHER)
         if len(rest):
             part = {name: column[rest] for name, column in values.items()}
@@ -97,8 +99,8 @@ class DeclaredPoints:
         return columns
 
     def starts_of(self, columns: Columns) -> np.ndarray:
-        """See `OrbitPoints`: dwell times and start."""
-        return self.composed.starts_of(columns)
+        """See `OrbitPoints`: reduced unknowns, or what the tables start from."""
+        return (self.points if self.own.alone else self.composed).starts_of(columns)
 
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
         """See `OrbitPoints`."""
@@ -106,5 +108,5 @@ class DeclaredPoints:
 
     @cached_property
     def _reduced(self) -> list[int]:
-        """Where in a start the reduced unknowns of the kernels stand."""
+        """Where among all unknowns the reduced ones of the kernels stand."""
         return [self.unknowns.index(name) for name in self.own.kernels.reduced]
