@@ -157,10 +157,15 @@ def _forced(count: int) -> Iterator[Row]:
     near = [*known.dwell_times, *known.states[0]]
     few = {n: v[:: count // 100] for n, v in peer_values(values).items()}
 
-    def composed() -> object:
-        return ns.solve_many(system, few, near, itinerary=phases, threads=1, admissibility=False)
+    for told in ("", ", with admissibility"):
 
-    yield Row("forced impact, tables", timed(composed, len(few["gap"])), against=ours)
+        def composed(admissibility: bool = bool(told)) -> object:
+            return ns.solve_many(
+                system, few, near, itinerary=phases, threads=1, admissibility=admissibility
+            )
+
+        seconds = timed(composed, len(few["gap"]))
+        yield Row(f"forced impact, tables{told}", seconds, against=f"{ours}{told}")
     lambdified = peer.newton(peer_values(values))
     yield Row("forced impact, lambdify(cse), NumPy Newton", timed(lambdified, count, 3),
               against=ours)  # fmt: skip

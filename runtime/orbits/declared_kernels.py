@@ -77,7 +77,7 @@ class DeclaredKernels:
         Returns
         -------
         Orbits
-            Without the states at which later phases start.
+            Its problem is the composed orbit's.
 
         Raises
         ------
@@ -100,13 +100,15 @@ class DeclaredKernels:
         values = {n: np.broadcast_to(found.parameters[n], shape).ravel()
                   for n in self.kernels.parameter_names}  # fmt: skip
         flat = {name: row.ravel() for name, row in found.unknowns.items()}
-        named = {name: row.reshape(shape) for name, row in self.unknowns(values, flat).items()}
+        named = self.unknowns(values, flat)
+        starts = self._starts(values, flat, named)
         return replace(
             found,
             problem=self.reference.problem,
             parameters={name: parameter_array(value) for name, value in parameters.items()},
-            unknowns=named,
+            unknowns={name: row.reshape(shape) for name, row in named.items()},
             bounds={} if admissibility else None,
+            starts=starts.reshape(*shape, *starts.shape[1:]),
         )
 
     def unknowns(self, parameters: Columns, unknowns: Columns) -> Columns:
@@ -128,13 +130,27 @@ class DeclaredKernels:
         start = names[len(times) :]
         known = {**unknowns, **times}
         if not known.keys() >= {*start}:
-            points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
-            solved = np.stack([unknowns[name] for name in kernels.unknowns], axis=-1)
-            spectrum, _ = kernels.spectrum(points)
-            states = np.asarray(kernels.evaluate("start", points, spectrum, solved))
-            states[np.isnan(solved).any(axis=-1)] = np.nan
+            states = self._evaluated("start", parameters, unknowns)
             known = {**dict(zip(start, states.T, strict=True)), **known}
         return {name: known[name] for name in names}
+
+    def _starts(self, parameters: Columns, unknowns: Columns, named: Columns) -> np.ndarray:
+        """State (n, p, N) at the start of each phase."""
+        count = len(self.kernels.dwell_times)
+        if count > 1:
+            return self._evaluated("states", parameters, unknowns)[:, :count]
+        return np.stack([*named.values()][count:], axis=-1)[:, None]
+
+    def _evaluated(self, kernel: str, parameters: Columns, unknowns: Columns) -> np.ndarray:
+        """A kernel at orbits (n,); NaN where there is none."""
+        kernels = self.kernels
+        points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
+        solved = np.stack([unknowns[name] for name in kernels.unknowns], axis=-1)
+        spectrum, _ = kernels.spectrum(points)
+        with np.errstate(all="ignore"):  # of points without an orbit
+            found = np.asarray(kernels.evaluate(kernel, points, spectrum, solved))
+        found[np.isnan(solved).any(axis=-1)] = np.nan
+        return found
 
 
 def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredKernels | None:

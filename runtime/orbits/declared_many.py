@@ -114,6 +114,8 @@ def _filled(found: Orbits, rest: np.ndarray, others: Orbits) -> Orbits:
         both[rest] = values
         return both
 
+    assert found.starts is not None
+    assert others.starts is not None
     allowed = found.admissible
     if allowed is not None and others.admissible is not None:
         allowed = filled(allowed, others.admissible)
@@ -126,6 +128,7 @@ def _filled(found: Orbits, rest: np.ndarray, others: Orbits) -> Orbits:
         iterations=filled(found.iterations, others.iterations),
         status=filled(found.status, others.status),
         admissible=allowed,
+        starts=filled(found.starts, others.starts),
     )
 
 
